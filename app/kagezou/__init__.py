@@ -1,0 +1,9 @@
+"""Kagezou makes cast-shadow layers for 2D animation from transparent character drawings.
+
+The rooms of the program and what each may use are listed in ``app/README.md``.
+Nothing is imported here, so that the command line never pays for the window.
+"""
+
+from importlib.metadata import version
+
+__version__ = version("kagezou")

@@ -1,0 +1,55 @@
+"""What goes wrong outside the program, as one sentence and one exit code.
+
+A ``Problem`` is meant for the person at the desk: its text names the file and the cause and needs no traceback.
+Anything else that escapes is a defect of ours.
+"""
+
+from typing import ClassVar
+
+
+class Problem(Exception):
+    """Something the user can understand and mend; ``str(problem)`` is the whole sentence."""
+
+    exit_code: ClassVar[int] = 1
+
+
+class UsageProblem(Problem):
+    """The command line or a typed value does not make sense."""
+
+    exit_code = 2
+
+
+class InputProblem(Problem):
+    """A file that was asked for is missing, broken or of the wrong kind."""
+
+    exit_code = 3
+
+
+class OutputProblem(Problem):
+    """A place that should be written to refuses."""
+
+    exit_code = 4
+
+
+class DiskFullProblem(OutputProblem):
+    """There is no room left for what should be written."""
+
+    exit_code = 5
+
+
+class GraphicsProblem(Problem):
+    """OpenGL 3.3 is not to be had, or it failed."""
+
+    exit_code = 6
+
+
+class ProjectProblem(Problem):
+    """The project file is invalid, damaged or from a newer version."""
+
+    exit_code = 7
+
+
+class SomeFramesFailed(Problem):
+    """The work went on past failed frames, as asked, but is not whole."""
+
+    exit_code = 8
