@@ -1,0 +1,55 @@
+"""Axis-aligned boxes on the canvas."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A half-open box in canvas px, y down: ``left <= x < right`` and ``top <= y < bottom``."""
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+
+    @property
+    def width(self) -> int:
+        """The extent in x, px."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> int:
+        """The extent in y, px."""
+        return self.bottom - self.top
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether no pixel lies in the box."""
+        return self.right <= self.left or self.bottom <= self.top
+
+    def moved(self, dx: int, dy: int) -> "Box":
+        """Return the box moved by whole pixels."""
+        return Box(self.left + dx, self.top + dy, self.right + dx, self.bottom + dy)
+
+    def grown(self, margin: int) -> "Box":
+        """Return the box with ``margin`` px added on every side."""
+        return Box(self.left - margin, self.top - margin, self.right + margin, self.bottom + margin)
+
+    def intersection(self, other: "Box") -> "Box | None":
+        """Return the common part, or None where there is none."""
+        common = Box(
+            max(self.left, other.left),
+            max(self.top, other.top),
+            min(self.right, other.right),
+            min(self.bottom, other.bottom),
+        )
+        return None if common.is_empty else common
+
+    def union(self, other: "Box") -> "Box":
+        """Return the smallest box that holds both."""
+        return Box(
+            min(self.left, other.left),
+            min(self.top, other.top),
+            max(self.right, other.right),
+            max(self.bottom, other.bottom),
+        )

@@ -1,0 +1,33 @@
+"""The few vector types the geometry is written in."""
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+Point2: TypeAlias = tuple[float, float]
+"""A point on the canvas, px, y down."""
+
+Vector3: TypeAlias = tuple[float, float, float]
+"""A point or direction in the world, px."""
+
+Vector4: TypeAlias = tuple[float, float, float, float]
+"""A homogeneous point (w = 1), direction (w = 0) or plane (n, d) with n·X + d = 0."""
+
+Matrix: TypeAlias = NDArray[np.float64]
+"""A float64 matrix; its shape stands in the docstring of whatever returns it."""
+
+
+def dot(a: Vector3, b: Vector3) -> float:
+    """Return the scalar product of two vectors."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def plane_through(point: Vector3, normal: Vector3) -> Vector4:
+    """Return the plane (n, d) with n·X + d = 0 through ``point``."""
+    return (*normal, -dot(normal, point))
+
+
+def height_over(plane: Vector4, point: Vector4) -> float:
+    """Return plane·point: for a unit normal and w = 1 the signed distance in px."""
+    return sum(a * b for a, b in zip(plane, point, strict=True))
