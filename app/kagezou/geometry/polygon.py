@@ -1,0 +1,57 @@
+"""Convex polygons on the canvas and the half-planes that cut them."""
+
+import numpy as np
+
+from kagezou.geometry.box import Box
+from kagezou.geometry.vectors import Matrix
+
+
+def distance_form(form: Matrix) -> Matrix:
+    """Scale a linear form (3,) over canvas points (x, y, 1) so that its value is a signed distance in px.
+
+    A constant form has no edge; it is returned as everywhere inside (+1e6 px) or outside (−1e6 px).
+    """
+    length = float(np.hypot(form[0], form[1]))
+    if length < 1e-12 * (1e-12 + abs(float(form[2]))):
+        return np.array([0.0, 0.0, 1e6 if form[2] > 0 else -1e6])
+    return form / length
+
+
+def shifted(form: Matrix, margin_px: float) -> Matrix:
+    """Return a distance form whose half-plane is ``margin_px`` larger."""
+    return form + np.array([0.0, 0.0, margin_px])
+
+
+def box_polygon(box: Box) -> Matrix:
+    """Return the corners (4, 2) of a box in canvas px."""
+    return np.array(
+        [(box.left, box.top), (box.right, box.top), (box.right, box.bottom), (box.left, box.bottom)],
+        dtype=np.float64,
+    )
+
+
+def clipped(polygon: Matrix, form: Matrix) -> Matrix:
+    """Return the part (M, 2) of a convex polygon (N, 2) where a linear form is >= 0; M may be 0."""
+    if len(polygon) == 0:
+        return polygon
+    values = polygon @ form[:2] + form[2]
+    inside = values >= 0
+    if inside.all():
+        return polygon
+    corners: list[Matrix] = []
+    for index in range(len(polygon)):
+        follower = (index + 1) % len(polygon)
+        if inside[index]:
+            corners.append(polygon[index])
+        if inside[index] != inside[follower]:
+            t = values[index] / (values[index] - values[follower])
+            corners.append(polygon[index] + t * (polygon[follower] - polygon[index]))
+    return np.array(corners) if len(corners) >= 3 else np.empty((0, 2))
+
+
+def bounding_box(polygon: Matrix) -> Box | None:
+    """Return the smallest pixel box around a polygon (N, 2), or None for an empty one."""
+    if len(polygon) == 0:
+        return None
+    low, high = np.floor(polygon.min(axis=0)), np.ceil(polygon.max(axis=0))
+    return Box(int(low[0]), int(low[1]), int(high[0]), int(high[1]))

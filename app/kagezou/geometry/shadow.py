@@ -1,0 +1,100 @@
+"""Where the shadow of a card falls on a flat receiver, in closed form (spec 2; paper 3.4).
+
+The shadow map of a flat card is known exactly: the ray from a receiver point to the light meets the card's plane in
+one point, and that point is seen at one place of the drawing. For a flat receiver the whole chain
+canvas → receiver → card → drawing is one homography, with no texel grid between and so no bias, no acne and no gap
+where a foot meets its shadow.
+"""
+
+from dataclasses import dataclass
+from math import isfinite
+
+import numpy as np
+
+from kagezou.geometry.box import Box
+from kagezou.geometry.camera import Camera
+from kagezou.geometry.card import CardPiece
+from kagezou.geometry.ground import Plane, world_from_canvas_on
+from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
+from kagezou.geometry.vectors import Matrix, Vector4, height_over
+
+SEAM_PX = 1.0
+"""How far each piece of a folded card reaches over its fold, so that neighbours meet without a gap."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cast:
+    """The shadow of one card piece from one light on one flat receiver, as seen on the canvas.
+
+    Parameters
+    ----------
+    art_from_canvas
+        (3, 3) homography from a canvas px of the receiver to the canvas px of the drawing that shades it.
+    receiver_from_canvas
+        (3, 3) homography to the receiver's (u, v) in px.
+    edges
+        Distance forms (3,) in canvas px, each >= 0 inside: the side of the card away from the light, the horizon,
+        and the folds of the card. The shadow lies where all are positive.
+    """
+
+    art_from_canvas: Matrix
+    receiver_from_canvas: Matrix
+    side: Matrix
+    horizon: Matrix
+    left_fold: Matrix
+    right_fold: Matrix
+
+    def region(self, canvas: Box, art: Box, margin_px: float = 1.0) -> Matrix:
+        """Return the convex polygon (N, 2) of ``canvas`` that can hold shadow of the drawing's box ``art``.
+
+        Grown by ``margin_px`` on the canvas, so that partly covered pixels of the rim lie inside. N may be 0.
+        """
+        x_row, y_row, w_row = self.art_from_canvas
+        frame = (
+            x_row - art.left * w_row,
+            art.right * w_row - x_row,
+            y_row - art.top * w_row,
+            art.bottom * w_row - y_row,
+        )
+        polygon = clipped(box_polygon(canvas), shifted(self.horizon, -0.01))
+        for edge in (self.side, self.left_fold, self.right_fold, *map(distance_form, frame)):
+            polygon = clipped(polygon, shifted(edge, margin_px))
+        return polygon
+
+
+def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -> Cast | None:
+    """Return the cast of one piece, or None where nothing is cast or seen.
+
+    Nothing is cast by a light on the dark side of the receiver or within the card's own plane, and nothing is seen
+    of a receiver edge-on.
+    """
+    lift = world_from_canvas_on(camera, receiver)
+    plane = np.asarray(piece.plane)
+    facing = float(plane @ np.asarray(light))
+    scale = float(np.linalg.norm(plane[:3])) * max(1.0, float(np.linalg.norm(light[:3])))
+    if lift is None or height_over(receiver.equation, light) <= 0 or abs(facing) < 1e-9 * scale:
+        return None
+    # Projection from the light L onto the plane π: X ↦ (π·L) X − (π·X) L; the sign makes w > 0 where L, π and X
+    # lie in that order, which is the shadow-map depth test.
+    front = 1.0 if facing > 0 else -1.0
+    card_from_world = front * (facing * np.eye(4) - np.outer(light, plane))
+    art = camera.canvas_from_world() @ card_from_world @ lift
+    return Cast(
+        art_from_canvas=art / np.abs(art).max(),
+        receiver_from_canvas=_plane_coordinates(receiver) @ lift,
+        side=distance_form(-front * (plane @ lift)),
+        horizon=distance_form(lift[3]),
+        left_fold=_fold(art[0] - piece.left * art[2] if isfinite(piece.left) else None),
+        right_fold=_fold(piece.right * art[2] - art[0] if isfinite(piece.right) else None),
+    )
+
+
+def _fold(form: Matrix | None) -> Matrix:
+    return np.array([0.0, 0.0, 1e6]) if form is None else distance_form(form)
+
+
+def _plane_coordinates(receiver: Plane) -> Matrix:
+    """Return the (3, 4) map from the world to the receiver's own (u, v, 1)."""
+    axes = np.array([receiver.u, receiver.v])
+    shift = -axes @ np.asarray(receiver.origin)
+    return np.vstack([np.column_stack([axes, shift]), [0.0, 0.0, 0.0, 1.0]])
