@@ -101,8 +101,8 @@ def components_of(value: Value) -> tuple[float, ...] | None:
             return None
         case str():
             return _color_components(value)
-        case float() | int():
-            return (float(value),)
+        case float():
+            return (value,)
         case tuple():
             flat: list[float] = []
             for part in value:

@@ -26,9 +26,7 @@ def sun(ground: Plane, azimuth_deg: float, elevation_deg: float) -> Vector4:
     along_u = cos(elevation) * sin(azimuth)
     along_v = cos(elevation) * cos(azimuth)
     up = sin(elevation)
-    x, y, z = (
-        along_u * u + along_v * v + up * n for u, v, n in zip(ground.u, ground.v, ground.normal, strict=True)
-    )
+    x, y, z = (along_u * u + along_v * v + up * n for u, v, n in zip(ground.u, ground.v, ground.normal, strict=True))
     return (x, y, z, 0.0)
 
 

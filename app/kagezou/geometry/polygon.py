@@ -14,7 +14,8 @@ def distance_form(form: Matrix) -> Matrix:
     length = float(np.hypot(form[0], form[1]))
     if length < 1e-12 * (1e-12 + abs(float(form[2]))):
         return np.array([0.0, 0.0, 1e6 if form[2] > 0 else -1e6])
-    return form / length
+    scaled: Matrix = form / length
+    return scaled
 
 
 def shifted(form: Matrix, margin_px: float) -> Matrix:

@@ -32,9 +32,9 @@ class Cast:
         (3, 3) homography from a canvas px of the receiver to the canvas px of the drawing that shades it.
     receiver_from_canvas
         (3, 3) homography to the receiver's (u, v) in px.
-    edges
-        Distance forms (3,) in canvas px, each >= 0 inside: the side of the card away from the light, the horizon,
-        and the folds of the card. The shadow lies where all are positive.
+    side, horizon, left_fold, right_fold
+        Distance forms (3,) in canvas px, each >= 0 inside: the side of the card away from the light, the receiver in
+        front of the eye, and the piece between its folds. The shadow lies where all are positive.
     """
 
     art_from_canvas: Matrix
