@@ -14,13 +14,12 @@ def distance_form(form: Matrix) -> Matrix:
     length = float(np.hypot(form[0], form[1]))
     if length < 1e-12 * (1e-12 + abs(float(form[2]))):
         return np.array([0.0, 0.0, 1e6 if form[2] > 0 else -1e6])
-    scaled: Matrix = form / length
-    return scaled
+    return np.asarray(form / length)
 
 
 def shifted(form: Matrix, margin_px: float) -> Matrix:
     """Return a distance form whose half-plane is ``margin_px`` larger."""
-    return form + np.array([0.0, 0.0, margin_px])
+    return np.asarray(form + np.array([0.0, 0.0, margin_px]))
 
 
 def box_polygon(box: Box) -> Matrix:

@@ -1,0 +1,65 @@
+"""Where a property lives in a document, and the paths people write for it (spec 6)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from kagezou.animation.track import Track, Value
+from kagezou.document.model import Document
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.property import Property
+from kagezou.errors import UsageProblem
+
+
+@dataclass(frozen=True, slots=True)
+class Address:
+    """One property of the document, or of the layer with an id."""
+
+    property: Property
+    layer_id: str | None = None
+
+
+def resolve(document: Document, path: str) -> Address:
+    """Return the address a path such as ``layers.A.shadow.opacity`` names; layer names may hold dots.
+
+    Raises
+    ------
+    UsageProblem
+        If there is no such layer or property, with the nearest path there is.
+    """
+    if path in OF_DOCUMENT:
+        return Address(OF_DOCUMENT[path])
+    for layer in document.layers:
+        prefix = f"layers.{layer.name}."
+        if path.startswith(prefix) and path.removeprefix(prefix) in OF_LAYER:
+            return Address(OF_LAYER[path.removeprefix(prefix)], layer.id)
+    near = get_close_matches(path, [path_of(document, address) for address in addresses(document)], n=1)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    raise UsageProblem(f"there is no property {path!r} in this project{hint}")
+
+
+def path_of(document: Document, address: Address) -> str:
+    """Return the path people write for an address."""
+    if address.layer_id is None:
+        return address.property.name
+    return f"layers.{document.layer(address.layer_id).name}.{address.property.name}"
+
+
+def addresses(document: Document) -> Iterator[Address]:
+    """Yield every property of the document in table order, then those of its layers."""
+    for line in OF_DOCUMENT.values():
+        yield Address(line)
+    for layer in document.layers:
+        for line in OF_LAYER.values():
+            yield Address(line, layer.id)
+
+
+def track_of(document: Document, address: Address) -> Track:
+    """Return the track at an address; a property that was never set has its default as its constant."""
+    tracks = document.tracks if address.layer_id is None else document.layer(address.layer_id).tracks
+    return tracks.get(address.property.name) or Track(address.property.default)
+
+
+def value_of(document: Document, address: Address, frame: float) -> Value:
+    """Return the value at a frame."""
+    return track_of(document, address).value_at(frame)

@@ -1,0 +1,163 @@
+"""Edits: functions that make a new document of an old one. Nothing else changes a document.
+
+An edit that would change nothing returns the very same document, so that ``new is old`` tells.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import count
+from pathlib import Path
+from types import MappingProxyType
+
+from kagezou.animation.ease import EASY, Ease
+from kagezou.animation.track import Interpolation, Key, Track, components_of
+from kagezou.document.address import Address, track_of
+from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks
+from kagezou.errors import UsageProblem
+from kagezou.geometry.box import Box
+
+
+def set_track(document: Document, address: Address, track: Track) -> Document:
+    """Put a whole track at an address."""
+    if track == track_of(document, address):
+        return document
+    name = address.property.name
+    if address.layer_id is None:
+        return replace(document, tracks=_with(document.tracks, name, track))
+    layer = document.layer(address.layer_id)
+    return _with_layer(document, replace(layer, tracks=_with(layer.tracks, name, track)))
+
+
+def set_constant(document: Document, address: Address, raw: object) -> Document:
+    """Give a property one value for the whole cut; its keys go."""
+    return set_track(document, address, Track(address.property.canonical(raw)))
+
+
+def set_key(
+    document: Document, address: Address, frame: int, raw: object, interpolation: Interpolation | None = None
+) -> Document:
+    """Set a key; without an interpolation a new key goes on as the one before it does, else linear (or hold).
+
+    Raises
+    ------
+    UsageProblem
+        If the value is not valid, the frame is before 1, or a switch or choice is asked to move.
+    """
+    line = address.property
+    if frame < 1:
+        raise UsageProblem(f"{line.name}: a key cannot lie on frame {frame}, frames count from 1")
+    if line.holds_only and interpolation not in (None, Interpolation.HOLD):
+        raise UsageProblem(f"{line.name}: a switch or choice can only be held, not keyed {interpolation}")
+    track = track_of(document, address)
+    value = line.canonical(raw)
+    old = track.key_at(frame)
+    chosen = Interpolation.HOLD if line.holds_only else interpolation or _usual(track, frame)
+    if old is not None and chosen == old.interpolation:
+        key = replace(old, value=value)
+    else:
+        eases = _easy(len(components_of(value) or ())) if chosen is Interpolation.BEZIER else ()
+        key = Key(frame, value, chosen, eases, eases)
+    return set_track(document, address, track.with_key(key))
+
+
+def set_value(document: Document, address: Address, raw: object, frame: int) -> Document:
+    """Set what is seen at a frame: a key where the property is keyed, else its constant."""
+    if track_of(document, address).is_keyed:
+        return set_key(document, address, frame, raw)
+    return set_constant(document, address, raw)
+
+
+def remove_key(document: Document, address: Address, frame: int) -> Document:
+    """Take a key away; the last one leaves its value as the constant."""
+    return set_track(document, address, track_of(document, address).without_key(frame))
+
+
+def add_layer(document: Document, name: str, cels: Cels, figure: Box, tracks: Tracks | None = None) -> Document:
+    """Put a character layer on top, under a free name near ``name``; the cut grows to its last exposure."""
+    layer = Layer(_free_id(document), free_name(document, name), cels, figure, _frozen(tracks or {}))
+    last = max((exposure.frame for exposure in cels.exposures), default=1)
+    canvas = replace(document.canvas, length_frames=max(document.canvas.length_frames, last))
+    return replace(document, canvas=canvas, layers=(*document.layers, layer))
+
+
+def remove_layer(document: Document, layer_id: str) -> Document:
+    """Take a layer away."""
+    return replace(document, layers=tuple(layer for layer in document.layers if layer.id != layer_id))
+
+
+def rename_layer(document: Document, layer_id: str, name: str) -> Document:
+    """Give a layer another name, which must be free and printable."""
+    layer = document.layer(layer_id)
+    if name == layer.name:
+        return document
+    _check_name(name)
+    if any(other.name == name for other in document.layers):
+        raise UsageProblem(f"there is already a layer named {name!r}")
+    return _with_layer(document, replace(layer, name=name))
+
+
+def move_layer(document: Document, layer_id: str, index: int) -> Document:
+    """Put a layer at a place counted from the bottom."""
+    layer = document.layer(layer_id)
+    others = [other for other in document.layers if other.id != layer_id]
+    others.insert(index, layer)
+    moved = tuple(others)
+    return document if moved == document.layers else replace(document, layers=moved)
+
+
+def set_exposures(document: Document, layer_id: str, exposures: tuple[Exposure, ...]) -> Document:
+    """Give a layer other exposures of its drawings."""
+    layer = document.layer(layer_id)
+    cels = replace(layer.cels, exposures=exposures)
+    return document if cels == layer.cels else _with_layer(document, replace(layer, cels=cels))
+
+
+def set_canvas(document: Document, canvas: Canvas) -> Document:
+    """Change size, frame rate or length."""
+    return document if canvas == document.canvas else replace(document, canvas=canvas)
+
+
+def set_background(document: Document, path: Path | None) -> Document:
+    """Put a picture under everything, or take it away."""
+    return document if path == document.background else replace(document, background=path)
+
+
+def free_name(document: Document, name: str) -> str:
+    """Return ``name``, or with a number behind it where a layer has it already."""
+    _check_name(name)
+    taken = {layer.name for layer in document.layers}
+    return next(each for each in (name, *(f"{name} {n}" for n in range(2, len(taken) + 3))) if each not in taken)
+
+
+def _check_name(name: str) -> None:
+    if not name.strip() or not name.isprintable() or len(name) > 200:
+        raise UsageProblem(f"a layer cannot be named {name[:60]!r}: a name is 1 to 200 printable characters")
+
+
+def _free_id(document: Document) -> str:
+    taken = {layer.id for layer in document.layers}
+    return next(each for each in (f"layer-{n}" for n in count(1)) if each not in taken)
+
+
+def _with_layer(document: Document, changed: Layer) -> Document:
+    layers = tuple(changed if layer.id == changed.id else layer for layer in document.layers)
+    return replace(document, layers=layers)
+
+
+def _with(tracks: Tracks, name: str, track: Track) -> Tracks:
+    return _frozen({**tracks, name: track})
+
+
+def _frozen(tracks: Mapping[str, Track]) -> Tracks:
+    return MappingProxyType(dict(tracks))
+
+
+def _usual(track: Track, frame: int) -> Interpolation:
+    """Return how a new key at ``frame`` goes on: as its neighbour before it, or after it, else linear."""
+    before = [key for key in track.keys if key.frame <= frame]
+    near = before[-1] if before else next(iter(track.keys), None)
+    return near.interpolation if near else Interpolation.LINEAR
+
+
+def _easy(components: int) -> tuple[Ease, ...]:
+    return (EASY,) * components

@@ -1,0 +1,55 @@
+"""What is true of every document; checked after each edit in tests and after each load."""
+
+from itertools import pairwise
+
+from kagezou.animation.track import Interpolation
+from kagezou.document.address import addresses, path_of, track_of
+from kagezou.document.model import Document
+from kagezou.errors import ProjectProblem, UsageProblem
+
+
+def check(document: Document) -> None:
+    """Raise ProjectProblem, naming the place, if the document is not sound."""
+    _check_canvas(document)
+    ids = [layer.id for layer in document.layers]
+    names = [layer.name for layer in document.layers]
+    if len(set(ids)) != len(ids):
+        raise ProjectProblem("layers: two layers have the same id")
+    if len(set(names)) != len(names):
+        raise ProjectProblem("layers: two layers have the same name")
+    for layer in document.layers:
+        frames = [exposure.frame for exposure in layer.cels.exposures]
+        if any(after <= before for before, after in pairwise(frames)):
+            raise ProjectProblem(f"layers.{layer.name}: exposures are out of order")
+        shown = [exposure.drawing for exposure in layer.cels.exposures if exposure.drawing is not None]
+        if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
+            raise ProjectProblem(f"layers.{layer.name}: an exposure names a drawing that is not there")
+    _check_tracks(document)
+
+
+def _check_canvas(document: Document) -> None:
+    canvas = document.canvas
+    if not (1 <= canvas.width_px <= 16384 and 1 <= canvas.height_px <= 16384):
+        raise ProjectProblem(f"canvas: {canvas.width_px}x{canvas.height_px} is not within 1x1 to 16384x16384 px")
+    if not 0 < canvas.frame_rate <= 1000:
+        raise ProjectProblem(f"canvas: {canvas.frame_rate} frames a second is not within 0 to 1000")
+    if not 1 <= canvas.length_frames <= 1_000_000:
+        raise ProjectProblem(f"canvas: a cut of {canvas.length_frames} frames is not within 1 to 1000000")
+
+
+def _check_tracks(document: Document) -> None:
+    for address in addresses(document):
+        track = track_of(document, address)
+        path = path_of(document, address)
+        frames = [key.frame for key in track.keys]
+        if frames != sorted(set(frames)) or (frames and frames[0] < 1):
+            raise ProjectProblem(f"{path}: keys are out of order")
+        for value, where in ((track.constant, "constant"), *((key.value, f"frame {key.frame}") for key in track.keys)):
+            try:
+                canonical = address.property.canonical(value)
+            except UsageProblem as problem:
+                raise ProjectProblem(f"{path}: {where}: {problem}") from problem
+            if canonical != value:
+                raise ProjectProblem(f"{path}: {where}: {value!r} is not kept in its canonical form")
+        if address.property.holds_only and any(key.interpolation is not Interpolation.HOLD for key in track.keys):
+            raise ProjectProblem(f"{path}: a switch or choice can only be held")

@@ -1,0 +1,165 @@
+"""What a property is: its kind, unit, range, default and words, and how a raw value becomes a valid one."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from math import isfinite
+
+from kagezou.animation.track import Value
+from kagezou.errors import UsageProblem
+
+MAX_COORDINATE_PX = 1_000_000.0
+MAX_POINTS = 64
+
+
+class Kind(StrEnum):
+    """The shape of a property's value."""
+
+    NUMBER = "number"
+    POINT = "point"
+    """(x, y) on the canvas."""
+    PLACE = "place"
+    """(x, y, z) in the world."""
+    POINTS = "points"
+    """Any number of canvas points."""
+    COLOR = "color"
+    """``#RRGGBB``, sRGB."""
+    CHOICE = "choice"
+    SWITCH = "switch"
+
+
+class Scope(StrEnum):
+    """What a property belongs to."""
+
+    DOCUMENT = "document"
+    LAYER = "layer"
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """One text in the two languages of the program."""
+
+    en: str
+    ja: str
+
+
+@dataclass(frozen=True, slots=True)
+class Property:
+    """One line of the property table.
+
+    Parameters
+    ----------
+    name
+        The path; for a layer's property the part after ``layers.NAME.``.
+    kind, scope, unit, default
+        ``unit`` is "px", "°" or "" for a plain number.
+    low, high
+        The range of a number, both ends included.
+    choices
+        The words a choice may take.
+    label, help
+        What the window and the help print.
+    """
+
+    name: str
+    kind: Kind
+    scope: Scope
+    default: Value
+    label: Words
+    help: Words
+    unit: str = ""
+    low: float = -MAX_COORDINATE_PX
+    high: float = MAX_COORDINATE_PX
+    choices: tuple[str, ...] = ()
+
+    @property
+    def holds_only(self) -> bool:
+        """Whether keys of this property may only be held: switches and choices."""
+        return self.kind in (Kind.CHOICE, Kind.SWITCH)
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """The names of the value's numbers; empty where it has none or any number of them."""
+        match self.kind:
+            case Kind.NUMBER:
+                return (self.label.en,)
+            case Kind.POINT:
+                return ("x", "y")
+            case Kind.PLACE:
+                return ("x", "y", "z")
+            case Kind.COLOR:
+                return ("red", "green", "blue")
+            case _:
+                return ()
+
+    def canonical(self, raw: object) -> Value:
+        """Return ``raw`` (a JSON value or a value of this property) as a valid value of this property.
+
+        Raises
+        ------
+        UsageProblem
+            With one sentence that says what is wrong and what is allowed.
+        """
+        match self.kind:
+            case Kind.NUMBER:
+                return self._number(raw)
+            case Kind.POINT:
+                x, y = self._coordinates(raw, 2)
+                return (x, y)
+            case Kind.PLACE:
+                return self._coordinates(raw, 3)
+            case Kind.POINTS:
+                return self._points(raw)
+            case Kind.COLOR:
+                return self._color(raw)
+            case Kind.CHOICE:
+                if isinstance(raw, str) and raw in self.choices:
+                    return raw
+                raise self._refused(raw, "one of " + ", ".join(f'"{choice}"' for choice in self.choices))
+            case Kind.SWITCH:
+                if isinstance(raw, bool):
+                    return raw
+                raise self._refused(raw, "true or false")
+
+    def _number(self, raw: object) -> float:
+        number = _finite(raw)
+        if number is None or not self.low <= number <= self.high:
+            raise self._refused(raw, f"a number from {self.low:g} to {self.high:g}{self.unit and ' ' + self.unit}")
+        return number
+
+    def _coordinates(self, raw: object, count: int) -> tuple[float, ...]:
+        wanted = f"a point [{', '.join('xyz'[:count])}] in px"
+        if not isinstance(raw, (list, tuple)) or len(raw) != count:
+            raise self._refused(raw, wanted)
+        numbers = tuple(_finite(part) for part in raw)
+        inside = tuple(n for n in numbers if n is not None and abs(n) <= MAX_COORDINATE_PX)
+        if len(inside) != count:
+            raise self._refused(raw, f"{wanted}, each within ±{MAX_COORDINATE_PX:g}")
+        return inside
+
+    def _points(self, raw: object) -> tuple[tuple[float, float], ...]:
+        if not isinstance(raw, (list, tuple)) or len(raw) > MAX_POINTS:
+            raise self._refused(raw, f"a list of at most {MAX_POINTS} points [[x, y], …] in px")
+        pairs = (self._coordinates(part, 2) for part in raw)
+        return tuple((pair[0], pair[1]) for pair in pairs)
+
+    def _color(self, raw: object) -> str:
+        if isinstance(raw, str) and len(raw) == 7 and raw[0] == "#":
+            digits = raw[1:]
+            if all(digit in "0123456789abcdefABCDEF" for digit in digits):
+                return "#" + digits.upper()
+        raise self._refused(raw, 'a colour such as "#20203A"')
+
+    def _refused(self, raw: object, wanted: str) -> UsageProblem:
+        shown = repr(raw)
+        return UsageProblem(f"{self.name}: {shown if len(shown) <= 60 else shown[:57] + '...'} is not {wanted}")
+
+
+def _finite(raw: object) -> float | None:
+    """Return a finite float, or None for anything that is not a plain number."""
+    if isinstance(raw, bool) or not isinstance(raw, (int, float)):
+        return None
+    try:
+        number = float(raw)
+    except OverflowError:
+        return None
+    return number if isfinite(number) else None

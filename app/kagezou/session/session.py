@@ -1,0 +1,209 @@
+"""The session: one document being worked on, with history and gestures."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+
+from kagezou.document.address import Address
+from kagezou.document.model import Document
+
+MAX_STEPS = 500
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """What is seen and selected.
+
+    Parameters
+    ----------
+    document
+        The document now.
+    frame
+        The frame looked at, from 1.
+    layer_id
+        The layer worked on.
+    selection
+        Selected properties.
+    """
+
+    document: Document
+    frame: int = 1
+    layer_id: str | None = None
+    selection: tuple[Address, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Step:
+    name: str
+    before: State
+    after: State
+
+
+Listener = Callable[[State, State], None]
+
+
+class Session:
+    """One document being worked on. ``changed(before, after)`` is called after every change of state."""
+
+    def __init__(self, document: Document) -> None:
+        layers = document.layers
+        self._state = State(document, layer_id=layers[-1].id if layers else None)
+        self._saved = document
+        self._done: list[_Step] = []
+        self._undone: list[_Step] = []
+        self._gesture: Gesture | None = None
+        self._listeners: list[Listener] = []
+
+    @property
+    def state(self) -> State:
+        """What is seen now, an unfinished gesture included."""
+        return self._state
+
+    @property
+    def document(self) -> Document:
+        """The document now."""
+        return self._state.document
+
+    @property
+    def is_saved(self) -> bool:
+        """Whether the document now is the one last saved."""
+        return self._state.document is self._saved
+
+    @property
+    def undo_name(self) -> str | None:
+        """The name of the step that undo would take back."""
+        return self._done[-1].name if self._done else None
+
+    @property
+    def redo_name(self) -> str | None:
+        """The name of the step that redo would bring back."""
+        return self._undone[-1].name if self._undone else None
+
+    def listen(self, listener: Listener) -> None:
+        """Call ``listener(before, after)`` after every change of state."""
+        self._listeners.append(listener)
+
+    def mark_saved(self) -> None:
+        """Say that the document now is on disk."""
+        self._saved = self._state.document
+        self._tell(self._state)
+
+    def edit(self, name: str, document: Document) -> None:
+        """Make a new document the present one, as one step; the same document is no step."""
+        with self.gesture(name) as gesture:
+            gesture.show(document)
+
+    @contextmanager
+    def gesture(self, name: str) -> Iterator["Gesture"]:
+        """Collect everything shown within the block into one step; an exception restores what was.
+
+        Dropped if nothing changed. A gesture within a gesture joins it.
+        """
+        if self._gesture is not None:
+            yield self._gesture
+            return
+        gesture = self.begin(name)
+        try:
+            yield gesture
+        except BaseException:
+            gesture.cancel()
+            raise
+        gesture.commit()
+
+    def begin(self, name: str) -> "Gesture":
+        """Begin a gesture that lives longer than a block, such as a drag; end it by commit or cancel."""
+        if self._gesture is not None:
+            self._gesture.commit()
+        self._gesture = Gesture(self, name, self._state)
+        return self._gesture
+
+    def undo(self) -> None:
+        """Take the last step back; shows the frame and selection it was made with."""
+        self._finish_gesture()
+        if self._done:
+            step = self._done.pop()
+            self._undone.append(step)
+            self._show(step.before)
+
+    def redo(self) -> None:
+        """Bring the last undone step back."""
+        self._finish_gesture()
+        if self._undone:
+            step = self._undone.pop()
+            self._done.append(step)
+            self._show(step.after)
+
+    def go_to(self, frame: int) -> None:
+        """Look at a frame, kept within the cut."""
+        length = self.document.canvas.length_frames
+        self._show(replace(self._state, frame=min(max(frame, 1), length)))
+
+    def select(self, layer_id: str | None, selection: tuple[Address, ...] = ()) -> None:
+        """Work on a layer and select properties."""
+        self._show(replace(self._state, layer_id=layer_id, selection=selection))
+
+    def _finish_gesture(self) -> None:
+        if self._gesture is not None:
+            self._gesture.commit()
+
+    def _show(self, state: State) -> None:
+        before, self._state = self._state, _within(state)
+        if self._state != before:
+            self._tell(before)
+
+    def _tell(self, before: State) -> None:
+        for listener in self._listeners:
+            listener(before, self._state)
+
+    def _end(self, name: str, before: State, *, keep: bool) -> None:
+        self._gesture = None
+        if not keep:
+            self._show(before)
+        elif self._state.document is not before.document:
+            self._done.append(_Step(name, before, self._state))
+            del self._done[:-MAX_STEPS]
+            self._undone.clear()
+            self._tell(self._state)
+
+
+class Gesture:
+    """A run of documents shown one after the other that becomes one step of history."""
+
+    def __init__(self, session: Session, name: str, before: State) -> None:
+        self._session = session
+        self._name = name
+        self._before = before
+        self._open = True
+
+    @property
+    def start(self) -> Document:
+        """The document before the gesture."""
+        return self._before.document
+
+    def show(self, document: Document) -> None:
+        """Make a document the present one, for now."""
+        if self._open:
+            self._session._show(replace(self._session.state, document=document))  # noqa: SLF001 - its own session
+
+    def commit(self) -> None:
+        """End the gesture as one step, or as none if nothing changed."""
+        self._close(keep=True)
+
+    def cancel(self) -> None:
+        """End the gesture and restore what was."""
+        self._close(keep=False)
+
+    def _close(self, *, keep: bool) -> None:
+        if self._open:
+            self._open = False
+            self._session._end(self._name, self._before, keep=keep)  # noqa: SLF001 - its own session
+
+
+def _within(state: State) -> State:
+    """Return the state with its frame and selection kept to what the document has."""
+    document = state.document
+    ids = {layer.id for layer in document.layers}
+    layer_id = state.layer_id if state.layer_id in ids else (document.layers[-1].id if document.layers else None)
+    selection = tuple(address for address in state.selection if address.layer_id in (None, *ids))
+    frame = min(max(state.frame, 1), document.canvas.length_frames)
+    return State(document, frame, layer_id, selection)
