@@ -148,7 +148,7 @@ class Session:
 
     def _show(self, state: State) -> None:
         before, self._state = self._state, _within(state)
-        if self._state != before:
+        if not _same(before, self._state):
             self._tell(before)
 
     def _tell(self, before: State) -> None:
@@ -197,6 +197,11 @@ class Gesture:
         if self._open:
             self._open = False
             self._session._end(self._name, self._before, keep=keep)  # noqa: SLF001 - its own session
+
+
+def _same(a: State, b: State) -> bool:
+    """Whether two states look alike; documents are compared by identity, which an edit always changes."""
+    return a.document is b.document and (a.frame, a.layer_id, a.selection) == (b.frame, b.layer_id, b.selection)
 
 
 def _within(state: State) -> State:
