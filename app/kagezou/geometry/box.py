@@ -53,3 +53,8 @@ class Box:
             max(self.right, other.right),
             max(self.bottom, other.bottom),
         )
+
+
+def centred_offset(canvas: Box, width_px: int, height_px: int) -> tuple[int, int]:
+    """Return where the top left pixel of a drawing lies that is centred on the canvas, pixel for pixel."""
+    return (canvas.left + (canvas.width - width_px) // 2, canvas.top + (canvas.height - height_px) // 2)
