@@ -1,0 +1,136 @@
+"""One command from a fresh machine to a running program or to the tests' verdict.
+
+::
+
+    python3 packaging/dev.py demo [...]    set up, then render the demo
+    python3 packaging/dev.py app [...]     set up, then start the program
+    python3 packaging/dev.py test [...]    set up, then lint, types, floors and tests (arguments go to pytest)
+    python3 packaging/dev.py lint          set up, then lint, types and floors
+    python3 packaging/dev.py setup         set up only
+
+Needs nothing but a Python of the supported range; what is already done is not done again.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from dev_display import private_display
+from dev_system import HEADLESS, TESTS, WINDOW, SetupProblem, supply, virtual_environment_support
+from dev_venv import Environment
+
+ROOT = Path(__file__).resolve().parents[1]
+OLDEST, NEWEST = (3, 11), (3, 13)
+VERBS = ("demo", "app", "test", "lint", "setup")
+CHECKS = (
+    ("ruff check", ("-m", "ruff", "check", ".")),
+    ("ruff format", ("-m", "ruff", "format", "--check", ".")),
+    ("mypy", ("-m", "mypy")),
+    ("lint-imports", ("-c", "from importlinter.cli import lint_imports_command as run; run()")),
+)
+
+
+def say(sentence: str) -> None:
+    """Print at once: child processes write to the same place."""
+    print(sentence, flush=True)
+
+
+def python_problem(version: tuple[int, int]) -> str | None:
+    """Return why this Python will not do, or None."""
+    if OLDEST <= version <= NEWEST:
+        return None
+    span = f"{OLDEST[0]}.{OLDEST[1]} to {NEWEST[0]}.{NEWEST[1]}"
+    return f"Kagezou needs Python {span}; this is {version[0]}.{version[1]}."
+
+
+def has_display(environment: Mapping[str, str]) -> bool:
+    """Tell whether a window could open here."""
+    return bool(environment.get("DISPLAY") or environment.get("WAYLAND_DISPLAY"))
+
+
+def set_up(verb: str) -> Environment:
+    """Bring system libraries and ``.venv`` to what the verb needs."""
+    environment = Environment(ROOT, sys.version_info[:2])
+    extra = "" if verb in ("demo", "app") else "dev"
+    support = () if environment.is_ready(extra) else virtual_environment_support(environment.version)
+    if verb == "lint":  # reads the sources, draws nothing
+        supply(support, (), say)
+    elif verb in ("test", "setup"):
+        supply([*support, *HEADLESS, *WINDOW, *TESTS], (), say)
+    elif verb == "app" or has_display(os.environ):
+        supply([*support, *HEADLESS, *WINDOW], (), say)
+    else:
+        supply([*support, *HEADLESS], WINDOW, say)
+    environment.prepare(extra, say)
+    return environment
+
+
+def run_checks(environment: Environment) -> list[str]:
+    """Run every check that needs no screen, also after one failed; return the names of those that failed."""
+    failed = []
+    for name, arguments in CHECKS:
+        say(f"-- {name}")
+        started = time.monotonic()
+        code = subprocess.call([str(environment.python), *arguments], cwd=ROOT)
+        say(f"-- {name}: {'ok' if code == 0 else 'FAILED'} after {time.monotonic() - started:.1f} s")
+        if code != 0:
+            failed.append(name)
+    return failed
+
+
+def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
+    """Run pytest on a screen of its own; the last line on stdout is pytest's summary."""
+    # A part of the tests cannot reach the coverage that all of them must.
+    selection = arguments or ("--cov", "--cov-report=term-missing:skip-covered")
+    with private_display() as variables:
+        say("-- pytest")
+        return subprocess.call([str(environment.python), "-m", "pytest", *selection], cwd=ROOT, env=variables)
+
+
+def run_verb(verb: str, arguments: Sequence[str]) -> int:
+    """Set up for the verb, do it, and return the exit code."""
+    environment = set_up(verb)
+    if verb == "setup":
+        say(f"Ready: {environment.python}")
+        return 0
+    if verb in ("demo", "app"):
+        command = [str(environment.python), "-m", "kagezou", *(["demo"] if verb == "demo" else [])]
+        return subprocess.call([*command, *arguments])
+    failed = run_checks(environment)
+    if failed:
+        say(f"Failed: {', '.join(failed)}.")
+    if verb == "lint":
+        return int(bool(failed))
+    return run_tests(environment, arguments) or int(bool(failed))
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Obey the command line; every foreseeable failure is one sentence and a code other than 0."""
+    problem = python_problem(sys.version_info[:2])
+    if problem:
+        sys.stderr.write(f"{problem}\n")
+        return 1
+    if not arguments or arguments[0] not in VERBS or (arguments[0] in ("lint", "setup") and arguments[1:]):
+        wants_help = bool(arguments) and arguments[0] in ("-h", "--help")
+        (sys.stdout if wants_help else sys.stderr).write(__doc__ or "")
+        return 0 if wants_help else 2
+    # As an exception, so that the virtual screen is taken down on the way out.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    try:
+        return run_verb(arguments[0], arguments[1:])
+    except SetupProblem as stop:
+        sys.stderr.write(f"{stop}\n")
+        return 1
+    except KeyboardInterrupt:
+        sys.stderr.write("Stopped.\n")
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
