@@ -1,0 +1,134 @@
+"""The set-up command's verbs: what they need, run and print."""
+
+import ast
+import importlib
+import os
+import re
+import sys
+import tomllib
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+class Modules:
+    """The modules of the set-up command, imported as the command itself imports them."""
+
+    def __init__(self) -> None:
+        self.dev: ModuleType = importlib.import_module("dev")
+        self.system: ModuleType = importlib.import_module("dev_system")
+        self.venv: ModuleType = importlib.import_module("dev_venv")
+        self.display: ModuleType = importlib.import_module("dev_display")
+
+
+@pytest.fixture
+def modules(monkeypatch: pytest.MonkeyPatch) -> Modules:
+    monkeypatch.syspath_prepend(str(ROOT / "packaging"))
+    return Modules()
+
+
+def test_the_python_range_is_the_project_s(modules: Modules) -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    oldest, newest = modules.dev.OLDEST, modules.dev.NEWEST
+    assert project["requires-python"] == f">={oldest[0]}.{oldest[1]},<{newest[0]}.{newest[1] + 1}"
+    assert modules.dev.python_problem(oldest) is None
+    assert modules.dev.python_problem(newest) is None
+    assert modules.dev.python_problem((3, 10)) == "Kagezou needs Python 3.11 to 3.13; this is 3.10."
+    assert modules.dev.python_problem((3, 14)) is not None
+
+
+@pytest.mark.parametrize("name", ["dev", "dev_system", "dev_venv", "dev_display"])
+def test_an_older_python_gets_as_far_as_the_sentence(name: str) -> None:
+    text = (ROOT / "packaging" / f"{name}.py").read_text(encoding="utf-8")
+    tree = ast.parse(text, feature_version=(3, 8))
+    assert any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in tree.body)
+    imported = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names} | {
+        node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)
+    }
+    ours = {"dev_system", "dev_venv", "dev_display"}
+    assert {module.split(".")[0] for module in imported} - ours <= sys.stdlib_module_names
+
+
+@pytest.mark.parametrize("arguments", [[], ["demonstrate"], ["lint", "app"]])
+def test_a_wrong_command_line_shows_the_verbs(
+    modules: Modules, capsys: pytest.CaptureFixture[str], arguments: list[str]
+) -> None:
+    assert modules.dev.main(arguments) == 2
+    shown = capsys.readouterr().err
+    assert all(re.search(rf"dev\.py {verb}\b", shown) for verb in modules.dev.VERBS)
+
+
+def test_a_problem_is_one_sentence_and_not_a_traceback(
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def stop(*_: object) -> int:
+        raise modules.system.SetupProblem("Something is missing.")
+
+    monkeypatch.setattr(modules.dev, "run_verb", stop)
+    monkeypatch.setattr(modules.dev.signal, "signal", quiet_signal)
+    assert modules.dev.main(["setup"]) == 1
+    assert capsys.readouterr().err == "Something is missing.\n"
+
+
+def quiet_signal(*_: object) -> None:
+    pass
+
+
+@pytest.mark.parametrize(("failing", "tests", "code"), [(None, 0, 0), ("mypy", 0, 1), (None, 5, 5), ("mypy", 5, 5)])
+def test_every_check_runs_and_any_failure_counts(
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, failing: str | None, tests: int, code: int
+) -> None:
+    ran: list[str] = []
+
+    def call(command: list[str], **_: Any) -> int:
+        name = next((one for one, arguments in modules.dev.CHECKS if tuple(command[1:]) == arguments), "pytest")
+        ran.append(name)
+        return tests if name == "pytest" else int(name == failing)
+
+    monkeypatch.setattr(modules.dev, "set_up", lambda _: modules.venv.Environment(ROOT, (3, 11)))
+    monkeypatch.setattr(modules.dev.subprocess, "call", call)
+    monkeypatch.setattr(modules.dev, "private_display", FakeDisplay)
+    assert modules.dev.run_verb("test", []) == code
+    assert ran == [*[name for name, _ in modules.dev.CHECKS], "pytest"]
+
+
+class FakeDisplay:
+    def __enter__(self) -> dict[str, str]:
+        return {}
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+
+@pytest.mark.parametrize(
+    ("verb", "display", "needs_window"), [("demo", "", False), ("demo", ":0", True), ("app", "", True)]
+)
+def test_the_window_s_libraries_are_needed_only_where_a_window_can_open(
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, verb: str, display: str, *, needs_window: bool
+) -> None:
+    asked: list[tuple[list[Any], list[Any]]] = []
+    monkeypatch.setenv("DISPLAY", display)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    monkeypatch.setattr(modules.dev, "supply", lambda needed, wished, _: asked.append((needed, wished)))
+    monkeypatch.setattr(modules.venv.Environment, "prepare", lambda *_: None)
+    modules.dev.set_up(verb)
+    needed, wished = asked[0]
+    assert set(modules.system.HEADLESS) <= set(needed)
+    assert (set(modules.system.WINDOW) <= set(needed)) is needs_window
+    assert set(modules.system.WINDOW) <= {*needed, *wished}
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tests run on a virtual screen")
+def test_the_private_screen_is_new_private_and_gone_afterwards(modules: Modules) -> None:
+    with modules.display.private_display() as variables:
+        assert variables["DISPLAY"] != os.environ.get("DISPLAY")
+        socket = Path("/tmp/.X11-unix", f"X{variables['DISPLAY'].lstrip(':')}")
+        assert socket.exists()
+        runtime = Path(variables["XDG_RUNTIME_DIR"])
+        assert runtime.stat().st_mode & 0o777 == 0o700
+    assert not socket.exists()
+    assert not runtime.exists()
