@@ -1,0 +1,158 @@
+"""The finished picture: backdrop, background, shadows and characters, laid one over the other in that order."""
+
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from kagezou.geometry.box import Box, centred_offset
+from kagezou.io.images import Cel, read_cel
+from kagezou.render.backdrop import Backdrop
+from kagezou.render.gl import GL
+from kagezou.render.polygons import Polygons
+from kagezou.render.program import Program, Uniform
+from kagezou.render.shelf import TextureShelf
+from kagezou.render.targets import Format, Target, Texture
+from kagezou.scene.scene import ShadowLook
+
+_NO_COLOR = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class _Base:
+    """What the lowest layer of the picture was made of."""
+
+    backdrop: Backdrop
+    background: Path | None
+
+
+class Picture:
+    """A canvas-sized target of straight sRGB, drawn from the base up. Only what was drawn over is restored."""
+
+    def __init__(self, polygons: Polygons, canvas: Box, form: Format, color_budget_bytes: int) -> None:
+        self._polygons = polygons
+        self._backdrop_program = Program("polygon.vert", "backdrop.frag")
+        self._lay_program = Program("polygon.vert", "lay.frag")
+        self._target = Target(canvas.width, canvas.height, form)
+        self._base_target = Target(canvas.width, canvas.height, form)
+        self._under = Texture(canvas.width, canvas.height, form)
+        self._colors = TextureShelf(color_budget_bytes)
+        self._base: _Base | None = None
+        self._drawn_over: list[Box] = []
+
+    @property
+    def target(self) -> Target:
+        """Where the picture is."""
+        return self._target
+
+    def begin(self, backdrop: Backdrop, background: Path | None) -> None:
+        """Start over from the base: the backdrop, and the background picture where it is asked for."""
+        base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None)
+        if base != self._base:
+            self._base = None
+            self._make_base(base)
+            self._base, self._drawn_over = base, [self._target.box]
+        for box in self._drawn_over:
+            self._copy_base(box)
+        self._drawn_over = []
+
+    def lay_shadow(self, coverage: Texture, box: Box, look: ShadowLook) -> None:
+        """Lay a shadow of one colour over the picture; ``coverage`` is of the canvas' size."""
+        red, green, blue = look.color
+        self._lay(
+            self._target,
+            box,
+            coverage,
+            {
+                "u_source_corner_px": (0.0, 0.0),
+                "u_is_picture": False,
+                "u_color": (red / 255, green / 255, blue / 255),
+                "u_opacity": look.opacity,
+                "u_multiply": look.multiply,
+            },
+        )
+
+    def lay_cel(self, cel: Cel) -> None:
+        """Lay a drawing over the picture, centred, pixel for pixel."""
+        self._lay_cel(self._target, cel)
+
+    def copy_whole(self) -> None:
+        """Copy the whole picture once within the graphics card: the plain cost that others are measured by."""
+        self._copy_under(self._target, self._target.box)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self._colors.close()
+        self._under.close()
+        self._base_target.close()
+        self._target.close()
+        self._lay_program.close()
+        self._backdrop_program.close()
+
+    def _make_base(self, base: _Base) -> None:
+        self._base_target.bind()
+        tone, other = base.backdrop.tones
+        self._backdrop_program.use(
+            {
+                "u_target_size_px": self._size(),
+                "u_tone": tone,
+                "u_other_tone": other,
+                "u_square_px": 16,
+            }
+        )
+        self._polygons.draw_box(self._base_target.box)
+        if base.background is not None:
+            self._lay_cel(self._base_target, read_cel(base.background, white_is_clear=False))
+
+    def _lay_cel(self, target: Target, cel: Cel) -> None:
+        if cel.matte.box is None:
+            return
+        height, width = cel.rgba.shape[:2]
+        left, top = centred_offset(target.box, width, height)
+        box = cel.matte.box.moved(left, top).intersection(target.box)
+        if box is None:
+            return
+        # Only the figure travels to the graphics card.
+        corner = cel.matte.box.moved(left, top)
+        texture = self._colors.texture_of(cel, partial(_uploaded, cel, cel.matte.box))
+        self._lay(
+            target,
+            box,
+            texture,
+            {
+                "u_source_corner_px": (float(corner.left), float(corner.top)),
+                "u_is_picture": True,
+                "u_color": _NO_COLOR,
+                "u_opacity": 1.0,
+                "u_multiply": False,
+            },
+        )
+
+    def _lay(self, target: Target, box: Box, source: Texture, uniforms: dict[str, Uniform]) -> None:
+        self._copy_under(target, box)
+        target.bind(box)
+        self._under.bind(0)
+        source.bind(1)
+        self._lay_program.use({"u_target_size_px": self._size(), "u_under": 0, "u_source": 1, **uniforms})
+        self._polygons.draw_box(box)
+        if target is self._target:
+            self._drawn_over.append(box)
+
+    def _copy_under(self, target: Target, box: Box) -> None:
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, target.id)
+        self._under.bind(0)
+        GL.glCopyTexSubImage2D(GL.GL_TEXTURE_2D, 0, box.left, box.top, box.left, box.top, box.width, box.height)
+
+    def _copy_base(self, box: Box) -> None:
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self._base_target.id)
+        self._target.texture.bind(0)
+        GL.glCopyTexSubImage2D(GL.GL_TEXTURE_2D, 0, box.left, box.top, box.left, box.top, box.width, box.height)
+
+    def _size(self) -> tuple[float, float]:
+        return (float(self._target.texture.width_px), float(self._target.texture.height_px))
+
+
+def _uploaded(cel: Cel, box: Box) -> Texture:
+    form = Format.RGBA8 if cel.rgba.dtype.itemsize == 1 else Format.RGBA16
+    texture = Texture(box.width, box.height, form)
+    texture.upload_part(cel.rgba, box)
+    return texture

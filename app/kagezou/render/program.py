@@ -1,0 +1,83 @@
+"""Shader programs: read from files, joined by ``#include``, compiled, and fed uniforms by the document's words."""
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.errors import GraphicsProblem
+from kagezou.locations import shader_folder
+from kagezou.render.gl import GL
+
+_INCLUDE = re.compile(r'^#include "([\w.]+)"$', re.MULTILINE)
+
+Uniform = bool | int | float | Sequence[float] | NDArray[np.float64]
+"""A (3, 3) matrix, a vector, a number or a switch."""
+
+
+def shader_source(name: str) -> str:
+    """Return a shader's text with its includes put in their places."""
+    text = Path(shader_folder(), name).read_text(encoding="utf-8")
+    return _INCLUDE.sub(lambda found: shader_source(found[1]), text)
+
+
+class Program:
+    """A linked pair of shaders."""
+
+    def __init__(self, vertex: str, fragment: str) -> None:
+        self._name = f"{vertex} + {fragment}"
+        self.id = int(GL.glCreateProgram())
+        for name, kind in ((vertex, GL.GL_VERTEX_SHADER), (fragment, GL.GL_FRAGMENT_SHADER)):
+            shader = _compiled(name, kind)
+            GL.glAttachShader(self.id, shader)
+            GL.glDeleteShader(shader)
+        GL.glLinkProgram(self.id)
+        if not GL.glGetProgramiv(self.id, GL.GL_LINK_STATUS):
+            raise GraphicsProblem(f"the graphics driver refuses {self._name}: {_log(GL.glGetProgramInfoLog(self.id))}")
+        self._places: dict[str, int] = {}
+
+    def use(self, uniforms: Mapping[str, Uniform]) -> None:
+        """Draw with this program from now on, with these uniforms."""
+        GL.glUseProgram(self.id)
+        for name, value in uniforms.items():
+            self._set(self._place(name), value)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        GL.glDeleteProgram(self.id)
+
+    def _place(self, name: str) -> int:
+        place = self._places.get(name)
+        if place is None:
+            place = self._places[name] = int(GL.glGetUniformLocation(self.id, name))
+            if place < 0:
+                raise KeyError(f"{self._name} has no uniform {name}")
+        return place
+
+    def _set(self, place: int, value: Uniform) -> None:
+        if isinstance(value, (bool, int)):
+            GL.glUniform1i(place, int(value))
+        elif isinstance(value, float):
+            GL.glUniform1f(place, value)
+        else:
+            numbers = np.ascontiguousarray(value, dtype=np.float32)
+            if numbers.shape == (3, 3):
+                GL.glUniformMatrix3fv(place, 1, True, numbers)  # noqa: FBT003 - rows first, as numpy keeps them
+            else:
+                (GL.glUniform2fv, GL.glUniform3fv, GL.glUniform4fv)[len(numbers) - 2](place, 1, numbers)
+
+
+def _compiled(name: str, kind: int) -> int:
+    shader = int(GL.glCreateShader(kind))
+    GL.glShaderSource(shader, shader_source(name))
+    GL.glCompileShader(shader)
+    if not GL.glGetShaderiv(shader, GL.GL_COMPILE_STATUS):
+        raise GraphicsProblem(f"the graphics driver refuses {name}: {_log(GL.glGetShaderInfoLog(shader))}")
+    return shader
+
+
+def _log(text: bytes | str) -> str:
+    words = text.decode("utf-8", "replace") if isinstance(text, bytes) else text
+    return " ".join(words.split())[:500]

@@ -1,0 +1,153 @@
+"""The renderer: the one way from a scene to pixels, for the window, the command line and a farm alike."""
+
+from kagezou.errors import GraphicsProblem
+from kagezou.geometry.box import Box
+from kagezou.io.cels import CelCache
+from kagezou.io.encode import ShadowImage
+from kagezou.io.images import Steps
+from kagezou.render.backdrop import Backdrop
+from kagezou.render.gl import GL, check
+from kagezou.render.info import read_info
+from kagezou.render.picture import Picture
+from kagezou.render.polygons import Polygons
+from kagezou.render.presenter import Presenter, WindowView
+from kagezou.render.program import Program
+from kagezou.render.shadow_layers import ShadowLayers
+from kagezou.render.targets import Format, Target
+from kagezou.scene.scene import LayerScene, Scene
+
+MATTE_BUDGET_BYTES = 128 << 20
+COLOR_BUDGET_BYTES = 256 << 20
+
+
+class Renderer:
+    """Draws scenes into targets of its own, with the context that is current when it is made and used.
+
+    Lost with its context; whoever holds it throws it away and makes another. Every draw states the whole OpenGL state
+    it relies on, so that nothing another user of the context leaves behind changes a pixel.
+
+    Parameters
+    ----------
+    cels
+        Where decoded drawings come from.
+
+    Raises
+    ------
+    GraphicsProblem
+        If the context is older than OpenGL 3.3 or the driver fails.
+    """
+
+    def __init__(self, cels: CelCache) -> None:
+        self.info = read_info()
+        self._cels = cels
+        self._polygons = Polygons()
+        self._shadows = ShadowLayers(self._polygons, cels, MATTE_BUDGET_BYTES)
+        self._shade_program = Program("polygon.vert", "shade.frag")
+        self._presenter = Presenter(self._polygons)
+        self._picture: Picture | None = None
+        self._shaded: dict[Format, Target] = {}
+        check("setting up")
+
+    @property
+    def casts_drawn(self) -> int:
+        """How many shadows have been cast so far; a shadow that stays as it was is not cast again."""
+        return self._shadows.casts_drawn
+
+    def shadow(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
+        """Return a layer's shadow: one colour, straight alpha = covered part × opacity (spec 6).
+
+        Parameters
+        ----------
+        scene
+            The frame.
+        layer
+            One of its layers; an empty cel gives an empty shadow.
+        depth
+            Bits of alpha, 8 or 16.
+        """
+        canvas = scene.canvas
+        form = Format.ALPHA8 if depth == 8 else Format.ALPHA16
+        coverage = self._shadows.coverage(scene, layer)
+        box = Box(0, 0, 0, 0) if coverage is None or coverage.box is None else coverage.box
+        target = self._shaded_target(canvas, form)
+        if coverage is not None:
+            target.bind(box)
+            coverage.target.texture.bind(0)
+            self._shade_program.use(
+                {
+                    "u_target_size_px": (float(canvas.width), float(canvas.height)),
+                    "u_coverage": 0,
+                    "u_opacity": layer.look.opacity,
+                }
+            )
+            self._polygons.draw_box(box)
+        alpha = target.read(box)
+        check("drawing a shadow")
+        return ShadowImage(canvas.width, canvas.height, layer.look.color, alpha, box)
+
+    def draw_picture(self, scene: Scene, backdrop: Backdrop = Backdrop.BACKGROUND, depth: int = 8) -> None:
+        """Draw backdrop, shadows and characters; the result stays in the renderer until the next picture."""
+        form = Format.RGBA8 if depth == 8 else Format.RGBA16
+        picture = self._picture_for(scene.canvas, form)
+        picture.begin(backdrop, scene.background)
+        self._shadows.forget_except(scene)
+        for layer in scene.layers:
+            coverage = self._shadows.coverage(scene, layer)
+            if coverage is not None and coverage.box is not None:
+                picture.lay_shadow(coverage.target.texture, coverage.box, layer.look)
+        for layer in scene.layers:
+            if layer.drawing is not None:
+                picture.lay_cel(self._cels.cel(layer.drawing.path))
+        check("drawing the picture")
+
+    def read_picture(self) -> Steps:
+        """Return the picture drawn last, (H, W, 4), straight sRGB, in the depth it was drawn with."""
+        target = self._drawn().target
+        return target.read(target.box)
+
+    def present(self, view: WindowView) -> None:
+        """Place the picture drawn last in a window."""
+        self._presenter.draw(self._drawn().target.texture, view)
+        check("showing the picture")
+
+    def copy_picture(self) -> None:
+        """Copy the whole picture once within the graphics card: the plain cost that others are measured by."""
+        self._drawn().copy_whole()
+
+    def finish(self) -> None:
+        """Wait until everything asked for is drawn."""
+        GL.glFinish()
+
+    def close(self) -> None:
+        """Give the memory back; the context must be current."""
+        if self._picture is not None:
+            self._picture.close()
+        for target in self._shaded.values():
+            target.close()
+        self._shadows.close()
+        self._shade_program.close()
+        self._presenter.close()
+        self._polygons.close()
+
+    def _drawn(self) -> Picture:
+        if self._picture is None:
+            raise GraphicsProblem("there is no picture yet")
+        return self._picture
+
+    def _picture_for(self, canvas: Box, form: Format) -> Picture:
+        old = self._picture
+        if old is not None and (old.target.box != canvas or old.target.texture.form is not form):
+            old.close()
+            self._picture = None
+        if self._picture is None:
+            self._picture = Picture(self._polygons, canvas, form, COLOR_BUDGET_BYTES)
+        return self._picture
+
+    def _shaded_target(self, canvas: Box, form: Format) -> Target:
+        target = self._shaded.get(form)
+        if target is not None and target.box != canvas:
+            target.close()
+            target = None
+        if target is None:
+            target = self._shaded[form] = Target(canvas.width, canvas.height, form)
+        return target

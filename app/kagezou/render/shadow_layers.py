@@ -1,0 +1,73 @@
+"""The covered parts of each layer's shadow, kept as long as nothing that shapes them changes."""
+
+from dataclasses import dataclass
+
+from kagezou.geometry.box import Box
+from kagezou.io.cels import CelCache
+from kagezou.io.images import Matte
+from kagezou.render.cast_pass import CastPass
+from kagezou.render.mattes import MatteTextures
+from kagezou.render.polygons import Polygons
+from kagezou.render.targets import Format, Target
+from kagezou.scene.scene import LayerScene, Scene, ShadowCast
+
+
+@dataclass(slots=True)
+class Coverage:
+    """A target (16 bit, canvas size) and the box within it that may hold shadow."""
+
+    target: Target
+    box: Box | None = None
+    cast: ShadowCast | None = None
+    matte: Matte | None = None
+
+
+class ShadowLayers:
+    """Casts a layer's shadow unless the last one of the same cast is still there."""
+
+    def __init__(self, polygons: Polygons, cels: CelCache, matte_budget_bytes: int) -> None:
+        self._cels = cels
+        self._mattes = MatteTextures(polygons, matte_budget_bytes)
+        self._pass = CastPass(polygons)
+        self._by_layer: dict[str, Coverage] = {}
+        self.casts_drawn = 0
+
+    def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
+        """Return the covered parts of a layer's shadow, or None where it has none."""
+        if layer.cast is None:
+            return None
+        kept = self._kept(scene.canvas, layer.id)
+        matte = self._cels.matte(layer.cast.drawing.path)
+        if kept.cast != layer.cast or kept.matte is not matte:
+            placed = self._mattes.placed(matte, scene.canvas)
+            # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.
+            old, kept.box, kept.cast = kept.box, scene.canvas, None
+            kept.box = self._pass.draw(layer.cast, placed, kept.target, old)
+            kept.cast, kept.matte = layer.cast, matte
+            self.casts_drawn += 1
+        return kept if kept.box is not None else None
+
+    def forget_except(self, scene: Scene) -> None:
+        """Give back the memory of layers that the scene no longer has."""
+        alive = {layer.id for layer in scene.layers}
+        for layer_id in [each for each in self._by_layer if each not in alive]:
+            self._by_layer.pop(layer_id).target.close()
+
+    def close(self) -> None:
+        """Give the memory back."""
+        for coverage in self._by_layer.values():
+            coverage.target.close()
+        self._by_layer.clear()
+        self._pass.close()
+        self._mattes.close()
+
+    def _kept(self, canvas: Box, layer_id: str) -> Coverage:
+        kept = self._by_layer.get(layer_id)
+        if kept is not None and kept.target.box != canvas:
+            kept.target.close()
+            kept = None
+        if kept is None:
+            target = Target(canvas.width, canvas.height, Format.ALPHA16)
+            target.clear()
+            kept = self._by_layer[layer_id] = Coverage(target)
+        return kept

@@ -1,0 +1,157 @@
+"""Textures and framebuffers; nothing else makes any."""
+
+from ctypes import c_void_p
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.errors import GraphicsProblem
+from kagezou.geometry.box import Box
+from kagezou.render.gl import GL
+
+
+class Format(Enum):
+    """Internal format, pixel format and component type of a texture."""
+
+    ALPHA8 = (GL.GL_R8, GL.GL_RED, GL.GL_UNSIGNED_BYTE)
+    ALPHA16 = (GL.GL_R16, GL.GL_RED, GL.GL_UNSIGNED_SHORT)
+    RGBA8 = (GL.GL_RGBA8, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)
+    RGBA16 = (GL.GL_RGBA16, GL.GL_RGBA, GL.GL_UNSIGNED_SHORT)
+
+    @property
+    def dtype(self) -> type[np.uint8] | type[np.uint16]:
+        """The numpy type of one component."""
+        return np.uint8 if self.value[2] == GL.GL_UNSIGNED_BYTE else np.uint16
+
+    @property
+    def components(self) -> int:
+        """How many components a pixel has."""
+        return 1 if self.value[1] == GL.GL_RED else 4
+
+
+class Texture:
+    """A 2-D texture whose first row is the top row of the picture."""
+
+    def __init__(self, width_px: int, height_px: int, form: Format) -> None:
+        limit = int(GL.glGetIntegerv(GL.GL_MAX_TEXTURE_SIZE))
+        if max(width_px, height_px) > limit:
+            raise GraphicsProblem(f"a picture of {width_px}x{height_px} px is over this graphics driver's {limit} px")
+        self.width_px = width_px
+        self.height_px = height_px
+        self.form = form
+        self.has_mipmaps = False
+        self.id = int(GL.glGenTextures(1))
+        internal, pixels, component = form.value
+        self.bind(0)
+        GL.glTexImage2D(GL.GL_TEXTURE_2D, 0, internal, width_px, height_px, 0, pixels, component, None)
+        for name, value in (
+            (GL.GL_TEXTURE_MIN_FILTER, GL.GL_NEAREST),
+            (GL.GL_TEXTURE_MAG_FILTER, GL.GL_NEAREST),
+            (GL.GL_TEXTURE_WRAP_S, GL.GL_CLAMP_TO_EDGE),
+            (GL.GL_TEXTURE_WRAP_T, GL.GL_CLAMP_TO_EDGE),
+            (GL.GL_TEXTURE_MAX_LEVEL, 0),
+        ):
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, value)
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of the finest level."""
+        return self.width_px * self.height_px * self.form.components * np.dtype(self.form.dtype).itemsize
+
+    def bind(self, unit: int) -> None:
+        """Bind to a texture unit."""
+        GL.glActiveTexture(GL.GL_TEXTURE0 + unit)
+        GL.glBindTexture(GL.GL_TEXTURE_2D, self.id)
+
+    def upload(self, pixels: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
+        """Fill the texture with pixels (H, W) or (H, W, 4) of the format's type."""
+        self.upload_part(pixels, Box(0, 0, self.width_px, self.height_px))
+
+    def upload_part(self, pixels: NDArray[np.uint8] | NDArray[np.uint16], box: Box) -> None:
+        """Fill the texture with a box of its size out of C-contiguous pixels (H, W) or (H, W, 4)."""
+        _, order, component = self.form.value
+        self.bind(0)
+        GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
+        GL.glPixelStorei(GL.GL_UNPACK_ROW_LENGTH, pixels.shape[1])
+        corner = pixels[box.top :, box.left :]
+        start = c_void_p(corner.ctypes.data)
+        GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, box.width, box.height, order, component, start)
+        GL.glPixelStorei(GL.GL_UNPACK_ROW_LENGTH, 0)
+        self.has_mipmaps = False
+
+    def make_mipmaps(self) -> None:
+        """Make the coarser levels, unless they are there."""
+        if not self.has_mipmaps:
+            self.bind(0)
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAX_LEVEL, 12)
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_NEAREST_MIPMAP_NEAREST)
+            GL.glGenerateMipmap(GL.GL_TEXTURE_2D)
+            self.has_mipmaps = True
+
+    def set_linear(self, *, magnified: bool, minified: bool) -> None:
+        """Choose smooth or blocky sampling."""
+        self.bind(0)
+        choices = ((GL.GL_TEXTURE_MAG_FILTER, magnified), (GL.GL_TEXTURE_MIN_FILTER, minified))
+        for name, smooth in choices:
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_LINEAR if smooth else GL.GL_NEAREST)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        GL.glDeleteTextures([self.id])
+
+
+class Target:
+    """A texture that can be drawn into. Framebuffer row 0 is the top row of the picture, so nothing is flipped."""
+
+    def __init__(self, width_px: int, height_px: int, form: Format) -> None:
+        self.texture = Texture(width_px, height_px, form)
+        self.id = int(GL.glGenFramebuffers(1))
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
+        GL.glFramebufferTexture2D(GL.GL_FRAMEBUFFER, GL.GL_COLOR_ATTACHMENT0, GL.GL_TEXTURE_2D, self.texture.id, 0)
+        if GL.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER) != GL.GL_FRAMEBUFFER_COMPLETE:
+            raise GraphicsProblem(
+                f"the graphics driver cannot draw a picture of {width_px}x{height_px} px ({form.name})"
+            )
+
+    @property
+    def box(self) -> Box:
+        """The whole target."""
+        return Box(0, 0, self.texture.width_px, self.texture.height_px)
+
+    def bind(self, scissor: Box | None = None) -> None:
+        """Draw into this target from now on, within ``scissor``, with no blending, depth test or culling left over."""
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
+        GL.glViewport(0, 0, self.texture.width_px, self.texture.height_px)
+        for state in (GL.GL_BLEND, GL.GL_DEPTH_TEST, GL.GL_CULL_FACE, GL.GL_STENCIL_TEST, GL.GL_DITHER):
+            GL.glDisable(state)
+        GL.glColorMask(True, True, True, True)  # noqa: FBT003 - the call's own order
+        box = scissor or self.box
+        GL.glEnable(GL.GL_SCISSOR_TEST)
+        GL.glScissor(box.left, box.top, box.width, box.height)
+
+    def clear(self, box: Box | None = None) -> None:
+        """Make a box, or everything, transparent black."""
+        self.bind(box)
+        GL.glClearColor(0.0, 0.0, 0.0, 0.0)
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT)
+
+    def read(self, box: Box) -> NDArray[np.uint8] | NDArray[np.uint16]:
+        """Return the pixels of a box, (h, w) or (h, w, 4), top row first."""
+        _, order, component = self.texture.form.value
+        count = self.texture.form.components
+        shape = (box.height, box.width) if count == 1 else (box.height, box.width, count)
+        pixels = np.empty(shape, dtype=self.texture.form.dtype)
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
+        GL.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1)
+        GL.glReadPixels(box.left, box.top, box.width, box.height, order, component, pixels)
+        return pixels
+
+    def texture_alone(self) -> Texture:
+        """Give up drawing and return what was drawn."""
+        GL.glDeleteFramebuffers(1, [self.id])
+        return self.texture
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self.texture_alone().close()
