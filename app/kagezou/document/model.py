@@ -86,7 +86,7 @@ class Layer:
     name: str
     cels: Cels
     figure: Box
-    tracks: Tracks = field(default=NO_TRACKS)
+    tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +96,7 @@ class Document:
     canvas: Canvas
     background: Path | None = None
     layers: tuple[Layer, ...] = ()
-    tracks: Tracks = field(default=NO_TRACKS)
+    tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
 
     def layer(self, layer_id: str) -> Layer:
         """Return the layer with this id; KeyError if there is none."""
