@@ -116,6 +116,8 @@ class Environment:
             raise SetupProblem("The .venv must be rebuilt: please run this with a Python outside it.")
         say(f"Making .venv with Python {self.version[0]}.{self.version[1]} ...")
         try:
+            # First of all: what is left if the removal breaks off must not pass for a usable environment.
+            self.python.unlink(missing_ok=True)
             if self.folder.is_symlink() or self.folder.is_file():
                 self.folder.unlink()
             elif self.folder.exists():
@@ -123,5 +125,5 @@ class Environment:
             self.folder.mkdir()
             self.unfinished_mark.touch()
         except OSError as problem:
-            raise SetupProblem(f"The old .venv cannot be replaced: {problem}.") from problem
+            raise SetupProblem(f"The old .venv cannot be replaced; is it in use? ({problem})") from problem
         run_quietly([sys.executable, "-m", "venv", str(self.folder)], "Making the virtual environment failed")

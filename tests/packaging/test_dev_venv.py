@@ -145,3 +145,21 @@ def test_the_interpreter_that_runs_is_never_deleted(
     with pytest.raises(modules.system.SetupProblem, match="a Python outside it"):
         environment.prepare("", quiet)
     assert commands == []
+
+
+def test_a_removal_that_breaks_off_leaves_nothing_that_looks_usable(
+    modules: Modules, environment: Any, commands: list[list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    environment.prepare("", quiet)
+    environment.unfinished_mark.touch()
+
+    def break_off(folder: Path) -> None:
+        (folder / "kagezou-unfinished").unlink()
+        raise OSError("Directory not empty")
+
+    monkeypatch.setattr(modules.venv.shutil, "rmtree", break_off)
+    with pytest.raises(modules.system.SetupProblem, match="in use"):
+        environment.prepare("", quiet)
+    assert not environment.is_ready("")
+    assert not environment.is_usable()
+    assert len(commands) == 2
