@@ -1,0 +1,248 @@
+"""Drawings as straight sRGB pixels, and the matte of them that casts the shadow.
+
+Whatever the file holds (palette, gray, 1 to 32 bits, multiplied or straight, linear) comes out in one form: integer
+files keep their numbers, floating point files become sRGB coded 16 bit.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.geometry.box import Box
+from kagezou.io.colour import coded_from_light, steps_from_unit, straight_from_associated
+from kagezou.io.oiio_guard import Header, Picture
+
+Steps = NDArray[np.uint8] | NDArray[np.uint16]
+_NO_ALPHA: Final = "no alpha channel: pure white was taken as clear"
+_NO_ALPHA_NO_WHITE: Final = "no alpha channel and no white: the whole frame would cast a shadow"
+_ALL_FULL: Final = "alpha is full everywhere: the whole frame would cast a shadow"
+_TURNED: Final = 5
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Matte:
+    """The alpha of a drawing.
+
+    Attributes
+    ----------
+    alpha
+        (H, W) ``uint8`` or ``uint16``, C-contiguous, read-only; the largest number is opaque.
+    box
+        The smallest box that holds every pixel of any alpha, canvas px, y down; None where there is none.
+    hard_edged
+        Whether alpha is only 0 or full and both occur: paint data without anti-aliasing.
+    """
+
+    alpha: Steps
+    box: Box | None
+    hard_edged: bool
+
+    @property
+    def nbytes(self) -> int:
+        """The memory it takes."""
+        return self.alpha.nbytes
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Cel:
+    """A whole drawing.
+
+    Attributes
+    ----------
+    rgba
+        (H, W, 4) ``uint8`` or ``uint16``, sRGB coded, straight, read-only; of an integer file the very numbers,
+        also under alpha 0.
+    matte
+        Its alpha.
+    notes
+        What the reader had to assume, one sentence each.
+    """
+
+    rgba: Steps
+    matte: Matte
+    notes: tuple[str, ...]
+
+    @property
+    def nbytes(self) -> int:
+        """The memory it takes."""
+        return self.rgba.nbytes + self.matte.nbytes
+
+
+@dataclass(frozen=True, slots=True)
+class ImageInfo:
+    """What the header of a picture says; the size is that of the upright canvas."""
+
+    width_px: int
+    height_px: int
+    channels: int
+    has_alpha: bool
+    bit_depth: int
+
+
+def probe(path: Path) -> ImageInfo:
+    """Return the header of the picture at ``path`` without reading pixels.
+
+    Raises
+    ------
+    InputProblem
+        It cannot be opened.
+    """
+    with Picture(path, whole=False) as picture:
+        header = picture.header
+    width, height = header.display[2:]
+    if header.orientation >= _TURNED:
+        width, height = height, width
+    return ImageInfo(width, height, len(header.channels), header.alpha is not None, header.bit_depth)
+
+
+def read_cel(path: Path, *, white_is_clear: bool = True) -> Cel:
+    """Return the drawing at ``path``.
+
+    Parameters
+    ----------
+    path
+        A picture file.
+    white_is_clear
+        In a file without alpha, whether pure white is clear; False for a background, which is opaque.
+
+    Raises
+    ------
+    InputProblem
+        It cannot be read as a whole; one sentence with name and cause.
+    """
+    with Picture(path) as picture:
+        header = picture.header
+        stored = picture.read()
+    alpha = _alpha_plane(header, stored, header.alpha)
+    rgba = _assembled(header, stored, alpha)
+    rgba = _upright(_on_canvas(rgba, header), header.orientation)
+    notes: tuple[str, ...] = ()
+    if alpha is None and white_is_clear:
+        notes = _clear_white(rgba)
+    matte = matte_of(rgba[..., 3])
+    if alpha is not None and white_is_clear and matte.alpha.size and matte.alpha.min() == _full(matte.alpha):
+        notes = (_ALL_FULL,)
+    rgba.setflags(write=False)
+    return Cel(rgba, matte, notes)
+
+
+def read_matte(path: Path) -> Matte:
+    """Return the matte of the drawing at ``path``; only its alpha channel is taken out of the file where it has one.
+
+    Raises
+    ------
+    InputProblem
+        As for `read_cel`.
+    """
+    with Picture(path) as picture:
+        header = picture.header
+        if header.alpha is not None and header.alpha_declared:
+            stored = picture.read(header.alpha, header.alpha + 1)
+            alpha = _alpha_plane(header, stored, 0)
+            assert alpha is not None
+            return matte_of(_upright(_on_canvas(alpha, header), header.orientation))
+    return read_cel(path).matte
+
+
+def matte_of(alpha: NDArray[Any]) -> Matte:
+    """Return the matte with ``alpha``, (H, W) ``uint8`` or ``uint16``; the array is copied unless it can be kept."""
+    kept = np.ascontiguousarray(alpha)
+    kept.setflags(write=False)
+    box = _box_of(kept)
+    if box is None:
+        return Matte(kept, None, hard_edged=False)
+    wrapped = kept + kept.dtype.type(1)  # full becomes 0 and 0 becomes 1: nothing else may occur
+    hard = int(wrapped.max()) == 1 and int(wrapped.min()) == 0
+    return Matte(kept, box, hard_edged=hard)
+
+
+def _box_of(alpha: NDArray[Any]) -> Box | None:
+    rows = np.flatnonzero(alpha.max(axis=1, initial=0))
+    if rows.size == 0:
+        return None
+    top, bottom = int(rows[0]), int(rows[-1]) + 1
+    columns = np.flatnonzero(alpha[top:bottom].max(axis=0))
+    return Box(int(columns[0]), top, int(columns[-1]) + 1, bottom)
+
+
+def _full(pixels: NDArray[Any]) -> int:
+    return int(np.iinfo(pixels.dtype).max)
+
+
+def _alpha_plane(header: Header, stored: NDArray[Any], index: int | None) -> NDArray[Any] | None:
+    """Return channel ``index`` of (H, W, C) as integer (H, W), or None where it means nothing."""
+    if index is None:
+        return None
+    plane: NDArray[Any] = stored[..., index]
+    if plane.dtype.kind == "f":
+        return steps_from_unit(plane)
+    if not header.alpha_declared and not plane.any() and stored.any():
+        return None  # a 32-bit file whose writer left the fourth byte unused
+    return plane
+
+
+def _assembled(header: Header, stored: NDArray[Any], alpha: NDArray[Any] | None) -> NDArray[Any]:
+    """Return the stored pixels as straight (H, W, 4); where ``alpha`` is None it is full."""
+    chosen = _colour_channels(header)
+    floating = stored.dtype.kind == "f"
+    if not floating and header.straight and alpha is not None and (*chosen, header.alpha) == (0, 1, 2, 3):
+        return np.ascontiguousarray(stored[..., :4])
+    dtype = np.uint16 if floating else stored.dtype
+    rgba = np.empty((*stored.shape[:2], 4), dtype)
+    colour = rgba[..., :3]
+    if floating:
+        divisor = None if header.straight or header.alpha is None else stored[..., header.alpha]
+        colour[...] = coded_from_light(stored[..., chosen], divisor) if chosen else 0
+    else:
+        colour[...] = stored[..., chosen] if chosen else 0
+        if alpha is not None and not header.straight:
+            straight_from_associated(colour, alpha)
+    rgba[..., 3] = _full(rgba) if alpha is None else alpha
+    return rgba
+
+
+def _colour_channels(header: Header) -> list[int]:
+    """Return the indices of red, green and blue, one gray index, or none."""
+    names = [name.rpartition(".")[2].lower() for name in header.channels]
+    if {"r", "g", "b"} <= set(names):
+        return [names.index("r"), names.index("g"), names.index("b")]
+    others = [index for index in range(len(names)) if index != header.alpha]
+    return others[:3] if len(others) >= 3 else others[:1]
+
+
+def _on_canvas(pixels: NDArray[Any], header: Header) -> NDArray[Any]:
+    """Return the stored pixels cut or padded with clear to the display window."""
+    if header.data == header.display:
+        return pixels
+    left, top, width, height = header.display
+    x, y = header.data[0] - left, header.data[1] - top
+    canvas = np.zeros((height, width, *pixels.shape[2:]), pixels.dtype)
+    x0, y0 = max(x, 0), max(y, 0)
+    x1, y1 = min(x + pixels.shape[1], width), min(y + pixels.shape[0], height)
+    if x0 < x1 and y0 < y1:
+        canvas[y0:y1, x0:x1] = pixels[y0 - y : y1 - y, x0 - x : x1 - x]
+    return canvas
+
+
+def _upright(pixels: NDArray[Any], orientation: int) -> NDArray[Any]:
+    """Return the pixels turned as the Exif number 1..8 tells a viewer to."""
+    if orientation in {2, 3}:
+        pixels = pixels[:, ::-1]
+    if orientation in {3, 4}:
+        pixels = pixels[::-1]
+    if orientation >= _TURNED:
+        pixels = pixels.swapaxes(0, 1)
+        pixels = pixels[:, ::-1] if orientation in {6, 7} else pixels
+        pixels = pixels[::-1] if orientation in {7, 8} else pixels
+    return np.ascontiguousarray(pixels)
+
+
+def _clear_white(rgba: NDArray[Any]) -> tuple[str, ...]:
+    """Make pure white clear in place, in (H, W, 4), and return the note about it."""
+    full = _full(rgba)
+    white = (rgba[..., 0] & rgba[..., 1] & rgba[..., 2]) == full
+    rgba[..., 3][white] = 0
+    return (_NO_ALPHA,) if white.any() else (_NO_ALPHA_NO_WHITE,)
