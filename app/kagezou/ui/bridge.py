@@ -1,0 +1,85 @@
+"""The one place where the session's callback becomes Qt signals."""
+
+from PySide6.QtCore import QObject, Signal
+
+from kagezou.document.model import Document
+from kagezou.session.session import Session, State
+
+
+class Bridge(QObject):
+    """The session at hand, and signals for what changed in it.
+
+    Opening another project puts another session behind the same bridge, so that panels connect once. Every signal is
+    sent after the whole change is made; receivers compare with ``is`` and repaint only their part.
+    """
+
+    document_changed = Signal()
+    frame_changed = Signal(int)
+    selection_changed = Signal()
+    saved_changed = Signal(bool)
+    history_changed = Signal()
+    session_replaced = Signal()
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self._session = session
+        self._history: tuple[str | None, str | None] = (None, None)
+        self._was_saved = True
+        self._listen(session)
+
+    @property
+    def session(self) -> Session:
+        """The session at hand."""
+        return self._session
+
+    @property
+    def document(self) -> Document:
+        """The document now."""
+        return self._session.document
+
+    @property
+    def frame(self) -> int:
+        """The frame looked at, from 1."""
+        return self._session.state.frame
+
+    @property
+    def layer_id(self) -> str | None:
+        """The layer worked on."""
+        return self._session.state.layer_id
+
+    def open(self, session: Session) -> None:
+        """Put another session in the place of this one and say that everything changed."""
+        self._session = session
+        self._listen(session)
+        self.session_replaced.emit()
+        self.document_changed.emit()
+        self.selection_changed.emit()
+        self.frame_changed.emit(self.frame)
+        self._tell_saved()
+
+    def _listen(self, session: Session) -> None:
+        def changed(before: State, after: State) -> None:
+            # A session that was put away may still hold an open gesture; nobody looks at it any more.
+            if session is self._session:
+                self._changed(before, after)
+
+        session.listen(changed)
+
+    def _changed(self, before: State, after: State) -> None:
+        if after.document is not before.document:
+            self.document_changed.emit()
+        if (after.layer_id, after.selection) != (before.layer_id, before.selection):
+            self.selection_changed.emit()
+        if after.frame != before.frame:
+            self.frame_changed.emit(after.frame)
+        self._tell_saved()
+
+    def _tell_saved(self) -> None:
+        saved = self._session.is_saved
+        if saved != self._was_saved:
+            self._was_saved = saved
+            self.saved_changed.emit(saved)
+        history = (self._session.undo_name, self._session.redo_name)
+        if history != self._history:
+            self._history = history
+            self.history_changed.emit()

@@ -1,0 +1,166 @@
+"""One editor a kind of property: shows a value and sends what the hand makes of it, knowing no document."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushButton, QWidget
+
+from kagezou.animation.track import Value
+from kagezou.document.property import Kind, Property
+from kagezou.ui.panels.color_button import ColorField
+from kagezou.ui.panels.scrub_field import ScrubField
+from kagezou.ui.words import choice_word, said
+
+
+class Editor(QWidget):
+    """Shows a value; ``began``, ``tried`` and ``ended`` bracket a drag, ``entered`` is a change at one stroke."""
+
+    began = Signal()
+    tried = Signal(object)
+    ended = Signal(bool)
+    entered = Signal(object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.row = QHBoxLayout(self)
+        self.row.setContentsMargins(0, 0, 0, 0)
+        self.row.setSpacing(4)
+
+    @property
+    def scrubbed_by_label(self) -> ScrubField | None:
+        """The field that dragging the property's name drags."""
+        return None
+
+    def show_value(self, value: Value) -> None:
+        """Show a value."""
+        raise NotImplementedError
+
+
+class NumbersEditor(Editor):
+    """One field a number: a plain number, or the coordinates of a point or place."""
+
+    def __init__(self, line: Property) -> None:
+        super().__init__()
+        self._single = line.kind is Kind.NUMBER
+        step, decimals = _grain(line)
+        self.fields = [ScrubField(step, decimals, line.unit if self._single else "") for _ in line.components]
+        self._values: list[float] = [0.0] * len(self.fields)
+        for index, (field, component) in enumerate(zip(self.fields, line.components, strict=True)):
+            field.set_range(line.low, line.high)
+            name = said(line.label)
+            field.setAccessibleName(name if self._single else f"{name} {component}")
+            field.setToolTip(said(line.help) if self._single else f"{component.upper()}")
+            field.drag_began.connect(self.began)
+            field.drag_ended.connect(self.ended)
+            field.dragged.connect(lambda number, at=index: self.tried.emit(self._with(at, number)))
+            field.entered.connect(lambda number, at=index: self.entered.emit(self._with(at, number)))
+            field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-0000.0") + 12)
+            self.row.addWidget(field, 1)
+
+    @property
+    def scrubbed_by_label(self) -> ScrubField | None:
+        return self.fields[0] if self._single else None
+
+    def show_value(self, value: Value) -> None:
+        numbers = value if isinstance(value, tuple) else (value,)
+        self._values = [float(number) for number in numbers if isinstance(number, (int, float))]
+        for field, number in zip(self.fields, self._values, strict=True):
+            field.set_value(number)
+
+    def _with(self, index: int, number: float) -> Value:
+        numbers = [number if at == index else old for at, old in enumerate(self._values)]
+        return numbers[0] if self._single else tuple(numbers)
+
+
+class ChoiceEditor(Editor):
+    """A list of words to choose from."""
+
+    def __init__(self, line: Property) -> None:
+        super().__init__()
+        self.combo = QComboBox()
+        self.combo.setAccessibleName(said(line.label))
+        self.combo.setToolTip(said(line.help))
+        for choice in line.choices:
+            self.combo.addItem(choice_word(choice), choice)
+        self.combo.activated.connect(lambda _: self.entered.emit(self.combo.currentData()))
+        self.row.addWidget(self.combo, 1)
+
+    def show_value(self, value: Value) -> None:
+        self.combo.setCurrentIndex(self.combo.findData(value))
+
+
+class SwitchEditor(Editor):
+    """On or off."""
+
+    def __init__(self, line: Property) -> None:
+        super().__init__()
+        self.box = QCheckBox()
+        self.box.setAccessibleName(said(line.label))
+        self.box.setToolTip(said(line.help))
+        self.box.clicked.connect(self.entered)
+        self.row.addWidget(self.box, 1)
+
+    def show_value(self, value: Value) -> None:
+        self.box.setChecked(bool(value))
+
+
+class ColorEditor(Editor):
+    """A colour."""
+
+    def __init__(self, line: Property) -> None:
+        super().__init__()
+        self.field = ColorField()
+        self.field.setToolTip(said(line.help))
+        self.field.picking_began.connect(self.began)
+        self.field.tried.connect(self.tried)
+        self.field.picking_ended.connect(self.ended)
+        self.field.entered.connect(self.entered)
+        self.row.addWidget(self.field, 1)
+
+    def show_value(self, value: Value) -> None:
+        self.field.set_color(str(value))
+
+
+class PointsEditor(Editor):
+    """How many points there are, and a way to be rid of them; they are placed in the picture itself."""
+
+    def __init__(self, line: Property) -> None:
+        super().__init__()
+        self._count = QLabel()
+        self._count.setToolTip(self.tr("Double-click on the character in the picture to add a grounding point"))
+        self._clear = QPushButton(self.tr("Clear"))
+        self._clear.setObjectName("small_button")
+        self._clear.setAccessibleName(f"{said(line.label)}: {self._clear.text()}")
+        self._clear.clicked.connect(lambda: self.entered.emit(()))
+        self.row.addWidget(self._count, 1)
+        self.row.addWidget(self._clear)
+
+    def show_value(self, value: Value) -> None:
+        points: Sequence[object] = value if isinstance(value, tuple) else ()
+        self._count.setText(self.tr("%n point(s)", "", len(points)) if points else self.tr("none"))
+        self._clear.setEnabled(bool(points))
+
+
+def editor_for(line: Property) -> Editor:
+    """Return the editor of a property's kind."""
+    match line.kind:
+        case Kind.NUMBER | Kind.POINT | Kind.PLACE:
+            return NumbersEditor(line)
+        case Kind.CHOICE:
+            return ChoiceEditor(line)
+        case Kind.SWITCH:
+            return SwitchEditor(line)
+        case Kind.COLOR:
+            return ColorEditor(line)
+        case Kind.POINTS:
+            return PointsEditor(line)
+
+
+def _grain(line: Property) -> tuple[float, int]:
+    """Return how much a px of dragging changes, and the digits worth showing, by unit and range."""
+    if line.unit == "px":
+        return 1.0, 1
+    if line.unit == "°":
+        return 0.25, 2
+    span = line.high - line.low
+    return (0.005, 3) if span <= 10 else (0.5, 2)

@@ -1,0 +1,127 @@
+"""The inspector: every property of the table, for the scene and for the layer worked on."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.document.properties import TABLE
+from kagezou.document.property import Property, Scope
+from kagezou.scene.evaluate import camera_at, card_at, ground_at
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.panels.property_row import PropertyRow
+from kagezou.ui.panels.section import Section
+
+_ONLY_FOR_LIGHT = {
+    properties.LIGHT_POSITION.name: "point",
+    properties.OVERHEAD_RADIUS.name: "point",
+    properties.LIGHT_AZIMUTH.name: "sun",
+    properties.LIGHT_ELEVATION.name: "sun",
+}
+"""Properties that mean nothing for the other kind of light and are hidden then."""
+
+
+class Inspector(QScrollArea):
+    """Iterates the property table; a new line there appears here by itself."""
+
+    def __init__(self, bridge: Bridge) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._built_for: tuple[object, str | None] | None = None
+        self._scene_sections: list[Section] = []
+        self._layer_sections: list[Section] = []
+        self._inner = QWidget()
+        self._column = QVBoxLayout(self._inner)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(1)
+        self._column.addStretch(1)
+        self.setWidget(self._inner)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        bridge.document_changed.connect(self._refresh)
+        bridge.frame_changed.connect(self._refresh)
+        bridge.selection_changed.connect(self._refresh)
+        self._scene_sections = self._sections(Scope.DOCUMENT, None)
+        self._refresh()
+
+    @property
+    def rows(self) -> list[PropertyRow]:
+        """Every row there is now, hidden ones included."""
+        return [row for section in (*self._layer_sections, *self._scene_sections) for row in section.rows]
+
+    def row(self, name: str) -> PropertyRow:
+        """Return the row of a property by its name in the table."""
+        return next(row for row in self.rows if row.address.property.name == name)
+
+    def _refresh(self) -> None:
+        self._follow_selection()
+        for row in self.rows:
+            row.refresh()
+        self._show_relevant()
+        self._show_measured_tilt()
+
+    def _follow_selection(self) -> None:
+        wanted = (self._bridge.session, self._bridge.layer_id)
+        if wanted == self._built_for:
+            return
+        self._built_for = wanted
+        for section in self._layer_sections:
+            self._column.removeWidget(section)
+            section.hide()
+            section.deleteLater()
+        layer_id = self._bridge.layer_id
+        self._layer_sections = [] if layer_id is None else self._sections(Scope.LAYER, layer_id)
+        _align([*self._scene_sections, *self._layer_sections])
+
+    def _sections(self, scope: Scope, layer_id: str | None) -> list[Section]:
+        made: dict[str, Section] = {}
+        before_scene = 0 if scope is Scope.LAYER else self._column.count() - 1
+        for line in TABLE:
+            if line.scope is not scope:
+                continue
+            title = self._title(line)
+            if title not in made:
+                made[title] = Section(title)
+                self._column.insertWidget(before_scene + len(made) - 1, made[title])
+            made[title].add(PropertyRow(self._bridge, Address(line, layer_id)))
+        return list(made.values())
+
+    def _title(self, line: Property) -> str:
+        group = line.name.rpartition(".")[0]
+        titles: dict[str, Callable[[], str]] = {
+            "camera": lambda: self.tr("Camera"),
+            "ground": lambda: self.tr("Ground"),
+            "light": lambda: self.tr("Light"),
+            "shadow": lambda: self.tr("Shadow"),
+            "": lambda: self.tr("Character"),
+        }
+        return titles[group]() if group in titles else group
+
+    def _show_relevant(self) -> None:
+        document, frame = self._bridge.document, self._bridge.frame
+        kind = value_of(document, Address(properties.LIGHT_KIND), frame)
+        for row in self.rows:
+            needed = _ONLY_FOR_LIGHT.get(row.address.property.name, kind)
+            row.set_visible(visible=needed == kind)
+
+    def _show_measured_tilt(self) -> None:
+        """Show the tilt that two grounding points measure, which then cannot be set (spec 2)."""
+        layer_id = self._bridge.layer_id
+        if layer_id is None:
+            return
+        document, frame = self._bridge.document, self._bridge.frame
+        camera, ground = camera_at(document, frame), ground_at(document, frame)
+        card = card_at(document.layer(layer_id), frame, camera, ground)
+        row = self.row(properties.TILT.name)
+        row.set_editable(editable=len(card.contacts) < 2)
+        if len(card.contacts) >= 2:
+            row.editor.show_value(card.tilt_deg)
+
+
+def _align(sections: list[Section]) -> None:
+    width = max((row.label.sizeHint().width() for section in sections for row in section.rows), default=0)
+    for section in sections:
+        section.align(width)

@@ -1,0 +1,86 @@
+"""How a layer looks in the list: eye, thumbnail, name, and what it holds."""
+
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QRect, QSize, Qt
+from PySide6.QtGui import QImage, QMouseEvent, QPainter, QPen
+from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+
+from kagezou.ui.icons import icon
+from kagezou.ui.panels.layer_model import LayerModel, Role
+from kagezou.ui.theme import BRIGHT, CHOSEN, DIM, HOVERED, LINE, OFF, RAISED, TEXT, WELL
+
+_EYE_WIDTH = 30
+_THUMBNAIL = 40
+_GAP = 8
+
+Index = QModelIndex | QPersistentModelIndex
+
+
+class LayerDelegate(QStyledItemDelegate):
+    """Paints rows and takes clicks on the eye."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        return QSize(160, _THUMBNAIL + 10)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        area = QRect(option.rect)
+        state = option.state
+        chosen = bool(state & QStyle.StateFlag.State_Selected)
+        visible = bool(index.data(Role.IS_VISIBLE))
+        painter.save()
+        if chosen or state & QStyle.StateFlag.State_MouseOver:
+            painter.fillRect(area, CHOSEN if chosen else RAISED)
+        painter.setPen(QPen(LINE, 1))
+        painter.drawLine(area.bottomLeft(), area.bottomRight())
+        eye = QRect(area.left() + 7, area.center().y() - 8, 16, 16)
+        icon("eye" if visible else "eye-off").paint(painter, eye)
+        frame = QRect(area.left() + _EYE_WIDTH, area.top() + 5, _THUMBNAIL, _THUMBNAIL)
+        _paint_thumbnail(painter, frame, index.data(Role.THUMBNAIL), faded=not visible)
+        self._paint_words(painter, option, index, name_tone=(BRIGHT if chosen else TEXT) if visible else OFF)
+        painter.restore()
+
+    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
+        editor = super().createEditor(parent, option, index)
+        editor.setAccessibleName(self.tr("Layer name"))
+        return editor
+
+    def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:
+        area = _words_area(QRect(option.rect))
+        height = editor.sizeHint().height()
+        editor.setGeometry(area.left() - 4, area.center().y() - height // 2, area.width() + 2, height)
+
+    def editorEvent(self, event: QEvent, model: QObject, option: QStyleOptionViewItem, index: Index) -> bool:
+        on_eye = isinstance(event, QMouseEvent) and (event.position().x() < QRect(option.rect).left() + _EYE_WIDTH)
+        if on_eye and isinstance(model, LayerModel):
+            if event.type() is QEvent.Type.MouseButtonRelease:
+                model.setData(index, not index.data(Role.IS_VISIBLE), Role.IS_VISIBLE)
+            return True
+        return super().editorEvent(event, model, option, index)
+
+    def _paint_words(self, painter: QPainter, option: QStyleOptionViewItem, index: Index, *, name_tone: object) -> None:
+        area = _words_area(QRect(option.rect))
+        metrics = painter.fontMetrics()
+        middle = area.center().y()
+        name = metrics.elidedText(str(index.data()), Qt.TextElideMode.ElideRight, area.width())
+        painter.setPen(name_tone)
+        painter.drawText(area.left(), middle - 2, name)
+        painter.setPen(DIM)
+        painter.drawText(area.left(), middle + metrics.ascent() + 2, str(index.data(Role.SUMMARY)))
+
+
+def _words_area(area: QRect) -> QRect:
+    return area.adjusted(_EYE_WIDTH + _THUMBNAIL + _GAP, 0, -6, 0)
+
+
+def _paint_thumbnail(painter: QPainter, frame: QRect, image: QImage | None, *, faded: bool) -> None:
+    painter.fillRect(frame, HOVERED)
+    painter.setPen(QPen(WELL, 1))
+    painter.drawRect(frame.adjusted(0, 0, -1, -1))
+    if image is None or image.isNull():
+        return
+    size = image.size().scaled(frame.size() - QSize(4, 4), Qt.AspectRatioMode.KeepAspectRatio)
+    place = QRect(frame.topLeft(), size)
+    place.moveCenter(frame.center())
+    painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+    painter.setOpacity(0.35 if faded else 1.0)
+    painter.drawImage(place, image)
+    painter.setOpacity(1.0)

@@ -1,0 +1,145 @@
+"""The list of layers: choose, show and hide, rename, reorder by dragging, remove, add."""
+
+from PySide6.QtCore import QItemSelection, QPoint, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QLabel,
+    QListView,
+    QMenu,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from kagezou.document.edits import remove_layer
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.icons import icon
+from kagezou.ui.panels.layer_delegate import LayerDelegate
+from kagezou.ui.panels.layer_model import LayerModel, Role
+from kagezou.ui.panels.thumbnails import Thumbnails
+
+
+class LayerView(QListView):
+    """The rows; Delete removes the chosen layer, F2 and a double click rename it."""
+
+    removal_asked = Signal()
+
+    def __init__(self, model: LayerModel) -> None:
+        super().__init__()
+        self.setModel(model)
+        self.setItemDelegate(LayerDelegate(self))
+        self.setMouseTracking(True)
+        self.setUniformItemSizes(True)
+        self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
+        self.setDefaultDropAction(Qt.DropAction.MoveAction)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setAccessibleName(self.tr("Layers"))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self.removal_asked.emit()
+        else:
+            super().keyPressEvent(event)
+
+
+class LayerList(QWidget):
+    """The panel: the rows over a small footer."""
+
+    add_asked = Signal()
+
+    def __init__(self, bridge: Bridge, thumbnails: Thumbnails) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self.model = LayerModel(bridge, thumbnails)
+        self.view = LayerView(self.model)
+        self.view.removal_asked.connect(self.remove_current)
+        self.view.selectionModel().selectionChanged.connect(self._choose)
+        self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.view.customContextMenuRequested.connect(self._open_menu)
+        self.model.modelReset.connect(self._follow_selection)
+        bridge.selection_changed.connect(self._follow_selection)
+        bridge.document_changed.connect(self._follow_selection)
+        self._lay_out()
+        self._follow_selection()
+
+    def remove_current(self) -> None:
+        """Take the chosen layer away."""
+        layer_id = self._bridge.layer_id
+        if layer_id is not None:
+            self._bridge.session.edit(self.tr("Remove layer"), remove_layer(self._bridge.document, layer_id))
+
+    def rename_current(self) -> None:
+        """Begin to type another name for the chosen layer."""
+        self.view.edit(self.view.currentIndex())
+
+    def _lay_out(self) -> None:
+        self._empty = QLabel(self.tr("No layers yet.\nDrop a folder of cels here."))
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._empty.setWordWrap(True)
+        self._empty.setObjectName("welcome_hint")
+        rows = QWidget()
+        self._pages = QStackedLayout(rows)
+        self._pages.addWidget(self.view)
+        self._pages.addWidget(self._empty)
+        footer = QWidget()
+        footer.setObjectName("panel_footer")
+        footer.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        row = QHBoxLayout(footer)
+        row.setContentsMargins(4, 2, 4, 2)
+        row.addWidget(_tool("add", self.tr("Add cels as a new layer"), self.add_asked.emit))
+        row.addStretch(1)
+        self._remove = _tool("remove", self.tr("Remove layer"), self.remove_current)
+        row.addWidget(self._remove)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(rows, 1)
+        column.addWidget(footer)
+
+    def _choose(self, chosen: QItemSelection) -> None:
+        indexes = chosen.indexes()
+        if indexes:
+            self._bridge.session.select(str(indexes[0].data(Role.LAYER_ID)))
+
+    def _follow_selection(self) -> None:
+        self._pages.setCurrentIndex(0 if self.model.rowCount() else 1)
+        self._remove.setEnabled(self._bridge.layer_id is not None)
+        row = self.model.row_of(self._bridge.layer_id)
+        if row is not None and row != self.view.currentIndex().row():
+            self.view.setCurrentIndex(self.model.index(row))
+
+    def _open_menu(self, at: QPoint) -> None:
+        index = self.view.indexAt(at)
+        if not index.isValid():
+            return
+        self.view.setCurrentIndex(index)
+        layer_id = str(index.data(Role.LAYER_ID))
+        visible = bool(index.data(Role.IS_VISIBLE))
+        menu = QMenu(self.view)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addAction(self.tr("Rename"), self.rename_current)
+        hide_or_show = self.tr("Hide") if visible else self.tr("Show")
+        menu.addAction(hide_or_show, lambda: self.model.setData(index, not visible, Role.IS_VISIBLE))
+        menu.addSeparator()
+        up = menu.addAction(self.tr("Move up"), lambda: self.model.move(layer_id, index.row() - 1))
+        up.setEnabled(index.row() > 0)
+        down = menu.addAction(self.tr("Move down"), lambda: self.model.move(layer_id, index.row() + 2))
+        down.setEnabled(index.row() < self.model.rowCount() - 1)
+        menu.addSeparator()
+        menu.addAction(self.tr("Remove"), self.remove_current)
+        menu.popup(self.view.viewport().mapToGlobal(at))
+
+
+def _tool(name: str, words: str, do: object) -> QToolButton:
+    button = QToolButton()
+    button.setIcon(icon(name))
+    button.setToolTip(words)
+    button.setAccessibleName(words)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    button.clicked.connect(do)
+    return button

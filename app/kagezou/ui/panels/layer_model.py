@@ -1,0 +1,135 @@
+"""The layers of the document as Qt's item views want them: the topmost first."""
+
+from collections.abc import Sequence
+from enum import IntEnum
+
+from PySide6.QtCore import QAbstractListModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtGui import QImage
+
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.document.edits import move_layer, rename_layer, set_value
+from kagezou.document.model import Layer
+from kagezou.errors import UsageProblem
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.panels.thumbnails import Thumbnails
+
+Index = QModelIndex | QPersistentModelIndex
+MIME = "application/x-kagezou-layer"
+_NO_INDEX = QModelIndex()
+
+
+class Role(IntEnum):
+    """What the delegate asks for beside the name."""
+
+    LAYER_ID = Qt.ItemDataRole.UserRole + 1
+    IS_VISIBLE = Qt.ItemDataRole.UserRole + 2
+    THUMBNAIL = Qt.ItemDataRole.UserRole + 3
+    SUMMARY = Qt.ItemDataRole.UserRole + 4
+
+
+class LayerModel(QAbstractListModel):
+    """Shows the session's layers; every change goes back through its edits."""
+
+    def __init__(self, bridge: Bridge, thumbnails: Thumbnails) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._thumbnails = thumbnails
+        self._layers: tuple[Layer, ...] = bridge.document.layers
+        bridge.document_changed.connect(self._follow)
+        bridge.frame_changed.connect(self._repaint)
+        thumbnails.ready.connect(self._repaint)
+
+    def layer(self, row: int) -> Layer:
+        """Return the layer of a row, counted from the top."""
+        return self._layers[len(self._layers) - 1 - row]
+
+    def row_of(self, layer_id: str | None) -> int | None:
+        """Return the row of a layer."""
+        return next((row for row in range(len(self._layers)) if self.layer(row).id == layer_id), None)
+
+    def rowCount(self, parent: Index = _NO_INDEX) -> int:
+        return 0 if parent.isValid() else len(self._layers)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        layer = self.layer(index.row())
+        match role:
+            case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.EditRole | Qt.ItemDataRole.ToolTipRole:
+                return layer.name
+            case Role.LAYER_ID:
+                return layer.id
+            case Role.IS_VISIBLE:
+                visible = Address(properties.VISIBLE, layer.id)
+                return bool(value_of(self._bridge.document, visible, self._bridge.frame))
+            case Role.THUMBNAIL:
+                return self._thumbnail(layer)
+            case Role.SUMMARY:
+                return self.tr("%n drawing(s)", "", len(layer.cels.drawings))
+            case _:
+                return None
+
+    def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        layer = self.layer(index.row())
+        document, session = self._bridge.document, self._bridge.session
+        if role == Role.IS_VISIBLE:
+            visible = Address(properties.VISIBLE, layer.id)
+            name = self.tr("Show layer") if value else self.tr("Hide layer")
+            session.edit(name, set_value(document, visible, bool(value), self._bridge.frame))
+            return True
+        try:
+            session.edit(self.tr("Rename layer"), rename_layer(document, layer.id, str(value).strip()))
+        except UsageProblem:
+            return False
+        return True
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        if not index.isValid():
+            return Qt.ItemFlag.ItemIsDropEnabled
+        usual = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEditable
+        return usual | Qt.ItemFlag.ItemIsDragEnabled
+
+    def supportedDropActions(self) -> Qt.DropAction:
+        return Qt.DropAction.MoveAction
+
+    def mimeTypes(self) -> list[str]:
+        return [MIME]
+
+    def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData:
+        carried = QMimeData()
+        carried.setData(MIME, self.layer(indexes[0].row()).id.encode())
+        return carried
+
+    def dropMimeData(self, data: QMimeData, action: Qt.DropAction, row: int, column: int, parent: Index) -> bool:
+        if action is not Qt.DropAction.MoveAction or not data.hasFormat(MIME):
+            return False
+        layer_id = bytes(data.data(MIME).data()).decode()
+        self.move(layer_id, self.rowCount() if row < 0 else row)
+        # False: the model has already moved the layer, the view must not remove the row it dragged.
+        return False
+
+    def move(self, layer_id: str, before_row: int) -> None:
+        """Put a layer above the row that stands at ``before_row`` now."""
+        old_row = self.row_of(layer_id)
+        if old_row is None:
+            return
+        row = before_row - 1 if old_row < before_row else before_row
+        moved = move_layer(self._bridge.document, layer_id, len(self._layers) - 1 - row)
+        self._bridge.session.edit(self.tr("Reorder layers"), moved)
+
+    def _thumbnail(self, layer: Layer) -> QImage | None:
+        drawing = layer.cels.drawings[0] if layer.cels.drawings else None
+        return None if drawing is None else self._thumbnails.image(drawing.path)
+
+    def _follow(self) -> None:
+        layers = self._bridge.document.layers
+        if [layer.id for layer in layers] != [layer.id for layer in self._layers]:
+            self.beginResetModel()
+            self._layers = layers
+            self.endResetModel()
+        elif layers is not self._layers:
+            self._layers = layers
+            self._repaint()
+
+    def _repaint(self) -> None:
+        if self._layers:
+            self.dataChanged.emit(self.index(0), self.index(len(self._layers) - 1))

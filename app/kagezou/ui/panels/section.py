@@ -1,0 +1,52 @@
+"""A titled part of the inspector that folds away."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from kagezou.ui.icons import icon
+from kagezou.ui.panels.property_row import PropertyRow
+
+
+class Section(QWidget):
+    """A header and the rows under it, in three columns: key, name, editor."""
+
+    def __init__(self, title: str) -> None:
+        super().__init__()
+        self._header = QToolButton()
+        self._header.setObjectName("section_header")
+        self._header.setText(title)
+        self._header.setCheckable(True)
+        self._header.setChecked(True)
+        self._header.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._header.toggled.connect(self._fold)
+        self._body = QWidget()
+        self._grid = QGridLayout(self._body)
+        self._grid.setContentsMargins(8, 6, 8, 10)
+        self._grid.setHorizontalSpacing(6)
+        self._grid.setVerticalSpacing(5)
+        self._grid.setColumnStretch(2, 1)
+        self.rows: list[PropertyRow] = []
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._header)
+        column.addWidget(self._body)
+        self._fold(opened=True)
+
+    def add(self, row: PropertyRow) -> None:
+        """Put a row under the others."""
+        at = len(self.rows)
+        self.rows.append(row)
+        self._grid.addWidget(row.key, at, 0, Qt.AlignmentFlag.AlignVCenter)
+        self._grid.addWidget(row.label, at, 1)
+        self._grid.addWidget(row.editor, at, 2)
+
+    def align(self, label_width: int) -> None:
+        """Give the names' column a width, so that the editors of all sections stand in one line."""
+        self._grid.setColumnMinimumWidth(1, label_width)
+
+    def _fold(self, opened: bool) -> None:
+        self._body.setVisible(opened)
+        self._header.setIcon(icon("chevron-down" if opened else "chevron-right"))

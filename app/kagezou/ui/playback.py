@@ -1,0 +1,125 @@
+"""Playing the cut: which frame is due, by a clock, and how many frames a second are really seen."""
+
+from collections import deque
+from collections.abc import Callable
+from time import monotonic
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from kagezou.ui.bridge import Bridge
+
+_WINDOW_S = 1.0
+
+
+class Player(QObject):
+    """Moves the session's frame along in time.
+
+    With ``every_frame`` each frame is shown, later than due where drawing is slow; without it frames are dropped so
+    that the timing is true. Either way nobody is told a rate that was not seen.
+
+    Parameters
+    ----------
+    bridge
+        The session to play.
+    clock
+        Seconds that only go forward.
+    """
+
+    playing_changed = Signal(bool)
+    rate_measured = Signal(float)
+    """Frames a second that were shown over the last second."""
+
+    def __init__(self, bridge: Bridge, clock: Callable[[], float] = monotonic) -> None:
+        super().__init__()
+        self.loop = True
+        self.every_frame = True
+        self._bridge = bridge
+        self._clock = clock
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._tick)
+        self._is_playing = False
+        self._due_s = 0.0
+        self._waiting_for_picture = False
+        self._shown_at: deque[float] = deque()
+        bridge.session_replaced.connect(self.stop)
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether the cut runs."""
+        return self._is_playing
+
+    def toggle(self) -> None:
+        """Play, or stop where it is."""
+        if self._is_playing:
+            self.stop()
+        else:
+            self.start()
+
+    def start(self) -> None:
+        """Play from here; from the start where this is the end."""
+        length = self._bridge.document.canvas.length_frames
+        if self._is_playing or length < 2:
+            return
+        if self._bridge.frame >= length:
+            self._bridge.session.go_to(1)
+        self._is_playing = True
+        self._waiting_for_picture = False
+        self._shown_at.clear()
+        self._due_s = self._clock() + self._frame_s
+        self._wait()
+        self.playing_changed.emit(True)
+
+    def stop(self) -> None:
+        """Stop on the frame that is seen."""
+        if self._is_playing:
+            self._is_playing = False
+            self._timer.stop()
+            self.playing_changed.emit(False)
+
+    def picture_shown(self) -> None:
+        """Take note that the viewport has brought a frame to the screen."""
+        self._waiting_for_picture = False
+        if not self._is_playing:
+            return
+        now = self._clock()
+        self._shown_at.append(now)
+        while now - self._shown_at[0] > _WINDOW_S:
+            self._shown_at.popleft()
+        span = now - self._shown_at[0]
+        if span > _WINDOW_S / 4:
+            self.rate_measured.emit((len(self._shown_at) - 1) / span)
+
+    @property
+    def _frame_s(self) -> float:
+        return float(1 / self._bridge.document.canvas.frame_rate)
+
+    def _tick(self) -> None:
+        now = self._clock()
+        if not self._is_playing:
+            return
+        if self.every_frame and self._waiting_for_picture and now - self._due_s < 1.0:
+            self._timer.start(1)
+            return
+        late_frames = max(int((now - self._due_s) / self._frame_s), 0)
+        steps = 1 if self.every_frame else 1 + late_frames
+        self._due_s += steps * self._frame_s
+        if self.every_frame and late_frames:
+            self._due_s = now + self._frame_s
+        self._advance(steps)
+        if self._is_playing:
+            self._wait()
+
+    def _advance(self, steps: int) -> None:
+        length = self._bridge.document.canvas.length_frames
+        frame = self._bridge.frame + steps
+        if frame > length and not self.loop:
+            self._bridge.session.go_to(length)
+            self.stop()
+            return
+        self._waiting_for_picture = True
+        self._bridge.session.go_to((frame - 1) % length + 1)
+
+    def _wait(self) -> None:
+        self._timer.start(max(round((self._due_s - self._clock()) * 1000), 0))

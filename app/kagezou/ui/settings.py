@@ -1,0 +1,79 @@
+"""What the window remembers between two runs; everything has a default, so that a lost file costs nothing."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings
+
+MAX_RECENT = 8
+
+
+class Settings:
+    """The remembered choices, kept in a Qt settings store.
+
+    Parameters
+    ----------
+    store
+        Where they are kept; by default the user's own store of this program.
+    """
+
+    def __init__(self, store: QSettings | None = None) -> None:
+        self._store = store or QSettings("Kagezou", "Kagezou")
+
+    @property
+    def language(self) -> str:
+        """The chosen language's code, empty for the system's own."""
+        return str(self._store.value("language", ""))
+
+    @language.setter
+    def language(self, code: str) -> None:
+        self._store.setValue("language", code)
+
+    @property
+    def recent(self) -> list[Path]:
+        """Projects opened before, the latest first."""
+        kept = self._store.value("recent", [])
+        lines = [kept] if isinstance(kept, str) else kept if isinstance(kept, list) else []
+        return [Path(str(line)) for line in lines if line]
+
+    def remember_project(self, path: Path) -> None:
+        """Put a project first among the recent ones."""
+        path = path.absolute()
+        others = [old for old in self.recent if old != path]
+        self._store.setValue("recent", [str(each) for each in [path, *others][:MAX_RECENT]])
+
+    def forget_projects(self) -> None:
+        """Empty the list of recent projects."""
+        self._store.remove("recent")
+
+    def folder(self, purpose: str) -> str:
+        """Return the folder last used for a purpose, empty if none."""
+        return str(self._store.value(f"folders/{purpose}", ""))
+
+    def remember_folder(self, purpose: str, folder: Path) -> None:
+        """Keep the folder used for a purpose."""
+        self._store.setValue(f"folders/{purpose}", str(folder))
+
+    def flag(self, name: str, *, default: bool) -> bool:
+        """Return a remembered switch."""
+        return str(self._store.value(f"flags/{name}", default)).lower() == "true"
+
+    def set_flag(self, name: str, *, on: bool) -> None:
+        """Remember a switch."""
+        self._store.setValue(f"flags/{name}", "true" if on else "false")
+
+    def word(self, name: str, default: str) -> str:
+        """Return a remembered word."""
+        return str(self._store.value(f"words/{name}", default))
+
+    def set_word(self, name: str, word: str) -> None:
+        """Remember a word."""
+        self._store.setValue(f"words/{name}", word)
+
+    def layout(self, name: str) -> QByteArray:
+        """Return the bytes Qt made of a window's layout, empty if none."""
+        kept = self._store.value(f"layout/{name}", QByteArray())
+        return kept if isinstance(kept, QByteArray) else QByteArray()
+
+    def set_layout(self, name: str, layout: QByteArray) -> None:
+        """Remember a window's layout."""
+        self._store.setValue(f"layout/{name}", layout)
