@@ -1,0 +1,199 @@
+"""Handles and guides as plain values, and which handle the hand means."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from math import hypot
+
+from kagezou.document.address import Address
+from kagezou.document.property import Words
+from kagezou.geometry.vectors import Point2
+from kagezou.tools.view import View
+
+HIT_RADIUS_PX = 10.0
+"""How far from its middle a handle can be taken hold of with a mouse, logical view px."""
+
+PEN_HIT_RADIUS_PX = 14.0
+"""The same for a pen or a finger."""
+
+EDGE_MARGIN_PX = 18.0
+"""How far inside the viewport's edge a handle is shown that lies outside, logical view px."""
+
+
+class Shape(StrEnum):
+    """What a handle looks like; the shape tells its kind."""
+
+    SUN_DISC = "sun-disc"
+    """The lamp."""
+    FOOT = "foot"
+    """The lamp's foot on the ground."""
+    DIAL = "dial"
+    """The sun on its dial."""
+    CROSS = "cross"
+    """The ground's position."""
+    SQUARE = "square"
+    """An end of the ground line."""
+    LEVER = "lever"
+    """The end of an arm that turns something."""
+    DIAMOND = "diamond"
+    """A grounding point."""
+    RING = "ring"
+    """The tip of the shadow."""
+
+
+class Cursor(StrEnum):
+    """Which way a handle can be moved."""
+
+    MOVE = "move"
+    HORIZONTAL = "horizontal"
+    VERTICAL = "vertical"
+    ROTATE = "rotate"
+
+
+@dataclass(frozen=True, slots=True)
+class Handle:
+    """Something on the canvas a hand can take hold of.
+
+    Parameters
+    ----------
+    id
+        Stable while the same thing is edited: ``light.lamp``, ``light.foot``, ``light.sun``, ``ground.position``,
+        ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``grounding.0``, ``grounding.1`` …
+    shape
+        Its look, of constant size on screen.
+    canvas_px
+        Its middle.
+    address
+        The property it edits, for key marks and menus.
+    label
+        Its name for people.
+    cursor
+        Which way it can be moved.
+    also
+        Further properties it edits.
+    layer_id
+        The layer it was made for.
+    index
+        Its place in a list of points.
+    stays_in_view
+        Whether it is shown at the viewport's edge while it lies outside.
+    """
+
+    id: str
+    shape: Shape
+    canvas_px: Point2
+    address: Address | None
+    label: Words
+    cursor: Cursor = Cursor.MOVE
+    also: tuple[Address, ...] = ()
+    layer_id: str | None = None
+    index: int | None = None
+    stays_in_view: bool = False
+
+    @property
+    def addresses(self) -> tuple[Address, ...]:
+        """Every property the handle edits."""
+        return (*((self.address,) if self.address else ()), *self.also)
+
+
+class GuideKind(StrEnum):
+    """What a guide line shows."""
+
+    GROUND_LINE = "ground-line"
+    GROUND_OUTLINE = "ground-outline"
+    """A square of the ground around its position, which shows declination and roll."""
+    DECLINATION = "declination"
+    LAMP_TO_FOOT = "lamp-to-foot"
+    FOOT_TO_CONTACT = "foot-to-contact"
+    SUN_DIAL = "sun-dial"
+    """The dial's rim: elevation 0."""
+    SUN_RAY = "sun-ray"
+    TILT_ARC = "tilt-arc"
+    TILT_ARM = "tilt-arm"
+    CARD_FOOT = "card-foot"
+    """Where the card meets the ground through the grounding points."""
+    SHADOW_RAY = "shadow-ray"
+    """From the head to the tip of its shadow."""
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    """A line that explains: a polyline in canvas px, perhaps closed. It cannot be taken hold of."""
+
+    kind: GuideKind
+    points: tuple[Point2, ...]
+    closed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class HandleSet:
+    """What lies over the picture, in drawing order: the last handle is topmost."""
+
+    handles: tuple[Handle, ...] = ()
+    guides: tuple[Guide, ...] = ()
+
+    def find(self, handle_id: str | None) -> Handle | None:
+        """Return the handle with this id, None where it is not shown now."""
+        return next((handle for handle in self.handles if handle.id == handle_id), None)
+
+
+@dataclass(frozen=True, slots=True)
+class OffView:
+    """Where a handle outside the viewport is shown instead.
+
+    Parameters
+    ----------
+    view_px
+        The place at the edge, logical view px.
+    direction
+        Unit vector from there toward the true place, for the arrow.
+    distance_px
+        How far away the true place is, logical view px.
+    """
+
+    view_px: Point2
+    direction: Point2
+    distance_px: float
+
+
+def clamped(view_px: Point2, view_size: Point2, margin_px: float = EDGE_MARGIN_PX) -> OffView | None:
+    """Return the place at the viewport's edge for something outside it, or None for what is seen.
+
+    The margin applies to the place at the edge only: what is within the viewport, even in the margin, stays.
+    """
+    if all(0 <= at <= size for at, size in zip(view_px, view_size, strict=True)):
+        return None
+    x, y = (
+        min(max(at, min(margin_px, size / 2)), max(size - margin_px, size / 2))
+        for at, size in zip(view_px, view_size, strict=True)
+    )
+    distance = hypot(view_px[0] - x, view_px[1] - y)
+    return OffView((x, y), ((view_px[0] - x) / distance, (view_px[1] - y) / distance), distance)
+
+
+def place_in_view(handle: Handle, view: View, view_size: Point2 | None) -> tuple[Point2, OffView | None]:
+    """Return where a handle is drawn and hit, view px, and how it was moved to the edge if it was."""
+    view_px = view.view_from_canvas(handle.canvas_px)
+    off = clamped(view_px, view_size) if handle.stays_in_view and view_size is not None else None
+    return (off.view_px if off else view_px, off)
+
+
+def hit(
+    handles: Iterable[Handle],
+    view: View,
+    view_px: Point2,
+    radius: float = HIT_RADIUS_PX,
+    view_size: Point2 | None = None,
+) -> Handle | None:
+    """Return the nearest handle within ``radius`` view px, the topmost of equally near ones.
+
+    With a ``view_size``, handles that stay in view are looked for at the edge where they are shown.
+    """
+    best: Handle | None = None
+    nearest = radius
+    for handle in handles:
+        x, y = place_in_view(handle, view, view_size)[0]
+        distance = hypot(x - view_px[0], y - view_px[1])
+        if distance <= nearest:
+            best, nearest = handle, distance
+    return best

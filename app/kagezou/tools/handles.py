@@ -1,0 +1,60 @@
+"""All handles of a frame, and the drag that belongs to each."""
+
+from types import MappingProxyType
+
+from kagezou.document.model import Document
+from kagezou.tools import ground, grounding, light, shadow, sun, tilt
+from kagezou.tools.drag import Drag, Move, dragging
+from kagezou.tools.handle import Handle, HandleSet
+from kagezou.tools.pointer import Modifiers, Pointer
+from kagezou.tools.setting import Setting
+from kagezou.tools.view import View
+
+_ROOMS = (ground, tilt, grounding, shadow, light, sun)
+"""Whose handles lie over whose: the last one's are topmost."""
+
+_MOVES: MappingProxyType[str, Move] = MappingProxyType(
+    {
+        ground.POSITION: ground.move_position,
+        ground.END: ground.move_end,
+        ground.DECLINATION: ground.move_declination,
+        tilt.TILT: tilt.move_tilt,
+        grounding.GROUNDING: grounding.move_point,
+        shadow.TIP: shadow.move_tip,
+        light.FOOT: light.move_foot,
+        light.LAMP: light.move_lamp,
+        sun.SUN: sun.move_sun,
+    }
+)
+
+
+def handles_of(document: Document, frame: int, layer_id: str | None, view: View) -> HandleSet:
+    """Return what lies over the picture while a layer is worked on, or none is.
+
+    The view only matters for what hangs on arms and dials of constant length on screen: sun, tilt, declination and the
+    end of the ground line.
+    """
+    setting = Setting.of(document, frame, layer_id, view)
+    return HandleSet(
+        tuple(handle for room in _ROOMS for handle in room.handles(setting)),
+        tuple(guide for room in _ROOMS for guide in room.guides(setting)),
+    )
+
+
+def drag_of(handle: Handle, document: Document, frame: int, view: View) -> Drag:
+    """Return the drag of a handle, ready for the press: send that first, then every move; ``close()`` cancels.
+
+    Each answer is a whole document made of ``document``, so cancelling is showing that one again.
+    """
+    name = handle.id if handle.index is None else handle.id.removesuffix(f".{handle.index}")
+    return dragging(Setting.of(document, frame, handle.layer_id, view), handle, _MOVES[name])
+
+
+def nudge(handle: Handle, document: Document, frame: int, dx: float, dy: float, view: View) -> Document:
+    """Return the document with a handle moved by canvas px, as an arrow key does; nothing snaps."""
+    x, y = handle.canvas_px
+    drag = drag_of(handle, document, frame, view)
+    for canvas_px in ((x, y), (x + dx, y + dy)):
+        document = drag.send(Pointer(view.view_from_canvas(canvas_px), canvas_px, Modifiers(snap=False)))
+    drag.close()
+    return document

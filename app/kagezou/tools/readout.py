@@ -1,0 +1,62 @@
+"""What a drag says beside the pointer."""
+
+from kagezou.document.address import value_of
+from kagezou.document.model import Document
+from kagezou.document.property import Kind, Property
+from kagezou.tools.handle import Handle
+
+
+def readout(handle: Handle, before: Document, after: Document, frame: int, language: str = "en") -> str:
+    """Return the values a handle edits and how far they have come, such as ``X 412 (+18)  Y 203 (-4)``.
+
+    Parameters
+    ----------
+    handle
+        The handle in the hand.
+    before, after
+        The document at the press and now.
+    frame
+        The frame looked at.
+    language
+        "en" or "ja", for the names of angles.
+    """
+    parts: list[str] = []
+    for address in handle.addresses:
+        line = address.property
+        names = _names(line, language)
+        old = _numbers(value_of(before, address, frame), handle.index)
+        new = _numbers(value_of(after, address, frame), handle.index)
+        parts.extend(
+            f"{name} {_short(b)}{_degree(line)} ({_signed(b - a)})" for name, a, b in zip(names, old, new, strict=False)
+        )
+    return "  ".join(parts)
+
+
+def _names(line: Property, language: str) -> tuple[str, ...]:
+    if line.kind is Kind.NUMBER:
+        return (line.label.ja if language == "ja" else line.label.en,)
+    return ("X", "Y", "Z")
+
+
+def _numbers(value: object, index: int | None) -> tuple[float, ...]:
+    """Return the numbers of a value, or of one point of a list; none where the point is gone."""
+    if isinstance(value, tuple) and index is not None:
+        return _numbers(value[index], None) if index < len(value) else ()
+    if isinstance(value, tuple):
+        return tuple(part for part in value if isinstance(part, float))
+    return (value,) if isinstance(value, float) else ()
+
+
+def _degree(line: Property) -> str:
+    return "°" if line.unit == "°" else ""
+
+
+def _short(number: float) -> str:
+    """Return a number to a tenth, without a needless ``.0`` or ``-0``."""
+    rounded = round(number, 1) + 0.0
+    return f"{rounded:.0f}" if rounded == round(rounded) else f"{rounded:.1f}"
+
+
+def _signed(number: float) -> str:
+    text = _short(number)
+    return text if text.startswith("-") else f"+{text}"

@@ -1,0 +1,124 @@
+"""The shadow itself: the tip that the head throws is taken hold of, and the light follows.
+
+The light must lie on the line from the tip through the head. That settles the sun; a lamp keeps its height over the
+ground. Feet and what is hardly above them say too little about the light, so such a head has no handle.
+"""
+
+from math import asin, atan2, degrees, radians, sin, sqrt
+
+from kagezou.document import properties
+from kagezou.document.model import Document
+from kagezou.document.property import Words
+from kagezou.geometry.card import Card
+from kagezou.geometry.light import GRAZING_DARK_DEG
+from kagezou.geometry.vectors import Point2, Vector3, dot, height_over
+from kagezou.tools.drag import Aim
+from kagezou.tools.handle import Guide, GuideKind, Handle, Shape
+from kagezou.tools.setting import Setting
+from kagezou.tools.sight import (
+    MIN_DEPTH,
+    REACH_PX,
+    between,
+    depth_of,
+    is_edge_on,
+    moved,
+    on_plane,
+    place_seen_at,
+    seen,
+    within_reach,
+)
+from kagezou.tools.sun import unwound
+
+TIP = "shadow.tip"
+
+MIN_HEIGHT_OF_FIGURE = 0.1
+"""A head less high over the ground than this part of the figure has no handle."""
+
+
+def handles(setting: Setting) -> tuple[Handle, ...]:
+    """Return the shadow's tip, where there is one."""
+    head, tip = _head(setting), _tip(setting)
+    if setting.layer is None or head is None or tip is None:
+        return ()
+    lines = (properties.LIGHT_AZIMUTH, properties.LIGHT_ELEVATION) if setting.is_sun else (properties.LIGHT_POSITION,)
+    address, *also = map(setting.address, lines)
+    return (
+        Handle(
+            TIP, Shape.RING, seen(setting.camera, tip), address, Words("Tip of the shadow", "影の先"),
+            also=tuple(also), layer_id=setting.layer.id, stays_in_view=True,
+        ),
+    )  # fmt: skip
+
+
+def guides(setting: Setting) -> tuple[Guide, ...]:
+    """Return the line from the head to its shadow."""
+    head, tip = _head(setting), _tip(setting)
+    if head is None or tip is None:
+        return ()
+    return (Guide(GuideKind.SHADOW_RAY, (seen(setting.camera, head), seen(setting.camera, tip))),)
+
+
+def move_tip(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+    """Move the light so that the head's shadow falls where it is wanted."""
+    ground, head, tip = setting.ground, _head(setting), _tip(setting)
+    if head is None or tip is None:
+        return setting.document
+    wanted = place_seen_at(setting.camera, tip, ground.normal, aim.straightened(setting.along).target)
+    if wanted is None:
+        return setting.document
+    if setting.is_sun:
+        return _sun_through(setting, between(within_reach(tip, wanted), head), aim)
+    toward_head = between(wanted, head)
+    gain = height_over(ground.equation, setting.light) / height_over(ground.equation, (*head, 1.0))
+    place = within_reach(setting.light[:3], moved(wanted, (gain, toward_head)))
+    return setting.edited(properties.LIGHT_POSITION, place)
+
+
+def _sun_through(setting: Setting, direction: Vector3, aim: Aim) -> Document:
+    ground, length = setting.ground, sqrt(dot(direction, direction))
+    right, nearer, up = (dot(direction, axis) / length for axis in (ground.u, ground.v, ground.normal))
+    document = setting.edited(properties.LIGHT_ELEVATION, degrees(asin(min(max(up, -1.0), 1.0))))
+    if abs(right) + abs(nearer) < 1e-12:
+        return document
+    shown = setting.number(properties.LIGHT_AZIMUTH, aim.shown)
+    azimuth = unwound(degrees(atan2(right, nearer)), shown, properties.LIGHT_AZIMUTH)
+    return setting.edited(properties.LIGHT_AZIMUTH, azimuth, document)
+
+
+def _head(setting: Setting) -> Vector3 | None:
+    """Return the middle of the figure's top on its card, world px, or None if it says too little."""
+    layer, card = setting.layer, setting.card
+    if layer is None or card is None or layer.cels.drawing_at(setting.frame) is None:
+        return None
+    if not setting.value(properties.VISIBLE) or layer.figure.is_empty:
+        return None
+    figure = layer.figure
+    head = _on_card(setting, card, ((figure.left + figure.right) / 2, float(figure.top)))
+    if head is None:
+        return None
+    height = height_over(setting.ground.equation, (*head, 1.0))
+    return head if height >= MIN_HEIGHT_OF_FIGURE * figure.height else None
+
+
+def _on_card(setting: Setting, card: Card, canvas_px: Point2) -> Vector3 | None:
+    piece = next(piece for piece in card.pieces if piece.left <= canvas_px[0] <= piece.right)
+    nx, ny, nz, d = piece.plane
+    place = on_plane(setting.camera, (nx, ny, nz, d), canvas_px)
+    return place if place is None or max(map(abs, place)) <= REACH_PX else None
+
+
+def _tip(setting: Setting) -> Vector3 | None:
+    """Return where the head's shadow falls on the ground, world px, or None if it does not, or out of sight."""
+    head = _head(setting)
+    ground, light = setting.ground, setting.light
+    if head is None:
+        return None
+    x, y, z, w = light
+    ray = (x - w * head[0], y - w * head[1], z - w * head[2])
+    rise = dot(ray, ground.normal)
+    if rise <= sin(radians(GRAZING_DARK_DEG)) * sqrt(dot(ray, ray)):
+        return None
+    tip = moved(head, (-height_over(ground.equation, (*head, 1.0)) / rise, ray))
+    if max(map(abs, tip)) > REACH_PX or depth_of(setting.camera, tip) <= MIN_DEPTH:
+        return None
+    return None if is_edge_on(setting.camera, tip, ground.normal) else tip

@@ -1,0 +1,93 @@
+"""The sun on its dial: a disc around the character, its middle straight above, its rim the horizon.
+
+The dial is a picture of directions, not a thing on the ground: of one size on screen, round the contact, squashed as
+the ground is but never flatter than ``MIN_SQUASH``. Distance from the middle is proportional to the angle from
+straight above; a sun under the horizon is shown outside the rim.
+"""
+
+from math import atan2, cos, degrees, hypot, pi, radians, sin
+
+from kagezou.document import properties
+from kagezou.document.model import Document
+from kagezou.document.property import Property, Words
+from kagezou.geometry.vectors import Point2
+from kagezou.tools.drag import Aim
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
+from kagezou.tools.setting import Setting
+from kagezou.tools.sight import seen
+
+SUN = "light.sun"
+
+DIAL_RADIUS_VIEW_PX = 90.0
+MIN_SQUASH = 0.3
+
+_RIM_POINTS = 64
+
+
+def handles(setting: Setting) -> tuple[Handle, ...]:
+    """Return the sun, none for a lamp."""
+    if not setting.is_sun:
+        return ()
+    azimuth = setting.number(properties.LIGHT_AZIMUTH)
+    elevation = setting.number(properties.LIGHT_ELEVATION)
+    return (
+        Handle(
+            SUN, Shape.DIAL, _on_dial(setting, radians(azimuth), (90 - elevation) / 90),
+            setting.address(properties.LIGHT_AZIMUTH), Words("Sun", "太陽"), Cursor.MOVE,
+            also=(setting.address(properties.LIGHT_ELEVATION),),
+            layer_id=setting.layer.id if setting.layer else None, stays_in_view=True,
+        ),
+    )  # fmt: skip
+
+
+def guides(setting: Setting) -> tuple[Guide, ...]:
+    """Return the dial's rim and the line from its middle to the sun."""
+    if not setting.is_sun:
+        return ()
+    rim = tuple(_on_dial(setting, 2 * pi * step / _RIM_POINTS, 1.0) for step in range(_RIM_POINTS))
+    sun = handles(setting)[0].canvas_px
+    return (
+        Guide(GuideKind.SUN_DIAL, rim, closed=True),
+        Guide(GuideKind.SUN_RAY, (_middle(setting), sun)),
+    )
+
+
+def move_sun(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+    """Set azimuth and elevation; the sun stays over the horizon and its azimuth counts whole turns."""
+    middle, along, across = _middle(setting), setting.along, setting.across
+    x, y = aim.target[0] - middle[0], aim.target[1] - middle[1]
+    right = x * along[0] + y * along[1]
+    nearer = (x * across[0] + y * across[1]) / _squash(setting)
+    from_above = hypot(right, nearer) / setting.view.canvas_length(DIAL_RADIUS_VIEW_PX)
+    elevation = min(max(aim.angle(90 - 90 * from_above), 0.0), 90.0)
+    document = setting.edited(properties.LIGHT_ELEVATION, elevation)
+    if from_above < 1e-9:
+        return document
+    shown = setting.number(properties.LIGHT_AZIMUTH, aim.shown)
+    azimuth = unwound(aim.angle(degrees(atan2(right, nearer))), shown, properties.LIGHT_AZIMUTH)
+    return setting.edited(properties.LIGHT_AZIMUTH, azimuth, document)
+
+
+def unwound(angle_deg: float, near_deg: float, line: Property) -> float:
+    """Return the angle with the whole turns added that bring it nearest to another, within the property's range.
+
+    So keys go the way the hand went, and not once round at ±180°.
+    """
+    nearest = angle_deg + 360 * round((near_deg - angle_deg) / 360)
+    return nearest if line.low <= nearest <= line.high else angle_deg
+
+
+def _middle(setting: Setting) -> Point2:
+    return seen(setting.camera, setting.contact)
+
+
+def _squash(setting: Setting) -> float:
+    return max(cos(radians(setting.number(properties.GROUND_DECLINATION))), MIN_SQUASH)
+
+
+def _on_dial(setting: Setting, azimuth_rad: float, from_above: float) -> Point2:
+    """Return the canvas point of a direction; ``from_above`` is 0 straight above and 1 at the horizon."""
+    radius = from_above * setting.view.canvas_length(DIAL_RADIUS_VIEW_PX)
+    right, nearer = radius * sin(azimuth_rad), radius * cos(azimuth_rad) * _squash(setting)
+    (x, y), along, across = _middle(setting), setting.along, setting.across
+    return (x + right * along[0] + nearer * across[0], y + right * along[1] + nearer * across[1])

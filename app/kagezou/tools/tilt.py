@@ -1,0 +1,75 @@
+"""The body's tilt: a lever over the head that points where the figure faces.
+
+It is seen as from slightly above: its end swings on a flat arc, sideways by the sine of the tilt. With two grounding
+points the tilt is measured; then the lever is only shown.
+"""
+
+from math import asin, cos, degrees, radians, sin
+
+from kagezou.document import properties
+from kagezou.document.model import Document
+from kagezou.geometry.card import MAX_SLOPE_DEG
+from kagezou.geometry.vectors import Point2
+from kagezou.tools.drag import Aim
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
+from kagezou.tools.setting import Setting
+from kagezou.tools.sight import seen
+
+TILT = "tilt.lever"
+
+ARM_VIEW_PX = 70.0
+ABOVE_HEAD_VIEW_PX = 44.0
+SQUASH = 0.35
+"""How flat the arc is seen."""
+
+_ARC_POINTS = 25
+
+
+def handles(setting: Setting) -> tuple[Handle, ...]:
+    """Return the lever's end where the tilt can be set."""
+    if setting.layer is None or not _is_set(setting):
+        return ()
+    return (
+        Handle(
+            TILT, Shape.LEVER, _end(setting, setting.number(properties.TILT)), setting.address(properties.TILT),
+            properties.TILT.label, Cursor.HORIZONTAL, layer_id=setting.layer.id,
+        ),
+    )  # fmt: skip
+
+
+def guides(setting: Setting) -> tuple[Guide, ...]:
+    """Return the lever's arm and the arc of its end; for a card folded more than once there is no one tilt."""
+    if setting.card is None or len(setting.card.pieces) > 1:
+        return ()
+    arc = (-MAX_SLOPE_DEG + 2 * MAX_SLOPE_DEG * step / (_ARC_POINTS - 1) for step in range(_ARC_POINTS))
+    return (
+        Guide(GuideKind.TILT_ARC, tuple(_end(setting, angle) for angle in arc)),
+        Guide(GuideKind.TILT_ARM, (_pivot(setting), _end(setting, setting.card.tilt_deg))),
+    )
+
+
+def move_tilt(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+    """Turn the body so that the lever's end lies under the hand, in x."""
+    away = aim.target[0] - _pivot(setting)[0]
+    part = away / setting.view.canvas_length(ARM_VIEW_PX)
+    tilt = -degrees(asin(min(max(part, -1.0), 1.0)))
+    return setting.edited(properties.TILT, aim.angle_or_zero(tilt, abs(away), setting))
+
+
+def _is_set(setting: Setting) -> bool:
+    """Whether φ is given by the property rather than measured."""
+    return setting.card is not None and len(setting.card.contacts) <= 1 and not setting.card.merged
+
+
+def _pivot(setting: Setting) -> Point2:
+    """Return where the card's vertical axis passes over the head, kept within the picture."""
+    assert setting.layer is not None
+    figure, canvas_length = setting.layer.figure, setting.view.canvas_length
+    above = figure.top - canvas_length(ABOVE_HEAD_VIEW_PX)
+    return (seen(setting.camera, setting.contact)[0], max(above, canvas_length(ABOVE_HEAD_VIEW_PX / 2)))
+
+
+def _end(setting: Setting, tilt_deg: float) -> Point2:
+    x, y = _pivot(setting)
+    arm, angle = setting.view.canvas_length(ARM_VIEW_PX), radians(tilt_deg)
+    return (x - arm * sin(angle), y + SQUASH * arm * cos(angle))
