@@ -1,0 +1,153 @@
+"""Shadow layers and composites as files: PNG, TGA, TIFF and OpenEXR.
+
+The same picture gives the same bytes: no file holds a time or a name. A PNG is packed in memory and written by a writer
+that notices a full disk; the other formats are read back and compared before they take their place.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.errors import UsageProblem
+from kagezou.geometry.box import Box
+from kagezou.io.atomic import replace_by, write_bytes
+from kagezou.io.colour import light_from_rgba
+from kagezou.io.faults import shown
+from kagezou.io.oiio_guard import write_verified
+from kagezou.io.png import pack_layer, pack_rgba
+
+Pixels = NDArray[Any]
+_STRAIGHT: Final = "oiio:UnassociatedAlpha"
+_SETTINGS: Final[Mapping[str, Mapping[str, Any]]] = {
+    ".tga": {_STRAIGHT: 1, "compression": "rle"},
+    # Without a given DateTime the writers put in the present one; its Exif block fails to be written.
+    ".tif": {_STRAIGHT: 1, "compression": "zip", "DateTime": "", "tiff:write_exif": 0},
+    ".exr": {"compression": "zip", "DateTime": ""},
+}
+_SAME: Final = {".tiff": ".tif"}
+FORMATS: Final = (".png", ".tga", ".tif", ".tiff", ".exr")
+"""The suffixes that can be written."""
+
+
+@dataclass(frozen=True, eq=False)
+class ShadowImage:
+    """A full canvas of one colour whose alpha is clear outside a box.
+
+    Attributes
+    ----------
+    width_px, height_px
+        The canvas.
+    color
+        Red, green and blue of every pixel, also the clear ones; sRGB 8 bit.
+    alpha
+        (box.height, box.width) ``uint8`` or ``uint16``, straight; it chooses the depth of the file.
+    box
+        Its place on the canvas, px, y down; it may be empty, and lies inside the canvas.
+    """
+
+    width_px: int
+    height_px: int
+    color: tuple[int, int, int]
+    alpha: Pixels
+    box: Box
+
+    def __post_init__(self) -> None:
+        box = self.box
+        if self.alpha.shape != (max(box.height, 0), max(box.width, 0)) or self.alpha.dtype not in (np.uint8, np.uint16):
+            raise ValueError(f"alpha {self.alpha.shape} {self.alpha.dtype} does not fill {box}")
+        outside = min(box.left, box.top) < 0 or box.right > self.width_px or box.bottom > self.height_px
+        if outside and not box.is_empty:
+            raise ValueError(f"{box} leaves the canvas of {self.width_px} × {self.height_px} px")
+
+    def rgba(self) -> Pixels:
+        """Return the whole canvas as straight (H, W, 4) in the depth of ``alpha``."""
+        pixels: Pixels = np.zeros((self.height_px, self.width_px, 4), self.alpha.dtype)
+        pixels[..., :3] = np.asarray(self.color) * (np.iinfo(self.alpha.dtype).max // 255)
+        if not self.box.is_empty:
+            pixels[self.box.top : self.box.bottom, self.box.left : self.box.right, 3] = self.alpha
+        return pixels
+
+
+def encode_png(image: ShadowImage) -> bytes:
+    """Return the PNG of ``image``; held frames may write the same bytes again."""
+    box = Box(0, 0, 0, 0) if image.box.is_empty else image.box
+    alpha = np.zeros((0, 0), image.alpha.dtype) if image.box.is_empty else image.alpha
+    return pack_layer((image.width_px, image.height_px), image.color, alpha, box)
+
+
+def encode_rgba_png(rgba: Pixels) -> bytes:
+    """Return the PNG of straight sRGB (H, W, 4) ``uint8`` or ``uint16``."""
+    return pack_rgba(rgba)
+
+
+def write_shadow(path: Path, image: ShadowImage) -> None:
+    """Write ``image`` in the format of the suffix: PNG and TIFF in its depth, TGA 8 bit, OpenEXR premultiplied halves.
+
+    Raises
+    ------
+    UsageProblem
+        The suffix is none of `FORMATS`.
+    DiskFullProblem, OutputProblem
+        It cannot be written; what was at ``path`` is still there.
+    """
+    kind = _format(path)
+    if kind == ".png":
+        write_bytes(path, encode_png(image))
+    elif kind == ".exr":
+        _write_by_oiio(path, _light_of(image))
+    else:
+        _write_by_oiio(path, _eight_bit(image.rgba()) if kind == ".tga" else image.rgba())
+
+
+def write_rgba(path: Path, rgba: Pixels) -> None:
+    """Write straight sRGB (H, W, 4) ``uint8`` or ``uint16`` in the format of the suffix, as `write_shadow` does.
+
+    Raises
+    ------
+    UsageProblem, DiskFullProblem, OutputProblem
+        As for `write_shadow`.
+    """
+    kind = _format(path)
+    if kind == ".png":
+        write_bytes(path, encode_rgba_png(rgba))
+    elif kind == ".exr":
+        _write_by_oiio(path, light_from_rgba(rgba))
+    else:
+        _write_by_oiio(path, _eight_bit(rgba) if kind == ".tga" else rgba)
+
+
+def _format(path: Path) -> str:
+    suffix = path.suffix.lower()
+    if suffix not in FORMATS:
+        raise UsageProblem(f"{shown(path)}: '{path.suffix}' cannot be written, only {', '.join(FORMATS)}")
+    return _SAME.get(suffix, suffix)
+
+
+def _light_of(image: ShadowImage) -> NDArray[np.float16]:
+    """Return the canvas as linear light multiplied by alpha, which is 0 outside the box."""
+    light = np.zeros((image.height_px, image.width_px, 4), np.float16)
+    if not image.box.is_empty:
+        part = ShadowImage(image.box.width, image.box.height, image.color, image.alpha, _at_origin(image.box))
+        light[image.box.top : image.box.bottom, image.box.left : image.box.right] = light_from_rgba(part.rgba())
+    return light
+
+
+def _at_origin(box: Box) -> Box:
+    return box.moved(-box.left, -box.top)
+
+
+def _eight_bit(pixels: Pixels) -> Pixels:
+    """Return ``pixels`` in the only depth that TGA has, rounded."""
+    if pixels.dtype == np.uint8:
+        return pixels
+    return ((pixels.astype(np.uint32) + 128) // 257).astype(np.uint8)
+
+
+def _write_by_oiio(path: Path, pixels: Pixels) -> None:
+    whole = np.ascontiguousarray(pixels)
+    settings = _SETTINGS[_format(path)]
+    replace_by(path, lambda temp: write_verified(temp, whole, settings, path))
