@@ -1,0 +1,145 @@
+"""Drawings kept in memory, so that a held or revisited one is decoded once."""
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from concurrent.futures import Future
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final, Literal
+
+from kagezou.io.faults import input_problem
+from kagezou.io.images import Cel, Matte, read_cel, read_matte
+
+DEFAULT_LIMIT_BYTES: Final = 512 << 20
+_Kind = Literal["cel", "matte"]
+
+
+@dataclass(frozen=True, slots=True)
+class _Key:
+    """One state of one file, as a whole drawing or as its matte alone."""
+
+    kind: _Kind
+    path: Path
+    size: int
+    mtime_ns: int
+
+    def of(self, kind: _Kind) -> "_Key":
+        """Return the key of the same state of the file as another kind."""
+        return _Key(kind, self.path, self.size, self.mtime_ns)
+
+
+class CelCache:
+    """Drawings read from files, bounded by memory, the least lately used going first; any thread may ask.
+
+    A file is known by path, size and time of change, so an edited one is read again. Two threads that ask for one
+    drawing wait for one decoding. A failure is told to those who waited for it and then forgotten.
+
+    Parameters
+    ----------
+    limit_bytes
+        The memory that kept drawings may take together; a larger one is delivered but not kept.
+    """
+
+    def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
+        self._limit_bytes = limit_bytes
+        self._kept: OrderedDict[_Key, Cel | Matte] = OrderedDict()
+        self._nbytes = 0
+        self._running: dict[_Key, Future[Cel | Matte]] = {}
+        self._lock = threading.Lock()
+
+    @property
+    def nbytes(self) -> int:
+        """The memory that kept drawings take now."""
+        with self._lock:
+            return self._nbytes
+
+    def cel(self, path: Path) -> Cel:
+        """Return the drawing at ``path``.
+
+        Raises
+        ------
+        InputProblem
+            It cannot be read.
+        """
+        found = self._get(_key("cel", path), lambda: read_cel(path))
+        assert isinstance(found, Cel)
+        return found
+
+    def matte(self, path: Path) -> Matte:
+        """Return the matte of the drawing at ``path``, from the drawing where that is kept or on its way.
+
+        Raises
+        ------
+        InputProblem
+            It cannot be read.
+        """
+        key = _key("matte", path)
+        whole = key.of("cel")
+        with self._lock:
+            has_cel = whole in self._kept or whole in self._running
+        found = self._get(whole, lambda: read_cel(path)) if has_cel else self._get(key, lambda: read_matte(path))
+        return found.matte if isinstance(found, Cel) else found
+
+    def clear(self) -> None:
+        """Forget every drawing."""
+        with self._lock:
+            self._kept.clear()
+            self._nbytes = 0
+
+    def _get(self, key: _Key, read: Callable[[], Cel | Matte]) -> Cel | Matte:
+        with self._lock:
+            kept = self._kept.get(key)
+            if kept is not None:
+                self._kept.move_to_end(key)
+                return kept
+            waiting = self._running.get(key)
+            if waiting is None:
+                mine: Future[Cel | Matte] = Future()
+                self._running[key] = mine
+        if waiting is not None:
+            return waiting.result()
+        return self._read(key, read, mine)
+
+    def _read(self, key: _Key, read: Callable[[], Cel | Matte], mine: Future[Cel | Matte]) -> Cel | Matte:
+        """Read on behalf of every thread that waits for ``mine``."""
+        try:
+            found = read()
+        except BaseException as error:
+            with self._lock:
+                del self._running[key]
+            mine.set_exception(error)
+            raise
+        with self._lock:
+            del self._running[key]
+            self._keep(key, found)
+        mine.set_result(found)
+        return found
+
+    def _keep(self, key: _Key, found: Cel | Matte) -> None:
+        """Keep ``found``, dropping its older states, its separate matte, and the least lately used."""
+        for other in [kept for kept in self._kept if kept.path == key.path and self._is_outdone(kept, key)]:
+            self._drop(other)
+        if found.nbytes > self._limit_bytes:
+            return
+        self._kept[key] = found
+        self._nbytes += found.nbytes
+        while self._nbytes > self._limit_bytes:
+            self._drop(next(iter(self._kept)))
+
+    @staticmethod
+    def _is_outdone(kept: _Key, key: _Key) -> bool:
+        return kept.of(key.kind) != key or (kept.kind, key.kind) == ("matte", "cel")
+
+    def _drop(self, key: _Key) -> None:
+        self._nbytes -= self._kept.pop(key).nbytes
+
+
+def _key(kind: _Kind, path: Path) -> _Key:
+    try:
+        state = path.stat()
+    except OSError as error:
+        raise input_problem(path, error) from error
+    except ValueError as error:  # a NUL in the name
+        raise input_problem(path, "it cannot be a file name") from error
+    return _Key(kind, path, state.st_size, state.st_mtime_ns)
