@@ -1,0 +1,75 @@
+"""The keys of the project file: the one table that the reader obeys and the description of the format is made from."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One key of an object in the file.
+
+    Parameters
+    ----------
+    kind, meaning
+        What the description of the format says.
+    optional
+        Whether the key may be missing.
+    """
+
+    kind: str
+    meaning: str
+    optional: bool = False
+
+
+Fields = Mapping[str, Field]
+
+MAX_LAYERS: Final = 1000
+MAX_ROWS: Final = 1_000_000
+"""The most drawings, exposures and keys of a project together."""
+
+MAX_NAME_CHARACTERS: Final = 200
+
+PROJECT: Final[Fields] = MappingProxyType({
+    "format": Field('"kagezou-project"', "Tells the file from other JSON."),
+    "version": Field("whole number", "The format version; a program refuses a newer one than it knows."),
+    "app_version": Field("text", "The program that wrote the file; only ever shown."),
+    "canvas": Field("object", "Size and time of the cut."),
+    "background": Field("path or null", "The picture under everything."),
+    "tracks": Field("object", "Property name → track, for the properties of the scene."),
+    "layers": Field(f"list of at most {MAX_LAYERS} objects", "The character layers from bottom to top."),
+})  # fmt: skip
+
+CANVAS: Final[Fields] = MappingProxyType({
+    "width_px": Field("whole number, 1 to 16384", "Width."),
+    "height_px": Field("whole number, 1 to 16384", "Height."),
+    "frame_rate": Field('text such as "24" or "24000/1001"', "Frames a second, exact; at most 1000."),
+    "length_frames": Field("whole number, 1 to 1000000", "The last frame of the cut; the first one is 1."),
+})  # fmt: skip
+
+LAYER: Final[Fields] = MappingProxyType({
+    "id": Field("text", "Unique and unchanging; never shown."),
+    "name": Field("text", "Unique; part of property paths and of the names of rendered files."),
+    "figure": Field("[left, top, right, bottom]", "Whole canvas px, half-open: the opaque part of the first drawing."),
+    "drawings": Field("list of [name, path]", "The cels; each lies centred on the canvas, pixel for pixel."),
+    "exposures": Field("list of [frame, index]",
+                       "From this frame on that drawing is seen, counted from 0, or none for null; frames go up."),
+    "tracks": Field("object", "Property name → track, for the properties of the layer."),
+})  # fmt: skip
+
+TRACK: Final[Fields] = MappingProxyType({
+    "constant": Field("value", "The value from before there were keys; kept, not seen.", optional=True),
+    "keys": Field("list of objects", "At least one; frames go up."),
+})  # fmt: skip
+
+KEY: Final[Fields] = MappingProxyType({
+    "frame": Field("whole number, 1 to 1000000", "Where the value is reached."),
+    "value": Field("value", "As the property wants it."),
+    "interpolation": Field('"hold", "linear" or "bezier"', "How it goes on toward the next key; "
+                           "switches and choices only hold."),
+    "ease_in": Field("list of [speed, influence]",
+                     "One a component, for a bezier before the key: units per frame, and a part of the time "
+                     "between the keys, 0 to 1.", optional=True),
+    "ease_out": Field("list of [speed, influence]", "The same for a bezier after the key.", optional=True),
+})  # fmt: skip

@@ -1,0 +1,69 @@
+"""From the document to the JSON of a project of the current version."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from kagezou import __version__
+from kagezou.animation.ease import Ease
+from kagezou.animation.track import Key, Track
+from kagezou.document.model import Document, Layer, Tracks
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.property import Property
+from kagezou.io.project_json import Row
+from kagezou.io.project_paths import stored_path
+from kagezou.io.project_versions import CURRENT, FORMAT_NAME, Tree
+
+
+def tree_of(document: Document, folder: Path) -> Tree:
+    """Return the project, for a file in ``folder``, as JSON values and rows in the order in which people read them."""
+    canvas, background = document.canvas, document.background
+    return {
+        "format": FORMAT_NAME,
+        "version": int(CURRENT),
+        "app_version": __version__,
+        "canvas": {
+            "width_px": canvas.width_px,
+            "height_px": canvas.height_px,
+            "frame_rate": str(canvas.frame_rate),
+            "length_frames": canvas.length_frames,
+        },
+        "background": None if background is None else stored_path(background, folder),
+        "tracks": _tracks(document.tracks, OF_DOCUMENT),
+        "layers": [_layer(layer, folder) for layer in document.layers],
+    }
+
+
+def _layer(layer: Layer, folder: Path) -> dict[str, object]:
+    figure, cels = layer.figure, layer.cels
+    return {
+        "id": layer.id,
+        "name": layer.name,
+        "figure": Row([figure.left, figure.top, figure.right, figure.bottom]),
+        "drawings": [Row([drawing.name, stored_path(drawing.path, folder)]) for drawing in cels.drawings],
+        "exposures": [Row([exposure.frame, exposure.drawing]) for exposure in cels.exposures],
+        "tracks": _tracks(layer.tracks, OF_LAYER),
+    }
+
+
+def _tracks(tracks: Tracks, table: Mapping[str, Property]) -> dict[str, object]:
+    """Return the tracks in table order, so that the order of edits never shows in the file."""
+    return {name: _track(tracks[name]) for name in table if name in tracks}
+
+
+def _track(track: Track) -> object:
+    if not track.keys:
+        return Row(track.constant)
+    return {"constant": Row(track.constant), "keys": [Row(_key(key)) for key in track.keys]}
+
+
+def _key(key: Key) -> dict[str, object]:
+    row: dict[str, object] = {"frame": key.frame, "value": key.value, "interpolation": str(key.interpolation)}
+    if key.ease_in:
+        row["ease_in"] = _eases(key.ease_in)
+    if key.ease_out:
+        row["ease_out"] = _eases(key.ease_out)
+    return row
+
+
+def _eases(eases: tuple[Ease, ...]) -> list[list[float]]:
+    return [[ease.speed, ease.influence] for ease in eases]

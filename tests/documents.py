@@ -1,0 +1,103 @@
+"""Generated documents for property tests: every kind of property, constant and keyed, and cels of any shape."""
+
+from fractions import Fraction
+from pathlib import Path
+from types import MappingProxyType
+
+from hypothesis import strategies as st
+
+from kagezou.animation.ease import Ease
+from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Tracks
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.property import Kind, Property
+from kagezou.geometry.box import Box
+
+FOLDER = Path("/cuts/c012")
+
+coordinates = st.floats(-1e6, 1e6, allow_subnormal=False)
+points = st.tuples(coordinates, coordinates)
+names = st.text(st.characters(codec="utf-8", exclude_categories=("C", "Z")), min_size=1, max_size=12)
+
+
+def values(line: Property) -> st.SearchStrategy[Value]:
+    match line.kind:
+        case Kind.NUMBER:
+            return st.floats(line.low, line.high, allow_subnormal=False)
+        case Kind.POINT:
+            return points
+        case Kind.PLACE:
+            return st.tuples(coordinates, coordinates, coordinates)
+        case Kind.POINTS:
+            return st.lists(points, max_size=4).map(tuple)
+        case Kind.COLOR:
+            return st.integers(0, 0xFFFFFF).map(lambda number: f"#{number:06X}")
+        case Kind.CHOICE:
+            return st.sampled_from(line.choices)
+        case Kind.SWITCH:
+            return st.booleans()
+
+
+eases = st.builds(Ease, st.floats(-1e6, 1e6), st.floats(0, 1))
+
+
+@st.composite
+def keys(draw: st.DrawFn, line: Property, frame: int) -> Key:
+    value = draw(values(line))
+    interpolation = Interpolation.HOLD if line.holds_only else draw(st.sampled_from(list(Interpolation)))
+    most = len(components_of(value) or ())
+    each = st.lists(eases, max_size=most).map(tuple)
+    return Key(frame, value, interpolation, draw(each), draw(each))
+
+
+@st.composite
+def tracks(draw: st.DrawFn, line: Property) -> Track:
+    frames = sorted(draw(st.sets(st.integers(1, 1000), max_size=4)))
+    return Track(draw(values(line)), tuple(draw(keys(line, frame)) for frame in frames))
+
+
+@st.composite
+def track_tables(draw: st.DrawFn, table: dict[str, Property]) -> Tracks:
+    chosen = draw(st.sets(st.sampled_from(sorted(table)), max_size=4))
+    return MappingProxyType({name: draw(tracks(table[name])) for name in sorted(chosen)})
+
+
+# Any bytes but the separator and NUL may stand in a file's name; those that are no UTF-8 come as lone surrogates.
+file_names = st.one_of(
+    st.text(st.characters(codec="utf-8", exclude_characters="/\0"), min_size=1, max_size=12),
+    st.binary(min_size=1, max_size=8).map(lambda raw: raw.decode("utf-8", "surrogateescape")),
+).filter(lambda name: name not in {".", ".."} and "/" not in name and "\0" not in name)
+folders = st.sampled_from([FOLDER, FOLDER / "A", FOLDER.parent, Path("/elsewhere/deep"), Path("/")])
+paths = st.builds(lambda folder, name: folder / name, folders, file_names)
+
+
+@st.composite
+def cels(draw: st.DrawFn) -> Cels:
+    drawings = tuple(Drawing(draw(names), path) for path in draw(st.lists(paths, max_size=4)))
+    frames = sorted(draw(st.sets(st.integers(-5, 100), max_size=6)))
+    index = st.one_of(st.none(), st.integers(0, len(drawings) - 1)) if drawings else st.none()
+    return Cels(drawings, tuple(Exposure(frame, draw(index)) for frame in frames))
+
+
+@st.composite
+def boxes(draw: st.DrawFn) -> Box:
+    left, top = draw(st.integers(-3000, 3000)), draw(st.integers(-3000, 3000))
+    return Box(left, top, left + draw(st.integers(1, 4000)), top + draw(st.integers(1, 4000)))
+
+
+@st.composite
+def layers(draw: st.DrawFn, number: int, name: str) -> Layer:
+    return Layer(f"layer-{number}", name, draw(cels()), draw(boxes()), draw(track_tables(dict(OF_LAYER))))
+
+
+@st.composite
+def documents(draw: st.DrawFn) -> Document:
+    rate = Fraction(draw(st.integers(1, 60000)), draw(st.integers(60, 2000)))
+    canvas = Canvas(draw(st.integers(1, 16384)), draw(st.integers(1, 16384)), rate, draw(st.integers(1, 1000)))
+    chosen = draw(st.lists(names, max_size=3, unique=True))
+    return Document(
+        canvas,
+        draw(st.one_of(st.none(), paths)),
+        tuple(draw(layers(number, name)) for number, name in enumerate(chosen, start=1)),
+        draw(track_tables(dict(OF_DOCUMENT))),
+    )
