@@ -77,8 +77,6 @@ def find_sequences(source: Path) -> Found:
             return _by_pattern(source)
     except OSError as error:
         raise input_problem(source, error) from error
-    except ValueError as error:  # a NUL in the name
-        raise input_problem(source, "it cannot be a file name") from error
     raise input_problem(source, "it does not exist")
 
 
