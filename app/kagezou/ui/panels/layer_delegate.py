@@ -1,6 +1,6 @@
 """How a layer looks in the list: eye, thumbnail, name, and what it holds."""
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QRect, QSize, Qt
+from PySide6.QtCore import QAbstractItemModel, QEvent, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QImage, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
@@ -48,7 +48,7 @@ class LayerDelegate(QStyledItemDelegate):
         height = editor.sizeHint().height()
         editor.setGeometry(area.left() - 4, area.center().y() - height // 2, area.width() + 2, height)
 
-    def editorEvent(self, event: QEvent, model: QObject, option: QStyleOptionViewItem, index: Index) -> bool:
+    def editorEvent(self, event: QEvent, model: QAbstractItemModel, option: QStyleOptionViewItem, index: Index) -> bool:
         on_eye = isinstance(event, QMouseEvent) and (event.position().x() < QRect(option.rect).left() + _EYE_WIDTH)
         if on_eye and isinstance(model, LayerModel):
             if event.type() is QEvent.Type.MouseButtonRelease:

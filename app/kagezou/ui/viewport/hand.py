@@ -1,0 +1,228 @@
+"""The hand on the picture: which handle it is over, which it holds, and the gesture that its drag is."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication, QObject, Signal
+
+from kagezou.document.model import Document
+from kagezou.errors import Problem
+from kagezou.geometry.vectors import Point2
+from kagezou.session.session import Gesture
+from kagezou.tools.drag import Drag
+from kagezou.tools.grounding import add_grounding, remove_grounding
+from kagezou.tools.handle import Handle, HandleSet, hit
+from kagezou.tools.handles import drag_of, handles_of, nudge
+from kagezou.tools.readout import readout
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.viewport.pointer_report import PointerReport
+from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.words import is_japanese, said
+
+
+@dataclass(frozen=True, slots=True)
+class _Held:
+    handle: Handle
+    drag: Drag
+    gesture: Gesture
+    frame: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Seen:
+    """The handles there are, and what they were made of."""
+
+    made_of: tuple[object, ...]
+    handles: HandleSet
+
+
+class Hand(QObject):
+    """Takes pointers and keys, shows documents through a gesture of the session, and says what to paint.
+
+    Parameters
+    ----------
+    bridge
+        The session worked in.
+    viewpoint
+        How the canvas is looked at.
+    """
+
+    changed = Signal()
+    refused = Signal(str)
+    """What was asked for cannot be done, with the sentence that says why."""
+
+    def __init__(self, bridge: Bridge, viewpoint: Viewpoint) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._viewpoint = viewpoint
+        self._held: _Held | None = None
+        self._nudging: tuple[Handle, Gesture] | None = None
+        self._seen: _Seen | None = None
+        self.hovered_id: str | None = None
+        self.selected_id: str | None = None
+        self.place_px: Point2 | None = None
+        bridge.session_replaced.connect(self._drop)
+        bridge.selection_changed.connect(self._keep_to_what_is_there)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether it holds a handle."""
+        return self._held is not None
+
+    @property
+    def held(self) -> Handle | None:
+        """The handle it holds, as it was when taken."""
+        return self._held.handle if self._held else None
+
+    @property
+    def handles(self) -> HandleSet:
+        """The handles of the frame, worked out anew only where something they depend on changed."""
+        made_of = (self._bridge.document, self._bridge.frame, self._bridge.layer_id, self._viewpoint.view)
+        if self._seen is None or not _same(self._seen.made_of, made_of):
+            self._seen = _Seen(made_of, handles_of(*made_of))
+        return self._seen.handles
+
+    @property
+    def words(self) -> str:
+        """What stands beside the pointer: the values while dragging, else the name of the handle under it."""
+        if self._held is not None:
+            held = self._held
+            language = "ja" if is_japanese() else "en"
+            return readout(held.handle, held.gesture.start, self._bridge.document, held.frame, language)
+        hovered = self.handles.find(self.hovered_id)
+        return "" if hovered is None else said(hovered.label)
+
+    def hover(self, report: PointerReport | None) -> None:
+        """Look what is under the pointer; None where it has left."""
+        before = (self.hovered_id, self.place_px if self.hovered_id else None)
+        self.place_px = report.view_px if report else None
+        found = self._hit(report) if report else None
+        self.hovered_id = found.id if found else None
+        if (self.hovered_id, self.place_px if self.hovered_id else None) != before:
+            self.changed.emit()
+
+    def press(self, report: PointerReport) -> bool:
+        """Take hold of the handle under the pointer; false where there is none."""
+        self.end_nudge()
+        handle = self._hit(report)
+        self.selected_id = handle.id if handle else None
+        if handle is not None:
+            session, view = self._bridge.session, self._viewpoint.view
+            gesture = session.begin(QCoreApplication.translate("Hand", "Move %s").replace("%s", said(handle.label)))
+            drag = drag_of(handle, gesture.start, self._bridge.frame, view)
+            drag.send(report.pointer(view))
+            self._held = _Held(handle, drag, gesture, self._bridge.frame)
+            self.place_px = report.view_px
+        self.changed.emit()
+        return handle is not None
+
+    def move(self, report: PointerReport) -> None:
+        """Go on with the drag."""
+        self.place_px = report.view_px
+        if self._held is not None:
+            self._held.gesture.show(self._held.drag.send(report.pointer(self._viewpoint.view)))
+            self.changed.emit()
+
+    def release(self) -> None:
+        """Let go; the drag is one step of history."""
+        self._let_go(keep=True)
+
+    def cancel(self) -> bool:
+        """Let go and restore what was; without a drag let go of the selected handle. False where there was neither."""
+        if self._held is not None:
+            self._let_go(keep=False)
+            return True
+        if self.selected_id is not None:
+            self.selected_id = None
+            self.changed.emit()
+            return True
+        return False
+
+    def cycle(self, step: int) -> None:
+        """Select the next handle in reading order, as Tab does."""
+        ids = [handle.id for handle in self.handles.handles]
+        if ids:
+            here = ids.index(self.selected_id) if self.selected_id in ids else (-1 if step > 0 else 0)
+            self.selected_id = ids[(here + step) % len(ids)]
+            self.changed.emit()
+
+    def nudge(self, dx: float, dy: float) -> bool:
+        """Move the selected handle by canvas px; steps until ``end_nudge`` are one step of history."""
+        handle = self.handles.find(self.selected_id)
+        if handle is None or self._held is not None:
+            return False
+        if self._nudging is None or self._nudging[0].id != handle.id:
+            self.end_nudge()
+            name = QCoreApplication.translate("Hand", "Nudge %s").replace("%s", said(handle.label))
+            self._nudging = (handle, self._bridge.session.begin(name))
+        view, frame = self._viewpoint.view, self._bridge.frame
+        self._nudging[1].show(nudge(handle, self._bridge.document, frame, dx, dy, view))
+        return True
+
+    def end_nudge(self) -> None:
+        """Make the nudges so far one step."""
+        if self._nudging is not None:
+            gesture, self._nudging = self._nudging[1], None
+            gesture.commit()
+
+    def add_point(self, report: PointerReport) -> bool:
+        """Add a grounding point under the pointer and select it; false without a layer or on a handle."""
+        layer_id = self._bridge.layer_id
+        if layer_id is None or self._hit(report) is not None:
+            return False
+        canvas_px = self._viewpoint.view.canvas_from_view(report.view_px)
+        try:
+            document = add_grounding(self._bridge.document, layer_id, self._bridge.frame, canvas_px)
+        except Problem as problem:
+            self.refused.emit(str(problem))
+            return False
+        self._edit(QCoreApplication.translate("Hand", "Add grounding point"), document)
+        points = [handle.id for handle in self.handles.handles if handle.index is not None]
+        self.selected_id = points[-1] if points else None
+        self.changed.emit()
+        return True
+
+    def delete_selected(self) -> bool:
+        """Remove the selected grounding point; false where none is selected."""
+        handle = self.handles.find(self.selected_id)
+        if handle is None or handle.index is None or handle.layer_id is None or self._held is not None:
+            return False
+        frame = self._bridge.frame
+        document = remove_grounding(self._bridge.document, handle.layer_id, frame, handle.index)
+        self.selected_id = self.hovered_id = None
+        self._edit(QCoreApplication.translate("Hand", "Remove grounding point"), document)
+        self.changed.emit()
+        return True
+
+    def _edit(self, name: str, document: Document) -> None:
+        self.end_nudge()
+        self._bridge.session.edit(name, document)
+
+    def _hit(self, report: PointerReport) -> Handle | None:
+        viewpoint = self._viewpoint
+        return hit(self.handles.handles, viewpoint.view, report.view_px, report.reach_px, viewpoint.size)
+
+    def _let_go(self, *, keep: bool) -> None:
+        held, self._held = self._held, None
+        if held is None:
+            return
+        held.drag.close()
+        if keep:
+            held.gesture.commit()
+        else:
+            held.gesture.cancel()
+        self.changed.emit()
+
+    def _drop(self) -> None:
+        """Forget everything about a session that was put away."""
+        self._held = self._nudging = self._seen = None
+        self.hovered_id = self.selected_id = None
+        self.changed.emit()
+
+    def _keep_to_what_is_there(self) -> None:
+        if self.handles.find(self.selected_id) is None:
+            self.selected_id = None
+        self.changed.emit()
+
+
+def _same(old: tuple[object, ...], new: tuple[object, ...]) -> bool:
+    return old[0] is new[0] and old[1:] == new[1:]

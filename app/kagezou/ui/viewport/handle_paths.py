@@ -1,0 +1,146 @@
+"""The outlines of handles and guides on screen: constant in size, told apart by shape, readable on any picture."""
+
+from math import cos, pi, sin
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
+
+from kagezou.geometry.vectors import Point2
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, OffView, Shape
+from kagezou.tools.view import View
+from kagezou.ui.theme import SELECTED
+
+RADIUS_PX = 5.0
+HOVER_GROWS_PX = 2.0
+
+_FILL = QColor("#ffffff")
+_DARK = QColor(20, 20, 20, 235)
+_OUTER = QColor(255, 255, 255, 150)
+_SHADE = QColor(0, 0, 0, 120)
+_FAINT, _CLEAR, _STRONG = 90, 165, 220
+
+_GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
+    GuideKind.GROUND_LINE: (_CLEAR, Qt.PenStyle.SolidLine),
+    GuideKind.GROUND_OUTLINE: (_FAINT, Qt.PenStyle.SolidLine),
+    GuideKind.DECLINATION: (_CLEAR, Qt.PenStyle.SolidLine),
+    GuideKind.LAMP_TO_FOOT: (_CLEAR, Qt.PenStyle.DashLine),
+    GuideKind.FOOT_TO_CONTACT: (_FAINT, Qt.PenStyle.DashLine),
+    GuideKind.SUN_DIAL: (_FAINT, Qt.PenStyle.SolidLine),
+    GuideKind.SUN_RAY: (_CLEAR, Qt.PenStyle.DashLine),
+    GuideKind.TILT_ARC: (_FAINT, Qt.PenStyle.SolidLine),
+    GuideKind.TILT_ARM: (_CLEAR, Qt.PenStyle.SolidLine),
+    GuideKind.CARD_FOOT: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.SHADOW_RAY: (_FAINT, Qt.PenStyle.DotLine),
+}
+
+
+def handle_path(shape: Shape, radius: float, cursor: Cursor) -> QPainterPath:
+    """Return the outline of a handle around the origin; logical px."""
+    path = QPainterPath()
+    match shape:
+        case Shape.SUN_DISC:
+            path.addEllipse(QPointF(0, 0), radius * 1.1, radius * 1.1)
+        case Shape.DIAL:
+            path.addPolygon(_star(8, radius * 1.5, radius * 0.95))
+            path.closeSubpath()
+        case Shape.FOOT:
+            path.addEllipse(QPointF(0, 0), radius * 1.25, radius * 0.75)
+        case Shape.CROSS:
+            path = _cross(radius * 1.3, radius * 0.42)
+        case Shape.SQUARE:
+            side = radius * 0.95
+            path.addRect(QRectF(-side, -side, 2 * side, 2 * side))
+        case Shape.LEVER:
+            wide, high = (radius * 1.5, radius * 0.85) if cursor is Cursor.HORIZONTAL else (radius * 0.85, radius * 1.5)
+            path.addRoundedRect(QRectF(-wide, -high, 2 * wide, 2 * high), radius * 0.8, radius * 0.8)
+        case Shape.DIAMOND:
+            path.addPolygon(QPolygonF([QPointF(x * radius * 1.3, y * radius * 1.3) for x, y in _COMPASS]))
+            path.closeSubpath()
+        case Shape.RING:
+            path.addEllipse(QPointF(0, 0), radius * 1.2, radius * 1.2)
+            path.addEllipse(QPointF(0, 0), radius * 0.55, radius * 0.55)
+    return path
+
+
+def paint_handle(painter: QPainter, handle: Handle, at: Point2, *, hovered: bool, selected: bool) -> None:
+    """Paint a handle at a place of the view."""
+    path = handle_path(handle.shape, RADIUS_PX + (HOVER_GROWS_PX if hovered else 0), handle.cursor)
+    painter.save()
+    painter.translate(*at)
+    if handle.shape is Shape.SUN_DISC:
+        _paint_rays(painter, RADIUS_PX + (HOVER_GROWS_PX if hovered else 0), SELECTED if selected else _FILL)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.strokePath(path, QPen(_OUTER, 4.0))
+    painter.strokePath(path, QPen(_DARK, 2.2))
+    painter.fillPath(path, SELECTED if selected else _FILL)
+    painter.restore()
+
+
+def paint_off_view_arrow(painter: QPainter, off: OffView, *, selected: bool) -> None:
+    """Paint the arrow toward a handle that lies outside the view."""
+    (x, y), (dx, dy) = off.view_px, off.direction
+    tip = QPointF(x + dx * 15, y + dy * 15)
+    base = QPointF(x + dx * 9, y + dy * 9)
+    side = QPointF(-dy * 4, dx * 4)
+    path = QPainterPath()
+    path.addPolygon(QPolygonF([tip, base + side, base - side]))
+    path.closeSubpath()
+    painter.strokePath(path, QPen(_DARK, 2.2))
+    painter.fillPath(path, SELECTED if selected else _FILL)
+
+
+def paint_guide(painter: QPainter, guide: Guide, view: View, area: QRectF) -> None:
+    """Paint a guide where it is seen; ``area`` is the viewport, logical px."""
+    alpha, style = _GUIDES[guide.kind]
+    points = [view.view_from_canvas(point) for point in guide.points]
+    ends = [*points[1:], points[0]] if guide.closed else points[1:]
+    room = area.adjusted(-8, -8, 8, 8)
+    # Guides may run far beyond the screen, where dashing them would take for ever.
+    lines = [line for a, b in zip(points, ends, strict=False) if (line := clipped(a, b, room))]
+    for pen in (QPen(_SHADE, 3.0), QPen(QColor(255, 255, 255, alpha), 1.0, style)):
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        painter.setPen(pen)
+        for a, b in lines:
+            painter.drawLine(QPointF(*a), QPointF(*b))
+
+
+def clipped(start: Point2, end: Point2, room: QRectF) -> tuple[Point2, Point2] | None:
+    """Return the part of a segment within a rectangle, None where there is none (Liang and Barsky)."""
+    enter, leave = 0.0, 1.0
+    way = (end[0] - start[0], end[1] - start[1])
+    for axis, low, high in ((0, room.left(), room.right()), (1, room.top(), room.bottom())):
+        if way[axis] == 0:
+            if not low <= start[axis] <= high:
+                return None
+            continue
+        first, second = (low - start[axis]) / way[axis], (high - start[axis]) / way[axis]
+        enter, leave = max(enter, min(first, second)), min(leave, max(first, second))
+    if enter > leave:
+        return None
+    a, b = ((start[0] + part * way[0], start[1] + part * way[1]) for part in (enter, leave))
+    return (a, b)
+
+
+_COMPASS = ((0, -1), (1, 0), (0, 1), (-1, 0))
+
+
+def _star(points: int, outer: float, inner: float) -> QPolygonF:
+    turns = ((pi * step / points, outer if step % 2 == 0 else inner) for step in range(2 * points))
+    return QPolygonF([QPointF(radius * sin(angle), -radius * cos(angle)) for angle, radius in turns])
+
+
+def _cross(reach: float, half: float) -> QPainterPath:
+    upright, level = QPainterPath(), QPainterPath()
+    upright.addRect(QRectF(-half, -reach, 2 * half, 2 * reach))
+    level.addRect(QRectF(-reach, -half, 2 * reach, 2 * half))
+    return upright.united(level)
+
+
+def _paint_rays(painter: QPainter, radius: float, tone: QColor) -> None:
+    for pen in (QPen(_DARK, 3.2), QPen(tone, 1.5)):
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        painter.setPen(pen)
+        for step in range(8):
+            x, y = sin(pi * step / 4), cos(pi * step / 4)
+            inner, outer = radius * 1.75, radius * 2.35
+            painter.drawLine(QPointF(x * inner, y * inner), QPointF(x * outer, y * outer))

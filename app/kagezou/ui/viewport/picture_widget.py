@@ -1,0 +1,126 @@
+"""The widget with the OpenGL context: it shows the session's frame, and is made anew with every context."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+
+from kagezou.errors import Problem
+from kagezou.io.cels import CelCache
+from kagezou.render.backdrop import Backdrop
+from kagezou.render.presenter import WindowView
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.theme import SURROUND
+from kagezou.ui.viewport.stage import Broken, Stage
+from kagezou.ui.viewport.viewpoint import Viewpoint
+
+NEEDED_VERSION = (3, 3)
+
+
+class PictureWidget(QOpenGLWidget):
+    """Shows the frame; knows nothing of hands.
+
+    Parameters
+    ----------
+    bridge
+        The session shown.
+    cels
+        Where decoded drawings come from.
+    viewpoint
+        How the canvas is looked at.
+    """
+
+    failed = Signal(str)
+    """OpenGL itself does not serve; connect queued, it may be sent while painting."""
+    broken_changed = Signal(object)
+    """The picture files that cannot be shown now, a tuple of Broken; connect queued."""
+
+    def __init__(self, bridge: Bridge, cels: CelCache, viewpoint: Viewpoint) -> None:
+        super().__init__()
+        self.viewpoint = viewpoint
+        self._bridge = bridge
+        self._cels = cels
+        self._stage: Stage | None = None
+        self._broken: tuple[Broken, ...] = ()
+        self._backdrop = Backdrop.BACKGROUND
+        bridge.document_changed.connect(self._document_changed)
+        bridge.frame_changed.connect(self.update)
+        bridge.session_replaced.connect(viewpoint.fit)
+        viewpoint.changed.connect(self.update)
+        self._document_changed()
+
+    @property
+    def backdrop(self) -> Backdrop:
+        """What is shown where nothing is drawn."""
+        return self._backdrop
+
+    @property
+    def stage(self) -> Stage | None:
+        """What draws; None before the first painting and while there is no context."""
+        return self._stage
+
+    def show_backdrop(self, backdrop: Backdrop) -> None:
+        """Choose what is shown where nothing is drawn."""
+        self._backdrop = backdrop
+        self.update()
+
+    def reread(self) -> None:
+        """Draw anew, because files may have changed."""
+        if self._stage is not None:
+            self._stage.forget_picture()
+        self.update()
+
+    def initializeGL(self) -> None:
+        context = self.context()
+        context.aboutToBeDestroyed.connect(self._release, Qt.ConnectionType.DirectConnection)
+        major, minor = context.format().majorVersion(), context.format().minorVersion()
+        if (major, minor) < NEEDED_VERSION:
+            words = self.tr("The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.")
+            self.failed.emit(words.replace("%1", f"{major}.{minor}"))
+            return
+        try:
+            self._stage = Stage(self._cels)
+        except Problem as problem:
+            self.failed.emit(str(problem))
+
+    def paintGL(self) -> None:
+        stage = self._stage
+        if stage is None:
+            return
+        try:
+            stage.draw(self._bridge.document, self._bridge.frame, self._backdrop)
+            stage.present(self._window_view())
+        except Problem as problem:
+            self.failed.emit(str(problem))
+        if stage.broken != self._broken:
+            self._broken = stage.broken
+            self.broken_changed.emit(stage.broken)
+
+    def resizeGL(self, width: int, height: int) -> None:
+        self.viewpoint.resize((float(self.width()), float(self.height())), self.devicePixelRatioF())
+
+    def _document_changed(self) -> None:
+        canvas = self._bridge.document.canvas
+        self.viewpoint.set_canvas((float(canvas.width_px), float(canvas.height_px)))
+        self.update()
+
+    def _window_view(self) -> WindowView:
+        ratio = self.devicePixelRatioF()
+        view = self.viewpoint.view
+        x, y = view.origin_view_px
+        return WindowView(
+            framebuffer=self.defaultFramebufferObject(),
+            # Halves go up, as Qt makes its framebuffer.
+            width_px=int(self.width() * ratio + 0.5),
+            height_px=int(self.height() * ratio + 0.5),
+            zoom=view.zoom * ratio,
+            # On whole device pixels, so that at 100 % nothing is blurred by half a pixel.
+            origin_px=(float(round(x * ratio)), float(round(y * ratio))),
+            surround=(SURROUND.redF(), SURROUND.greenF(), SURROUND.blueF()),
+        )
+
+    def _release(self) -> None:
+        """Give the renderer up before its context goes; Qt makes another and calls initializeGL again."""
+        if self._stage is not None:
+            self.makeCurrent()
+            self._stage.close()
+            self._stage = None
+            self.doneCurrent()

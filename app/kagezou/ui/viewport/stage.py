@@ -1,0 +1,97 @@
+"""What is on screen: the renderer of the current context, and the picture it drew last."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kagezou.document.model import Document
+from kagezou.errors import Problem
+from kagezou.io.cels import CelCache
+from kagezou.render.backdrop import Backdrop
+from kagezou.render.presenter import WindowView
+from kagezou.render.renderer import Renderer
+from kagezou.scene.evaluate import evaluate
+from kagezou.scene.scene import LayerScene, Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Broken:
+    """A picture file that cannot be shown, and why."""
+
+    path: Path
+    problem: Problem
+
+
+class Stage:
+    """Draws a frame where its scene or backdrop changed, and shows it as often as asked.
+
+    Made with the context current, thrown away before the context goes.
+
+    Parameters
+    ----------
+    cels
+        Where decoded drawings come from.
+    """
+
+    def __init__(self, cels: CelCache) -> None:
+        self._cels = cels
+        self._renderer = Renderer(cels)
+        self._evaluated: tuple[Document, int, Scene] | None = None
+        self._drawn: tuple[Scene, Backdrop] | None = None
+        self.broken: tuple[Broken, ...] = ()
+        self.pictures_drawn = 0
+
+    @property
+    def device(self) -> str:
+        """The name of what draws."""
+        return self._renderer.info.renderer
+
+    def forget_picture(self) -> None:
+        """Draw anew next time, because files may have changed."""
+        self._evaluated = self._drawn = None
+
+    def draw(self, document: Document, frame: int, backdrop: Backdrop) -> None:
+        """Draw a frame unless it is the one drawn last; drawings that cannot be read are left out and noted."""
+        scene = self._scene(document, frame)
+        if self._drawn == (scene, backdrop):
+            return
+        whole = self._readable(scene)
+        self._renderer.draw_picture(whole, backdrop)
+        self.pictures_drawn += 1
+        self._drawn = (scene, backdrop)
+
+    def present(self, view: WindowView) -> None:
+        """Place the picture in the window."""
+        self._renderer.present(view)
+
+    def close(self) -> None:
+        """Give the memory back; the context must be current."""
+        self._renderer.close()
+
+    def _scene(self, document: Document, frame: int) -> Scene:
+        known = self._evaluated
+        if known is not None and known[0] is document and known[1] == frame:
+            return known[2]
+        scene = evaluate(document, frame)
+        self._evaluated = (document, frame, scene)
+        return scene
+
+    def _readable(self, scene: Scene) -> Scene:
+        broken: list[Broken] = []
+
+        def can_be_read(path: Path) -> bool:
+            try:
+                self._cels.cel(path)
+            except Problem as problem:
+                broken.append(Broken(path, problem))
+                return False
+            return True
+
+        def shown(layer: LayerScene) -> LayerScene:
+            if layer.drawing is None or can_be_read(layer.drawing.path):
+                return layer
+            return replace(layer, drawing=None, cast=None)
+
+        layers = tuple(shown(layer) for layer in scene.layers)
+        background = scene.background if scene.background is None or can_be_read(scene.background) else None
+        self.broken = tuple(broken)
+        return replace(scene, layers=layers, background=background) if broken else scene

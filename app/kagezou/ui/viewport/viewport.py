@@ -1,0 +1,197 @@
+"""The viewport: the picture, the handles over it, and the events that reach them."""
+
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QTabletEvent, QWheelEvent
+
+from kagezou.io.cels import CelCache
+from kagezou.tools.handle import Cursor
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.space_bar import SpaceBar
+from kagezou.ui.viewport.hand import Hand
+from kagezou.ui.viewport.overlay import Overlay
+from kagezou.ui.viewport.pen import PenTaps
+from kagezou.ui.viewport.picture_widget import PictureWidget
+from kagezou.ui.viewport.pointer_report import Device, report_of
+from kagezou.ui.viewport.viewpoint import Viewpoint
+
+_CURSORS = {
+    Cursor.MOVE: Qt.CursorShape.SizeAllCursor,
+    Cursor.HORIZONTAL: Qt.CursorShape.SizeHorCursor,
+    Cursor.VERTICAL: Qt.CursorShape.SizeVerCursor,
+    Cursor.ROTATE: Qt.CursorShape.CrossCursor,
+}
+_ARROWS = {
+    Qt.Key.Key_Left: (-1.0, 0.0),
+    Qt.Key.Key_Right: (1.0, 0.0),
+    Qt.Key.Key_Up: (0.0, -1.0),
+    Qt.Key.Key_Down: (0.0, 1.0),
+}
+_TABS: dict[int | None, int] = {Qt.Key.Key_Tab: 1, Qt.Key.Key_Backtab: -1}
+NUDGE_PX, LONG_NUDGE_PX = 1.0, 10.0
+
+
+class Viewport(PictureWidget):
+    """Lets the hand work on the picture: passes mouse, pen, wheel and keys on to it and to the viewpoint.
+
+    Parameters
+    ----------
+    bridge
+        The session shown.
+    cels
+        Where decoded drawings come from.
+    space
+        The space bar: held, it turns a drag into panning.
+    """
+
+    step_asked = Signal(int)
+    """Left or right arrow without a selected handle: so many frames on."""
+
+    def __init__(self, bridge: Bridge, cels: CelCache, space: SpaceBar) -> None:
+        super().__init__(bridge, cels, Viewpoint())
+        self._space = space
+        self._panned_from: QPointF | None = None
+        self._taps = PenTaps()
+        self.hand = Hand(bridge, self.viewpoint)
+        self.overlay = Overlay(self, self.hand, self.viewpoint)
+        self.setMouseTracking(True)
+        self.setTabletTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled, False)
+        self.setMinimumSize(160, 120)
+        self.setAccessibleName(self.tr("Picture"))
+        bridge.document_changed.connect(self.overlay.update)
+        bridge.frame_changed.connect(self.overlay.update)
+        bridge.selection_changed.connect(self.overlay.update)
+        space.changed.connect(self._show_cursor)
+
+    def resizeGL(self, width: int, height: int) -> None:
+        super().resizeGL(width, height)
+        self.overlay.resize(self.size())
+
+    def show_handles(self, *, shown: bool) -> None:
+        """Show or hide everything over the picture."""
+        self.overlay.shows_handles = shown
+        self.overlay.update()
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QNativeGestureEvent) and self._pinch(event):
+            return True
+        # Qt would take Tab for moving the focus; Escape gives the focus back to the window.
+        pressed = event.key() if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.KeyPress else None
+        if pressed in _TABS and self.overlay.shows_handles:
+            self.hand.cycle(_TABS[pressed])
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        report = report_of(event)
+        match event.button():
+            case Qt.MouseButton.MiddleButton:
+                self._begin_pan(event.position())
+            case Qt.MouseButton.RightButton:
+                self.hand.cancel()
+            case Qt.MouseButton.LeftButton if self._space.is_held:
+                self._space.use()
+                self._begin_pan(event.position())
+            case Qt.MouseButton.LeftButton if self.overlay.shows_handles:
+                self.hand.press(report)
+        self._show_cursor()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._panned_from is not None:
+            way = event.position() - self._panned_from
+            self._panned_from = event.position()
+            self.viewpoint.pan(way.x(), way.y())
+        elif self.hand.is_busy:
+            self.hand.move(report_of(event))
+        elif self.overlay.shows_handles:
+            self.hand.hover(report_of(event))
+        self._show_cursor()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() in (Qt.MouseButton.MiddleButton, Qt.MouseButton.LeftButton):
+            self._panned_from = None
+        if event.button() is Qt.MouseButton.LeftButton:
+            self.hand.release()
+            self.hand.hover(report_of(event))
+        self._show_cursor()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        pointing = event.button() is Qt.MouseButton.LeftButton and not self._space.is_held
+        if not (pointing and self.overlay.shows_handles and self.hand.add_point(report_of(event))):
+            self.mousePressEvent(event)
+
+    def tabletEvent(self, event: QTabletEvent) -> None:
+        report = report_of(event, Device.PEN)
+        match event.type():
+            case QEvent.Type.TabletPress if event.button() is Qt.MouseButton.RightButton:
+                self.hand.cancel()
+            case QEvent.Type.TabletPress if self._space.is_held:
+                self._space.use()
+                self._begin_pan(event.position())
+            case QEvent.Type.TabletPress:
+                if not (self._taps.is_second_tap(report, event.timestamp()) and self.hand.add_point(report)):
+                    self.hand.press(report)
+            case QEvent.Type.TabletMove if self._panned_from is not None:
+                way = event.position() - self._panned_from
+                self._panned_from = event.position()
+                self.viewpoint.pan(way.x(), way.y())
+            case QEvent.Type.TabletMove:
+                self.hand.move(report) if self.hand.is_busy else self.hand.hover(report)
+            case QEvent.Type.TabletRelease:
+                self._panned_from = None
+                self.hand.release()
+        event.accept()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        at, turned = event.position(), event.angleDelta()
+        by_fingers = event.phase() is not Qt.ScrollPhase.NoScrollPhase and not event.pixelDelta().isNull()
+        if by_fingers and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            self.viewpoint.pan(event.pixelDelta().x(), event.pixelDelta().y())
+        else:
+            # Qt turns the wheel's axis while Alt is held.
+            self.viewpoint.zoom_at((at.x(), at.y()), (turned.y() or turned.x()) / 120)
+        event.accept()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self.hand.hover(None)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            if not self.hand.cancel():
+                self.clearFocus()
+        elif event.key() in _ARROWS and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            self._arrow(event)
+        else:
+            super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() in _ARROWS and not event.isAutoRepeat():
+            self.hand.end_nudge()
+        else:
+            super().keyReleaseEvent(event)
+
+    def _begin_pan(self, at: QPointF) -> None:
+        self._panned_from = at
+
+    def _pinch(self, event: QNativeGestureEvent) -> bool:
+        if event.gestureType() is not Qt.NativeGestureType.ZoomNativeGesture:
+            return False
+        at = event.position()
+        self.viewpoint.magnify_at((at.x(), at.y()), 1.0 + event.value())
+        return True
+
+    def _arrow(self, event: QKeyEvent) -> None:
+        length = LONG_NUDGE_PX if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else NUDGE_PX
+        dx, dy = _ARROWS[Qt.Key(event.key())]
+        if not self.hand.nudge(dx * length, dy * length) and dx:
+            self.step_asked.emit(round(dx * length))
+
+    def _show_cursor(self) -> None:
+        over = self.hand.held or self.hand.handles.find(self.hand.hovered_id)
+        if self._panned_from is not None:
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+        elif self._space.is_held:
+            self.setCursor(Qt.CursorShape.OpenHandCursor)
+        else:
+            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else _CURSORS[over.cursor])
