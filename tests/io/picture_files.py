@@ -26,7 +26,7 @@ _SETTINGS: dict[str, dict[str, Any]] = {
 }
 
 
-def save(path: Path, pixels: Pixels, *, straight: bool = True, names: tuple[str, ...] = (), **settings: object) -> None:
+def save(path: Path, pixels: Pixels, *, straight: bool = True, names: tuple[str, ...] = (), **settings: Any) -> None:
     """Write (H, W, C) by OpenImageIO; ``settings`` use ``__`` for a colon."""
     height, width, channels = pixels.shape
     spec = oiio.ImageSpec(width, height, channels, _TYPES[pixels.dtype.name])

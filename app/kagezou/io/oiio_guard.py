@@ -19,9 +19,8 @@ from numpy.typing import NDArray
 
 from kagezou.errors import DiskFullProblem
 from kagezou.io.faults import input_problem, output_problem
-from kagezou.io.signatures import checked_format
+from kagezou.io.signatures import LARGEST_SIDE_PX, checked_format
 
-LARGEST_SIDE_PX: Final = 32768
 LARGEST_PICTURE_MB: Final = 1024
 _SETTINGS: Final = {
     "limits:imagesize_MB": LARGEST_PICTURE_MB,

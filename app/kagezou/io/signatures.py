@@ -26,6 +26,9 @@ FORMATS: Final = {
 }
 """The formats that are read, by lower-case suffix."""
 
+LARGEST_SIDE_PX: Final = 32768
+"""The widest and the highest picture that is read."""
+
 _PNG: Final = b"\x89PNG\r\n\x1a\n"
 _STARTS: Final = (
     ("png", _PNG),
@@ -47,6 +50,8 @@ _TITLES: Final = {
     "jpeg": "JPEG",
     "bmp": "BMP",
 }
+_PNG_HEADER: Final = struct.Struct(">IIBBBBB")
+_PNG_DEPTHS: Final = {0: (1, 2, 4, 8, 16), 2: (8, 16), 3: (1, 2, 4, 8), 4: (8, 16), 6: (8, 16)}
 _CHUNK_HEAD: Final = 8
 _CHUNK_CRC: Final = 4
 
@@ -79,8 +84,8 @@ def checked_format(path: Path, *, whole: bool) -> str:
             raise input_problem(path, "it is not a file")
         with path.open("rb") as stream:
             _check_start(path, stream.read(len(_PNG)), expected)
-            if whole and expected == "png":
-                _check_png(path, stream)
+            if expected == "png":
+                _check_png(path, stream, whole=whole)
     except OSError as error:
         raise input_problem(path, error) from error
     except ValueError as error:  # a NUL in the name
@@ -99,19 +104,33 @@ def _check_start(path: Path, start: bytes, expected: str) -> None:
         raise input_problem(path, f"it is not {_TITLES[expected]}{inside}, whatever its name says")
 
 
-def _check_png(path: Path, stream: BinaryIO) -> None:
-    """Walk the chunks up to IEND; ``stream`` stands after the signature."""
+def _check_png(path: Path, stream: BinaryIO, *, whole: bool) -> None:
+    """Check the header, and with ``whole`` the chunks up to IEND; ``stream`` stands after the signature."""
     rest = os.fstat(stream.fileno()).st_size - len(_PNG)
-    while True:
+    kind = b""
+    while kind != b"IEND":
         head = stream.read(_CHUNK_HEAD)
-        length, kind = struct.unpack(">I4s", head) if len(head) == _CHUNK_HEAD else (0, b"")
+        length, following = struct.unpack(">I4s", head) if len(head) == _CHUNK_HEAD else (0, b"")
         rest -= _CHUNK_HEAD + length + _CHUNK_CRC
         if rest < 0:
             raise input_problem(path, "the file is cut short")
-        body = memoryview(stream.read(length))
+        body = stream.read(length)
         told = int.from_bytes(stream.read(_CHUNK_CRC))
-        needed = kind[:1].isupper() or kind == b"tRNS"
-        if needed and isal_zlib.crc32(body, isal_zlib.crc32(kind)) != told:
+        needed = following[:1].isupper() or following == b"tRNS"
+        if needed and isal_zlib.crc32(body, isal_zlib.crc32(following)) != told:
             raise input_problem(path, "the file is damaged (a checksum is wrong)")
-        if kind == b"IEND":
-            return
+        if not kind:
+            _check_png_header(path, following, body)
+            if not whole:
+                return
+        kind = following
+
+
+def _check_png_header(path: Path, kind: bytes, body: bytes) -> None:
+    if kind != b"IHDR" or len(body) != _PNG_HEADER.size:
+        raise input_problem(path, "the file is damaged (it has no header)")
+    width, height, bits, colour, packing, filtering, interlace = _PNG_HEADER.unpack(body)
+    if bits not in _PNG_DEPTHS.get(colour, ()) or packing or filtering or interlace > 1 or not min(width, height):
+        raise input_problem(path, "the file is damaged (an impossible header)")
+    if max(width, height) > LARGEST_SIDE_PX:
+        raise input_problem(path, f"{width} × {height} px is larger than can be read")
