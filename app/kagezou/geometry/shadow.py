@@ -6,20 +6,18 @@ canvas → receiver → card → drawing is one homography, with no texel grid b
 where a foot meets its shadow.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import isfinite
 
 import numpy as np
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.card import CardPiece
+from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
 from kagezou.geometry.vectors import Matrix, Vector4, height_over
-
-SEAM_PX = 1.0
-"""How far each piece of a folded card reaches over its fold, so that neighbours meet without a gap."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,6 +33,8 @@ class Cast:
     side, horizon, left_fold, right_fold
         Distance forms (3,) in canvas px, each >= 0 inside: the side of the card away from the light, the receiver in
         front of the eye, and the piece between its folds. The shadow lies where all are positive.
+    joins_left
+        Whether it continues the shadow of the piece to the left of it across their common fold.
     """
 
     art_from_canvas: Matrix
@@ -43,6 +43,7 @@ class Cast:
     horizon: Matrix
     left_fold: Matrix
     right_fold: Matrix
+    joins_left: bool = False
 
     def region(self, canvas: Box, art: Box, margin_px: float = 1.0) -> Matrix:
         """Return the convex polygon (N, 2) of ``canvas`` that can hold shadow of the drawing's box ``art``.
@@ -87,6 +88,19 @@ def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -
         left_fold=_fold(art[0] - piece.left * art[2] if isfinite(piece.left) else None),
         right_fold=_fold(piece.right * art[2] - art[0] if isfinite(piece.right) else None),
     )
+
+
+def cast_card(camera: Camera, receiver: Plane, card: Card, light: Vector4) -> tuple[Cast, ...]:
+    """Return the casts of all pieces of a card, left out where nothing is cast or seen.
+
+    A pixel on the fold between two neighbours holds a part of each. Where their shadows lie on either side of the
+    fold those parts add up, and the right one says so by ``joins_left``; else the greater one counts.
+    """
+    casts = [cast_on(camera, receiver, piece, light) for piece in card.pieces]
+    for index, (left, right) in enumerate(pairwise(casts)):
+        if left is not None and right is not None and float(left.right_fold[:2] @ right.left_fold[:2]) < 0:
+            casts[index + 1] = replace(right, joins_left=True)
+    return tuple(cast for cast in casts if cast is not None)
 
 
 def _fold(form: Matrix | None) -> Matrix:

@@ -1,36 +1,31 @@
 """The pass that casts: a drawing's alpha through the light onto the receivers, as covered parts of canvas pixels."""
 
 from itertools import product
-from math import radians, sin
-
-import numpy as np
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.ground import Plane
-from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG, foot_of, grazing_strength
 from kagezou.geometry.polygon import bounding_box
-from kagezou.geometry.shadow import Cast, cast_on
-from kagezou.geometry.vectors import Matrix, Vector4, dot, height_over
+from kagezou.geometry.shadow import cast_card
+from kagezou.geometry.vectors import Vector4
+from kagezou.render.boxes import Boxes
+from kagezou.render.cast_uniforms import Frame, Grazing, edge_uniforms
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
-from kagezou.render.polygons import Polygons
 from kagezou.render.program import Program, Uniform
 from kagezou.render.targets import Target
+from kagezou.render.tiles import Tiling, tiled
 from kagezou.scene.scene import ShadowCast
-
-MAX_CELLS = 8
-"""A pixel is split into at most this many cells each way; a matte squeezed further is read from its mipmaps."""
-
-
-_NOWHERE: Matrix = np.empty((0, 2))
 
 
 class CastPass:
     """Draws the shadows of all pieces, lights and receivers of a cast, united by maximum."""
 
-    def __init__(self, polygons: Polygons) -> None:
-        self._polygons = polygons
-        self._program = Program("polygon.vert", "cast.frag")
+    def __init__(self, boxes: Boxes) -> None:
+        self._boxes = boxes
+        self._edge = Program("box.vert", "cast.frag")
+        self._full = Program("box.vert", "full.frag")
+        self._copy = Program("box.vert", "shade.frag")
+        self._scratch: Target | None = None
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
         """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
@@ -38,82 +33,74 @@ class CastPass:
             target.clear(old)
         if matte is None:
             return None
+        pairs = tuple(product(cast.receivers, cast.lights))
+        # The pieces of a folded card add up along their folds; before such a sum may unite with another light's by
+        # maximum it has to be whole, in a target of its own.
+        apart = len(cast.card.pieces) > 1 and len(pairs) > 1
         drawn: Box | None = None
-        for receiver, light, piece in product(cast.receivers, cast.lights, cast.card.pieces):
-            each = cast_on(cast.camera, receiver, piece, light)
-            region = _NOWHERE if each is None else each.region(target.box, matte.box)
-            box = bounding_box(region)
-            if each is not None and box is not None:
-                self._draw_one(each, region, matte, target, _light_uniforms(cast, receiver, light))
+        for receiver, light in pairs:
+            own = self._scratch_like(target) if apart else target
+            box = self._draw_light(cast, receiver, light, matte, own)
+            if box is not None:
+                if apart:
+                    self._unite(own, target, box)
                 drawn = box if drawn is None else drawn.union(box)
-        return drawn.intersection(target.box) if drawn is not None else None
+        return drawn
 
     def close(self) -> None:
         """Give the memory back."""
-        self._program.close()
+        self._edge.close()
+        self._full.close()
+        self._copy.close()
+        if self._scratch is not None:
+            self._scratch.close()
 
-    def _draw_one(
-        self, cast: Cast, region: Matrix, matte: PlacedMatte, target: Target, light: dict[str, Uniform]
-    ) -> None:
-        origin = np.floor(region.mean(axis=0)) + 0.5
-        from_origin = np.array([[1.0, 0.0, origin[0]], [0.0, 1.0, origin[1]], [0.0, 0.0, 1.0]])
-        texel_from_canvas = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
-        texel = _balanced(texel_from_canvas @ cast.art_from_canvas @ from_origin)
-        if _may_need_mipmaps(texel, region - origin):
-            matte.texture.make_mipmaps()
-        target.bind()
+    def _draw_light(
+        self, cast: ShadowCast, receiver: Plane, light: Vector4, matte: PlacedMatte, target: Target
+    ) -> Box | None:
+        """Draw what one light casts on one receiver; return the box that may hold it."""
+        grazing = Grazing.of(receiver, light)
+        drawn: Box | None = None
+        for each in cast_card(cast.camera, receiver, cast.card, light):
+            frame = Frame(each.region(target.box, matte.box))
+            around = bounding_box(frame.region)
+            tiling = around and tiled(each, around, (matte.occupancy, matte.box), target.box)
+            if not tiling or tiling.box is None:
+                continue
+            uniforms: dict[str, Uniform] = {"u_target_size_px": target.size_px, "u_origin_px": frame.origin}
+            uniforms |= grazing.uniforms(each, frame)
+            edge: dict[str, Uniform] = {**edge_uniforms(each, matte, frame), "u_translucent": cast.translucent}
+            target.bind()
+            GL.glEnable(GL.GL_BLEND)
+            GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
+            GL.glBlendEquation(GL.GL_FUNC_ADD if each.joins_left else GL.GL_MAX)
+            self._draw_tiles(tiling, uniforms, edge)
+            drawn = tiling.box if drawn is None else drawn.union(tiling.box)
+        return drawn
+
+    def _draw_tiles(self, tiling: Tiling, uniforms: dict[str, Uniform], edge: dict[str, Uniform]) -> None:
+        if len(tiling.full):
+            self._full.use(uniforms)
+            self._boxes.draw(tiling.full)
+        if len(tiling.edge):
+            self._edge.use(uniforms | edge)
+            self._boxes.draw(tiling.edge)
+
+    def _scratch_like(self, target: Target) -> Target:
+        if self._scratch is not None and self._scratch.box != target.box:
+            self._scratch.close()
+            self._scratch = None
+        if self._scratch is None:
+            self._scratch = Target(target.box.width, target.box.height, target.texture.form)
+            self._scratch.clear()
+        return self._scratch
+
+    def _unite(self, source: Target, target: Target, box: Box) -> None:
+        """Unite a box of ``source`` with ``target`` by maximum, and empty it."""
+        target.bind(box)
         GL.glEnable(GL.GL_BLEND)
         GL.glBlendEquation(GL.GL_MAX)
-        matte.texture.bind(0)
-        self._program.use(
-            {
-                "u_target_size_px": (float(target.texture.width_px), float(target.texture.height_px)),
-                "u_matte": 0,
-                "u_origin_px": origin,
-                "u_texel_from_pixel": texel,
-                "u_receiver_from_pixel": _balanced(cast.receiver_from_canvas @ from_origin),
-                "u_side": cast.side @ from_origin,
-                "u_left_fold": cast.left_fold @ from_origin,
-                "u_right_fold": cast.right_fold @ from_origin,
-                "u_max_cells": MAX_CELLS,
-                **light,
-            }
-        )
-        self._polygons.draw(region)
-        GL.glDisable(GL.GL_BLEND)
-        GL.glBlendEquation(GL.GL_FUNC_ADD)
-
-
-def _light_uniforms(cast: ShadowCast, receiver: Plane, light: Vector4) -> dict[str, Uniform]:
-    height = height_over(receiver.equation, light)
-    grazing = (sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG)))
-    is_lamp = light[3] != 0
-    foot = (0.0, 0.0)
-    if is_lamp:
-        under = foot_of(receiver, light[:3])
-        away = (under[0] - receiver.origin[0], under[1] - receiver.origin[1], under[2] - receiver.origin[2])
-        foot = (dot(away, receiver.u), dot(away, receiver.v))
-    return {
-        "u_translucent": cast.translucent,
-        "u_is_lamp": is_lamp,
-        "u_strength": 1.0 if is_lamp else grazing_strength(height),
-        "u_lamp_on_receiver": (*foot, height),
-        "u_grazing_sine": grazing,
-    }
-
-
-def _balanced(matrix: Matrix) -> Matrix:
-    """Scale a homography so that w = ±1 at its origin, which keeps its float32 copy precise there."""
-    return np.asarray(matrix / max(abs(float(matrix[2, 2])), 1e-12 * float(np.abs(matrix).max())))
-
-
-def _may_need_mipmaps(texel_from_pixel: Matrix, corners: Matrix) -> bool:
-    """Whether the drawing may be squeezed by more than MAX_CELLS texels a pixel somewhere in the region."""
-    points = np.column_stack([corners, np.ones(len(corners))]) @ texel_from_pixel.T
-    w = np.maximum(points[:, 2:], 1e-12)
-    texels = points[:, :2] / w
-    for axis in (0, 1):
-        steps = (texel_from_pixel[:2, axis] - texels * texel_from_pixel[2, axis]) / w
-        if float(np.hypot(steps[:, 0], steps[:, 1]).max()) > MAX_CELLS:
-            return True
-    return False
+        source.texture.bind(0)
+        self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
+        self._boxes.draw_one(box)
+        source.clear(box)

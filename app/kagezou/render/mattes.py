@@ -7,11 +7,12 @@ from math import ceil
 import numpy as np
 
 from kagezou.geometry.box import Box, centred_offset
-from kagezou.io.images import Matte
-from kagezou.render.polygons import Polygons
+from kagezou.io.images import Matte, Steps
+from kagezou.render.boxes import Boxes
+from kagezou.render.occupancy import Occupancy
 from kagezou.render.program import Program
-from kagezou.render.shelf import TextureShelf
-from kagezou.render.targets import Format, Target, Texture
+from kagezou.render.shelf import Shelf
+from kagezou.render.targets import LAST_LEVEL, Format, Target, Texture
 
 HARD_EDGE_SIGMA_PX = 1.0
 """Paint data without anti-aliasing is smoothed by this Gaussian before its 0.5 level is taken as the edge."""
@@ -21,41 +22,73 @@ _SMOOTHING_REACH_PX = ceil(3 * HARD_EDGE_SIGMA_PX)
 
 
 @dataclass(frozen=True, slots=True)
-class PlacedMatte:
-    """A matte texture and the canvas box its texels cover, one texel a canvas px; the outermost are empty."""
+class MatteOnCard:
+    """A matte as a texture with an empty rim, and where it is empty or full."""
 
     texture: Texture
+    occupancy: Occupancy
+
+    @property
+    def nbytes(self) -> int:
+        """Memory on the graphics card."""
+        return self.texture.nbytes
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self.texture.close()
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedMatte:
+    """A matte and the canvas box its texels cover, one texel a canvas px."""
+
+    texture: Texture
+    occupancy: Occupancy
     box: Box
 
 
-class MatteTextures:
+class Mattes:
     """The mattes last used, within a budget of memory."""
 
-    def __init__(self, polygons: Polygons, budget_bytes: int) -> None:
-        self._polygons = polygons
-        self._smooth = Program("polygon.vert", "smooth.frag")
-        self._shelf = TextureShelf(budget_bytes)
+    def __init__(self, boxes: Boxes, budget_bytes: int) -> None:
+        self._boxes = boxes
+        self._smooth = Program("box.vert", "smooth.frag")
+        self._shelf: Shelf[MatteOnCard] = Shelf(budget_bytes)
 
     def placed(self, matte: Matte, canvas: Box) -> PlacedMatte | None:
         """Return the matte as it lies on the canvas, or None for an empty cel."""
         if matte.box is None:
             return None
-        texture = self._shelf.texture_of(matte, partial(self._made, matte, matte.box))
+        on_card = self._shelf.made_of(matte, partial(self._put_on_card, matte, matte.box))
         height, width = matte.alpha.shape
         left, top = centred_offset(canvas, width, height)
-        return PlacedMatte(texture, matte.box.moved(left, top).grown(_margin(matte)))
+        corner = matte.box.moved(left, top).grown(_margin(matte))
+        box = Box(
+            corner.left, corner.top, corner.left + on_card.texture.width_px, corner.top + on_card.texture.height_px
+        )
+        return PlacedMatte(on_card.texture, on_card.occupancy, box)
 
     def close(self) -> None:
         """Give the memory back."""
         self._shelf.close()
         self._smooth.close()
 
-    def _made(self, matte: Matte, box: Box) -> Texture:
-        return self._smoothed(matte, box) if matte.hard_edged else _uploaded(matte, box, _RIM_PX)
+    def _put_on_card(self, matte: Matte, box: Box) -> MatteOnCard:
+        margin = _margin(matte)
+        form = Format.ALPHA8 if matte.alpha.dtype.itemsize == 1 else Format.ALPHA16
+        height, width = (_whole_squares(side + 2 * margin) for side in (box.height, box.width))
+        padded = _empty_like(matte.alpha, (height, width))
+        padded[margin : margin + box.height, margin : margin + box.width] = matte.alpha[
+            box.top : box.bottom, box.left : box.right
+        ]
+        texture = Texture(padded.shape[1], padded.shape[0], form)
+        texture.upload(padded)
+        if matte.hard_edged:
+            return MatteOnCard(self._smoothed(texture), Occupancy(padded, _SMOOTHING_REACH_PX))
+        return MatteOnCard(texture, Occupancy(padded, 0))
 
-    def _smoothed(self, matte: Matte, box: Box) -> Texture:
-        """Return the matte smoothed in x, then in y."""
-        source = _uploaded(matte, box, _margin(matte))
+    def _smoothed(self, source: Texture) -> Texture:
+        """Return the matte smoothed in x, then in y, instead of ``source``."""
         size = (source.width_px, source.height_px)
         across, result = Target(*size, Format.ALPHA16), Target(*size, Format.ALPHA16)
         for texture, target, axis in ((source, across, (1.0, 0.0)), (across.texture, result, (0.0, 1.0))):
@@ -69,7 +102,7 @@ class MatteTextures:
                     "u_sigma_px": HARD_EDGE_SIGMA_PX,
                 }
             )
-            self._polygons.draw_box(target.box)
+            self._boxes.draw_one(target.box)
         across.close()
         source.close()
         return result.texture_alone()
@@ -79,10 +112,10 @@ def _margin(matte: Matte) -> int:
     return _RIM_PX + (_SMOOTHING_REACH_PX if matte.hard_edged else 0)
 
 
-def _uploaded(matte: Matte, box: Box, margin: int) -> Texture:
-    form = Format.ALPHA8 if matte.alpha.dtype.itemsize == 1 else Format.ALPHA16
-    padded = np.zeros((box.height + 2 * margin, box.width + 2 * margin), dtype=form.dtype)
-    padded[margin:-margin, margin:-margin] = matte.alpha[box.top : box.bottom, box.left : box.right]
-    texture = Texture(padded.shape[1], padded.shape[0], form)
-    texture.upload(padded)
-    return texture
+def _whole_squares(side_px: int) -> int:
+    square = 1 << LAST_LEVEL
+    return -(-side_px // square) * square
+
+
+def _empty_like(alpha: Steps, shape: tuple[int, int]) -> Steps:
+    return np.zeros(shape, np.uint8) if alpha.dtype == np.uint8 else np.zeros(shape, np.uint16)

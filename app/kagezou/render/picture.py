@@ -7,10 +7,10 @@ from pathlib import Path
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images import Cel, read_cel
 from kagezou.render.backdrop import Backdrop
+from kagezou.render.boxes import Boxes
 from kagezou.render.gl import GL
-from kagezou.render.polygons import Polygons
 from kagezou.render.program import Program, Uniform
-from kagezou.render.shelf import TextureShelf
+from kagezou.render.shelf import Shelf
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import ShadowLook
 
@@ -28,14 +28,14 @@ class _Base:
 class Picture:
     """A canvas-sized target of straight sRGB, drawn from the base up. Only what was drawn over is restored."""
 
-    def __init__(self, polygons: Polygons, canvas: Box, form: Format, color_budget_bytes: int) -> None:
-        self._polygons = polygons
-        self._backdrop_program = Program("polygon.vert", "backdrop.frag")
-        self._lay_program = Program("polygon.vert", "lay.frag")
+    def __init__(self, boxes: Boxes, canvas: Box, form: Format, color_budget_bytes: int) -> None:
+        self._boxes = boxes
+        self._backdrop_program = Program("box.vert", "backdrop.frag")
+        self._lay_program = Program("box.vert", "lay.frag")
         self._target = Target(canvas.width, canvas.height, form)
         self._base_target = Target(canvas.width, canvas.height, form)
         self._under = Texture(canvas.width, canvas.height, form)
-        self._colors = TextureShelf(color_budget_bytes)
+        self._colors: Shelf[Texture] = Shelf(color_budget_bytes)
         self._base: _Base | None = None
         self._drawn_over: list[Box] = []
 
@@ -93,13 +93,13 @@ class Picture:
         tone, other = base.backdrop.tones
         self._backdrop_program.use(
             {
-                "u_target_size_px": self._size(),
+                "u_target_size_px": self._target.size_px,
                 "u_tone": tone,
                 "u_other_tone": other,
                 "u_square_px": 16,
             }
         )
-        self._polygons.draw_box(self._base_target.box)
+        self._boxes.draw_one(self._base_target.box)
         if base.background is not None:
             self._lay_cel(self._base_target, read_cel(base.background, white_is_clear=False))
 
@@ -113,7 +113,7 @@ class Picture:
             return
         # Only the figure travels to the graphics card.
         corner = cel.matte.box.moved(left, top)
-        texture = self._colors.texture_of(cel, partial(_uploaded, cel, cel.matte.box))
+        texture = self._colors.made_of(cel, partial(_uploaded, cel, cel.matte.box))
         self._lay(
             target,
             box,
@@ -132,8 +132,8 @@ class Picture:
         target.bind(box)
         self._under.bind(0)
         source.bind(1)
-        self._lay_program.use({"u_target_size_px": self._size(), "u_under": 0, "u_source": 1, **uniforms})
-        self._polygons.draw_box(box)
+        self._lay_program.use({"u_target_size_px": self._target.size_px, "u_under": 0, "u_source": 1, **uniforms})
+        self._boxes.draw_one(box)
         if target is self._target:
             self._drawn_over.append(box)
 
@@ -146,9 +146,6 @@ class Picture:
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self._base_target.id)
         self._target.texture.bind(0)
         GL.glCopyTexSubImage2D(GL.GL_TEXTURE_2D, 0, box.left, box.top, box.left, box.top, box.width, box.height)
-
-    def _size(self) -> tuple[float, float]:
-        return (float(self._target.texture.width_px), float(self._target.texture.height_px))
 
 
 def _uploaded(cel: Cel, box: Box) -> Texture:

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from kagezou.geometry.box import Box
+from kagezou.render.boxes import Boxes
 from kagezou.render.gl import GL
-from kagezou.render.polygons import Polygons
 from kagezou.render.program import Program
 from kagezou.render.targets import Texture
 
@@ -41,9 +41,9 @@ class WindowView:
 class Presenter:
     """Draws a picture into a framebuffer that is not ours."""
 
-    def __init__(self, polygons: Polygons) -> None:
-        self._polygons = polygons
-        self._program = Program("polygon.vert", "present.frag")
+    def __init__(self, boxes: Boxes) -> None:
+        self._boxes = boxes
+        self._program = Program("box.vert", "present.frag")
 
     def draw(self, picture: Texture, view: WindowView) -> None:
         """Fill the window with the picture and its surround."""
@@ -65,7 +65,7 @@ class Presenter:
                 "u_surround": view.surround,
             }
         )
-        self._polygons.draw_box(Box(0, 0, view.width_px, view.height_px))
+        self._boxes.draw_one(Box(0, 0, view.width_px, view.height_px))
 
     def close(self) -> None:
         """Give the memory back."""

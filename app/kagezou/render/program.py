@@ -28,6 +28,7 @@ class Program:
 
     def __init__(self, vertex: str, fragment: str) -> None:
         self._name = f"{vertex} + {fragment}"
+        self._source = shader_source(vertex) + shader_source(fragment)
         self.id = int(GL.glCreateProgram())
         for name, kind in ((vertex, GL.GL_VERTEX_SHADER), (fragment, GL.GL_FRAGMENT_SHADER)):
             shader = _compiled(name, kind)
@@ -51,9 +52,10 @@ class Program:
     def _place(self, name: str) -> int:
         place = self._places.get(name)
         if place is None:
-            place = self._places[name] = int(GL.glGetUniformLocation(self.id, name))
-            if place < 0:
+            if not re.search(rf"\b{name};", self._source):
                 raise KeyError(f"{self._name} has no uniform {name}")
+            # A driver may drop a uniform that does not matter; it is then at -1, where setting it does nothing.
+            place = self._places[name] = int(GL.glGetUniformLocation(self.id, name))
         return place
 
     def _set(self, place: int, value: Uniform) -> None:

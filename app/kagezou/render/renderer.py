@@ -6,10 +6,10 @@ from kagezou.io.cels import CelCache
 from kagezou.io.encode import ShadowImage
 from kagezou.io.images import Steps
 from kagezou.render.backdrop import Backdrop
+from kagezou.render.boxes import Boxes
 from kagezou.render.gl import GL, check
 from kagezou.render.info import read_info
 from kagezou.render.picture import Picture
-from kagezou.render.polygons import Polygons
 from kagezou.render.presenter import Presenter, WindowView
 from kagezou.render.program import Program
 from kagezou.render.shadow_layers import ShadowLayers
@@ -40,10 +40,10 @@ class Renderer:
     def __init__(self, cels: CelCache) -> None:
         self.info = read_info()
         self._cels = cels
-        self._polygons = Polygons()
-        self._shadows = ShadowLayers(self._polygons, cels, MATTE_BUDGET_BYTES)
-        self._shade_program = Program("polygon.vert", "shade.frag")
-        self._presenter = Presenter(self._polygons)
+        self._boxes = Boxes()
+        self._shadows = ShadowLayers(self._boxes, cels, MATTE_BUDGET_BYTES)
+        self._shade_program = Program("box.vert", "shade.frag")
+        self._presenter = Presenter(self._boxes)
         self._picture: Picture | None = None
         self._shaded: dict[Format, Target] = {}
         check("setting up")
@@ -75,12 +75,12 @@ class Renderer:
             coverage.target.texture.bind(0)
             self._shade_program.use(
                 {
-                    "u_target_size_px": (float(canvas.width), float(canvas.height)),
+                    "u_target_size_px": target.size_px,
                     "u_coverage": 0,
                     "u_opacity": layer.look.opacity,
                 }
             )
-            self._polygons.draw_box(box)
+            self._boxes.draw_one(box)
         alpha = target.read(box)
         check("drawing a shadow")
         return ShadowImage(canvas.width, canvas.height, layer.look.color, alpha, box)
@@ -127,7 +127,7 @@ class Renderer:
         self._shadows.close()
         self._shade_program.close()
         self._presenter.close()
-        self._polygons.close()
+        self._boxes.close()
 
     def _drawn(self) -> Picture:
         if self._picture is None:
@@ -140,7 +140,7 @@ class Renderer:
             old.close()
             self._picture = None
         if self._picture is None:
-            self._picture = Picture(self._polygons, canvas, form, COLOR_BUDGET_BYTES)
+            self._picture = Picture(self._boxes, canvas, form, COLOR_BUDGET_BYTES)
         return self._picture
 
     def _shaded_target(self, canvas: Box, form: Format) -> Target:

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from kagezou.geometry.box import Box
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Matte
+from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
-from kagezou.render.mattes import MatteTextures
-from kagezou.render.polygons import Polygons
+from kagezou.render.mattes import Mattes
 from kagezou.render.targets import Format, Target
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
@@ -25,10 +25,10 @@ class Coverage:
 class ShadowLayers:
     """Casts a layer's shadow unless the last one of the same cast is still there."""
 
-    def __init__(self, polygons: Polygons, cels: CelCache, matte_budget_bytes: int) -> None:
+    def __init__(self, boxes: Boxes, cels: CelCache, matte_budget_bytes: int) -> None:
         self._cels = cels
-        self._mattes = MatteTextures(polygons, matte_budget_bytes)
-        self._pass = CastPass(polygons)
+        self._mattes = Mattes(boxes, matte_budget_bytes)
+        self._pass = CastPass(boxes)
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
 

@@ -4,11 +4,14 @@ from ctypes import c_void_p
 from enum import Enum
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
+from kagezou.io.images import Steps
 from kagezou.render.gl import GL
+
+LAST_LEVEL = 5
+"""The coarsest mipmap; a texture whose sides are multiples of 2 to this power has exact means in every level."""
 
 
 class Format(Enum):
@@ -64,11 +67,11 @@ class Texture:
         GL.glActiveTexture(GL.GL_TEXTURE0 + unit)
         GL.glBindTexture(GL.GL_TEXTURE_2D, self.id)
 
-    def upload(self, pixels: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
+    def upload(self, pixels: Steps) -> None:
         """Fill the texture with pixels (H, W) or (H, W, 4) of the format's type."""
         self.upload_part(pixels, Box(0, 0, self.width_px, self.height_px))
 
-    def upload_part(self, pixels: NDArray[np.uint8] | NDArray[np.uint16], box: Box) -> None:
+    def upload_part(self, pixels: Steps, box: Box) -> None:
         """Fill the texture with a box of its size out of C-contiguous pixels (H, W) or (H, W, 4)."""
         _, order, component = self.form.value
         self.bind(0)
@@ -84,7 +87,7 @@ class Texture:
         """Make the coarser levels, unless they are there."""
         if not self.has_mipmaps:
             self.bind(0)
-            GL.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAX_LEVEL, 12)
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAX_LEVEL, LAST_LEVEL)
             GL.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_NEAREST_MIPMAP_NEAREST)
             GL.glGenerateMipmap(GL.GL_TEXTURE_2D)
             self.has_mipmaps = True
@@ -119,12 +122,18 @@ class Target:
         """The whole target."""
         return Box(0, 0, self.texture.width_px, self.texture.height_px)
 
+    @property
+    def size_px(self) -> tuple[float, float]:
+        """Width and height as a uniform."""
+        return (float(self.texture.width_px), float(self.texture.height_px))
+
     def bind(self, scissor: Box | None = None) -> None:
         """Draw into this target from now on, within ``scissor``, with no blending, depth test or culling left over."""
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
         GL.glViewport(0, 0, self.texture.width_px, self.texture.height_px)
         for state in (GL.GL_BLEND, GL.GL_DEPTH_TEST, GL.GL_CULL_FACE, GL.GL_STENCIL_TEST, GL.GL_DITHER):
             GL.glDisable(state)
+        GL.glBlendEquation(GL.GL_FUNC_ADD)
         GL.glColorMask(True, True, True, True)  # noqa: FBT003 - the call's own order
         box = scissor or self.box
         GL.glEnable(GL.GL_SCISSOR_TEST)
@@ -136,12 +145,12 @@ class Target:
         GL.glClearColor(0.0, 0.0, 0.0, 0.0)
         GL.glClear(GL.GL_COLOR_BUFFER_BIT)
 
-    def read(self, box: Box) -> NDArray[np.uint8] | NDArray[np.uint16]:
+    def read(self, box: Box) -> Steps:
         """Return the pixels of a box, (h, w) or (h, w, 4), top row first."""
         _, order, component = self.texture.form.value
         count = self.texture.form.components
         shape = (box.height, box.width) if count == 1 else (box.height, box.width, count)
-        pixels = np.empty(shape, dtype=self.texture.form.dtype)
+        pixels: Steps = np.empty(shape, np.uint8) if self.texture.form.dtype is np.uint8 else np.empty(shape, np.uint16)
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
         GL.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1)
         GL.glReadPixels(box.left, box.top, box.width, box.height, order, component, pixels)

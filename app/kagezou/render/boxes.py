@@ -1,18 +1,18 @@
-"""Drawing convex polygons and boxes given in canvas px."""
+"""Drawing boxes given in canvas px."""
 
 from ctypes import c_void_p
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
-from kagezou.geometry.polygon import box_polygon
-from kagezou.geometry.vectors import Matrix
 from kagezou.render.gl import GL
 
-MAX_CORNERS = 64
+_CORNERS = (0, 1, 2, 1, 2, 3, 0, 1, 2, 3, 0, 3)
+"""Two triangles of a box (left, top, right, bottom), as pairs (x, y)."""
 
 
-class Polygons:
+class Boxes:
     """One small vertex buffer that every pass draws from."""
 
     def __init__(self) -> None:
@@ -20,21 +20,20 @@ class Polygons:
         self._buffer = int(GL.glGenBuffers(1))
         GL.glBindVertexArray(self._array)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
-        GL.glBufferData(GL.GL_ARRAY_BUFFER, MAX_CORNERS * 8, None, GL.GL_STREAM_DRAW)
         GL.glEnableVertexAttribArray(0)
         GL.glVertexAttribPointer(0, 2, GL.GL_FLOAT, False, 8, c_void_p(0))  # noqa: FBT003 - the call's own order
 
-    def draw(self, corners: Matrix) -> None:
-        """Draw a convex polygon (N, 2), canvas px, N >= 3, with the program in use."""
-        points = np.ascontiguousarray(corners[:MAX_CORNERS], dtype=np.float32)
+    def draw(self, boxes: NDArray[np.float64]) -> None:
+        """Draw boxes (N, 4): left, top, right, bottom in canvas px, with the program in use."""
+        points = np.ascontiguousarray(boxes[:, _CORNERS], dtype=np.float32)
         GL.glBindVertexArray(self._array)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
         GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, points, GL.GL_STREAM_DRAW)
-        GL.glDrawArrays(GL.GL_TRIANGLE_FAN, 0, len(points))
+        GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
 
-    def draw_box(self, box: Box) -> None:
-        """Draw a box of whole pixels with the program in use."""
-        self.draw(box_polygon(box))
+    def draw_one(self, box: Box) -> None:
+        """Draw one box with the program in use."""
+        self.draw(np.array([[box.left, box.top, box.right, box.bottom]], dtype=np.float64))
 
     def close(self) -> None:
         """Give the memory back."""

@@ -1,5 +1,5 @@
 #version 330 core
-// A polygon given in canvas px (y down). Row 0 of every target is the top row, so nothing is flipped on the way.
+// Boxes given in canvas px (y down). Row 0 of every target is the top row, so nothing is flipped on the way.
 
 layout(location = 0) in vec2 a_canvas_px;
 
