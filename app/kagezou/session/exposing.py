@@ -1,0 +1,142 @@
+"""From picture files to cels: which drawings a source holds, when each is exposed, how large they are."""
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from kagezou.animation.frames import format_frames
+from kagezou.document.model import Cels, Drawing, Exposure
+from kagezou.errors import InputProblem
+from kagezou.io.faults import shown
+from kagezou.io.images import ImageInfo, probe
+from kagezou.io.project_paths import absolute
+from kagezou.io.sequences import NumberedFile, Sequence, find_sequences
+
+MAX_NAME_CHARACTERS = 200
+_SHOWN_NAMES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class CharacterSource:
+    """A character someone brings: a folder, a picture or a pattern such as ``walk_#.png``, and perhaps its name."""
+
+    name: str | None
+    path: Path
+
+
+@dataclass(frozen=True, slots=True)
+class NewCels:
+    """The cels of a layer to be.
+
+    Parameters
+    ----------
+    name
+        What the layer is to be called.
+    cels
+        Its drawings, with absolute paths, and exposures.
+    size_px
+        The largest width and the largest height among its drawings.
+    length_frames
+        Up to the last exposure; 1 for a still.
+    notes
+        What is odd about the files, one sentence each.
+    """
+
+    name: str
+    cels: Cels
+    size_px: tuple[int, int]
+    length_frames: int
+    notes: tuple[str, ...]
+
+
+def cels_of(source: CharacterSource) -> tuple[list[NewCels], list[str]]:
+    """Return the layers that a source holds, and notes about the source as a whole.
+
+    Raises
+    ------
+    InputProblem
+        There is nothing to be found, or none of the drawings of a layer can be opened.
+    """
+    path = absolute(source.path)
+    found = find_sequences(path)
+    notes = [_left_out(path, found.left_out)] if found.left_out else []
+    if len(found.sequences) == 1:
+        only = found.sequences[0]
+        own = path.name if path.is_dir() else only.name
+        return [_new_cels(source.name or printable(own), only)], notes
+    head = f"{source.name} " if source.name else ""
+    return [_new_cels(head + printable(each.name), each) for each in found.sequences], notes
+
+
+def printable(name: str) -> str:
+    """Return a file's or folder's name as one that a layer may have."""
+    text = "".join(character if character.isprintable() else "_" for character in name).strip()
+    return text[:MAX_NAME_CHARACTERS] or "Character"
+
+
+def _left_out(path: Path, pictures: Iterable[Path]) -> str:
+    names = [shown(Path(picture.name)) for picture in pictures]
+    more = ", …" if len(names) > _SHOWN_NAMES else ""
+    return f"{shown(path)}: left out, as they have no number: {', '.join(names[:_SHOWN_NAMES])}{more}"
+
+
+def _new_cels(name: str, sequence: Sequence) -> NewCels:
+    cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
+    size, notes = _measured(name, cels.drawings)
+    if sequence.gaps:
+        notes.insert(0, f"{name}: missing {format_frames(sequence.gaps)}; the drawing before is held")
+    last = cels.exposures[-1].frame
+    return NewCels(name, cels, size, last, tuple(notes))
+
+
+def _drawing(file: NumberedFile) -> Drawing:
+    name = file.path.stem if file.number is None else f"{file.number}{file.suffix}"
+    return Drawing(printable(name), file.path)
+
+
+def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:
+    """Return one exposure a drawing: the first number on frame 1, the others as far behind as their numbers say.
+
+    A number that is there twice (12 and 12a) takes one frame more, so that no drawing is lost.
+    """
+    exposures: list[Exposure] = []
+    numbers: list[int] = []
+    inserted = 0
+    for index, file in enumerate(files):
+        number = file.number or 0
+        inserted += number in numbers[-1:]
+        numbers.append(number)
+        exposures.append(Exposure(number - numbers[0] + 1 + inserted, index))
+    return tuple(exposures)
+
+
+def _measured(name: str, drawings: Iterable[Drawing]) -> tuple[tuple[int, int], list[str]]:
+    """Return the largest width and height, and notes about drawings that differ or cannot be opened."""
+    infos: list[tuple[Drawing, ImageInfo]] = []
+    problems: list[InputProblem] = []
+    for drawing in drawings:
+        try:
+            infos.append((drawing, probe(drawing.path)))
+        except InputProblem as problem:
+            problems.append(problem)
+    if not infos:
+        raise problems[0]
+    notes = [str(problem) for problem in problems[:_SHOWN_NAMES]]
+    if len(problems) > _SHOWN_NAMES:
+        notes.append(f"{name}: {len(problems)} drawings cannot be opened")
+    sizes = Counter((info.width_px, info.height_px) for _, info in infos)
+    if len(sizes) > 1:
+        first = infos[0][1]
+        other = next(
+            (drawing, info)
+            for drawing, info in infos
+            if (info.width_px, info.height_px) != (first.width_px, first.height_px)
+        )
+        notes.append(
+            f"{name}: drawings differ in size, first {shown(other[0].path)} with "
+            f"{other[1].width_px} × {other[1].height_px} px; each lies centred on the canvas"
+        )
+    if not infos[0][1].has_alpha:
+        notes.append(f"{name}: its drawings have no alpha; pure white is taken as clear")
+    return (max(width for width, _ in sizes), max(height for _, height in sizes)), notes

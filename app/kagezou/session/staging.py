@@ -1,0 +1,173 @@
+"""Bringing characters onto the canvas: from folders of drawings to a document that shows a good shadow at once."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+
+from kagezou.document.address import Address
+from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
+from kagezou.document.model import Canvas, Document
+from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
+from kagezou.errors import InputProblem
+from kagezou.geometry.box import Box
+from kagezou.io.images import probe
+from kagezou.io.project_paths import absolute
+from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.session.exposing import CharacterSource, NewCels, cels_of
+from kagezou.session.figures import Figure, Look, look_at
+from kagezou.session.first_light import first_light
+
+STILL_LENGTH_FRAMES = 24
+"""The cut of a project that has only stills."""
+
+MAX_SIDE_PX = 16384
+DEFAULT_SIZE_PX = (1920, 1080)
+__all__ = ["CharacterSource", "Staged", "new_document", "with_characters"]
+
+
+@dataclass(frozen=True, slots=True)
+class Staged:
+    """A document with characters brought in.
+
+    Parameters
+    ----------
+    document
+        The document.
+    notes
+        What the user should know, one sentence each.
+    layer_ids
+        The layers that came, from bottom to top.
+    """
+
+    document: Document
+    notes: tuple[str, ...]
+    layer_ids: tuple[str, ...]
+
+
+def new_document(
+    sources: Sequence[CharacterSource],
+    *,
+    background: Path | None = None,
+    size: tuple[int, int] | None = None,
+    frame_rate: Fraction = Fraction(24),
+) -> Staged:
+    """Return a new document with characters, a ground under the lowest of them and a lamp in front.
+
+    Parameters
+    ----------
+    sources
+        The characters from bottom to top.
+    background
+        A picture under everything.
+    size
+        Canvas width and height, px; else the background's size, else that of the largest drawing.
+    frame_rate
+        Frames a second.
+
+    Raises
+    ------
+    InputProblem
+        A file that was asked for cannot be found or opened, or is too large.
+    UsageProblem
+        A name is no name for a layer.
+    """
+    arrivals, notes = _arrivals(sources)
+    width, height = size or _natural_size(background, arrivals)
+    document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
+    document = set_background(document, None if background is None else absolute(background))
+    return _settled(document, arrivals, notes)
+
+
+def with_characters(document: Document, sources: Sequence[CharacterSource]) -> Staged:
+    """Return the document with characters on top; ground and lamp are placed only for the first ones.
+
+    Raises
+    ------
+    InputProblem, UsageProblem
+        As for :func:`new_document`.
+    """
+    arrivals, notes = _arrivals(sources)
+    return _settled(document, arrivals, notes)
+
+
+def _arrivals(sources: Sequence[CharacterSource]) -> tuple[list[NewCels], list[str]]:
+    arrivals: list[NewCels] = []
+    notes: list[str] = []
+    for source in sources:
+        layers, about_source = cels_of(source)
+        arrivals += layers
+        notes += about_source
+    return arrivals, notes
+
+
+def _natural_size(background: Path | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
+    if background is not None:
+        info = probe(background)
+        size = (info.width_px, info.height_px)
+    elif arrivals:
+        size = (max(each.size_px[0] for each in arrivals), max(each.size_px[1] for each in arrivals))
+    else:
+        size = DEFAULT_SIZE_PX
+    if max(size) > MAX_SIDE_PX:
+        raise InputProblem(
+            f"a canvas of {size[0]} × {size[1]} px, as the pictures have it, is larger than {MAX_SIDE_PX} px; "
+            "please give a size"
+        )
+    return size
+
+
+def _settled(document: Document, arrivals: Sequence[NewCels], notes: list[str]) -> Staged:
+    """Add the layers, and for the first ones place ground and lamp and give the cut its length."""
+    is_first = not document.layers
+    stage = document.canvas.box
+    looks: dict[str, Look] = {}
+    for arrival in arrivals:
+        look = look_at(arrival.cels.drawings, stage)
+        document = add_layer(document, arrival.name, arrival.cels, look.figure.box if look.figure else stage)
+        layer = document.layers[-1]
+        looks[layer.id] = look
+        told = (note for note in look.notes if note not in arrival.notes)
+        notes += [*arrival.notes, *told, *_notes_on(layer.name, arrival, look.figure, stage)]
+    if is_first and arrivals:
+        document = _with_length(document, arrivals)
+        document = _with_ground_and_lamp(document, looks)
+    return Staged(document, tuple(notes), tuple(looks))
+
+
+def _with_length(document: Document, arrivals: Sequence[NewCels]) -> Document:
+    longest = max(arrival.length_frames for arrival in arrivals)
+    length = STILL_LENGTH_FRAMES if longest == 1 else longest
+    canvas = document.canvas
+    return set_canvas(document, replace(canvas, length_frames=max(length, canvas.length_frames)))
+
+
+def _notes_on(name: str, arrival: NewCels, figure: Figure | None, stage: Box) -> list[str]:
+    width, height = arrival.size_px
+    notes = []
+    if width > stage.width or height > stage.height:
+        canvas = f"{stage.width} × {stage.height}"
+        notes.append(f"{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px")
+    if figure is None:
+        notes.append(f"{name}: there is nothing solid in its drawings; the whole canvas was taken as the figure")
+    elif figure.is_cut_off:
+        notes.append(
+            f"{name}: the figure reaches the lower edge of its drawing, where the ground was put; "
+            "if its feet are cut off, move the ground to where they would stand"
+        )
+    return notes
+
+
+def _with_ground_and_lamp(document: Document, looks: Mapping[str, Look]) -> Document:
+    """Put the ground under the lowest figure, and the lamp where it gives a good shadow of all."""
+    stage = document.canvas.box
+    figures = [look.figure for look in looks.values() if look.figure is not None]
+    if not figures:
+        return set_constant(document, Address(GROUND_POSITION), (stage.width / 2, float(stage.height)))
+    lowest = max(figures, key=lambda figure: figure.foot[1])
+    document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
+    later = np.concatenate([look.later for look in looks.values()])
+    place = first_light(stage, camera_at(document, 1), ground_at(document, 1), figures, later)
+    return set_constant(document, Address(LIGHT_POSITION), place)
