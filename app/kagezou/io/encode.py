@@ -1,7 +1,7 @@
 """Shadow layers and composites as files: PNG, TGA, TIFF and OpenEXR.
 
-The same picture gives the same bytes: no file holds a time or a name. A PNG is packed in memory and written by a writer
-that notices a full disk; the other formats are read back and compared before they take their place.
+The same picture gives the same bytes: no file holds a time or a name. PNG and TIFF are packed in memory and written by
+a writer that notices a full disk; TGA and OpenEXR are read back and compared before they take their place.
 """
 
 from collections.abc import Mapping
@@ -19,13 +19,13 @@ from kagezou.io.colour import light_from_rgba
 from kagezou.io.faults import shown
 from kagezou.io.oiio_guard import write_verified
 from kagezou.io.png import pack_layer, pack_rgba
+from kagezou.io.tiff import pack_rgba as pack_tiff
 
 Pixels = NDArray[Any]
 _STRAIGHT: Final = "oiio:UnassociatedAlpha"
 _SETTINGS: Final[Mapping[str, Mapping[str, Any]]] = {
     ".tga": {_STRAIGHT: 1, "compression": "rle"},
-    # Without a given DateTime the writers put in the present one; its Exif block fails to be written.
-    ".tif": {_STRAIGHT: 1, "compression": "zip", "DateTime": "", "tiff:write_exif": 0},
+    # Without a given DateTime the writer puts in the present one.
     ".exr": {"compression": "zip", "DateTime": ""},
 }
 _SAME: Final = {".tiff": ".tif"}
@@ -65,8 +65,9 @@ class ShadowImage:
 
     def rgba(self) -> Pixels:
         """Return the whole canvas as straight (H, W, 4) in the depth of ``alpha``."""
-        pixels: Pixels = np.zeros((self.height_px, self.width_px, 4), self.alpha.dtype)
-        pixels[..., :3] = np.asarray(self.color) * (np.iinfo(self.alpha.dtype).max // 255)
+        clear = np.array([*self.color, 0]) * (np.iinfo(self.alpha.dtype).max // 255)
+        one: Pixels = clear.astype(self.alpha.dtype).view(f"u{4 * self.alpha.itemsize}")  # filled as one number
+        pixels = np.full((self.height_px, self.width_px, 1), one).view(self.alpha.dtype)
         if not self.box.is_empty:
             pixels[self.box.top : self.box.bottom, self.box.left : self.box.right, 3] = self.alpha
         return pixels
@@ -100,7 +101,7 @@ def write_shadow(path: Path, image: ShadowImage) -> None:
     elif kind == ".exr":
         _write_by_oiio(path, _light_of(image))
     else:
-        _write_by_oiio(path, _eight_bit(image.rgba()) if kind == ".tga" else image.rgba())
+        write_rgba(path, image.rgba())
 
 
 def write_rgba(path: Path, rgba: Pixels) -> None:
@@ -116,8 +117,10 @@ def write_rgba(path: Path, rgba: Pixels) -> None:
         write_bytes(path, encode_rgba_png(rgba))
     elif kind == ".exr":
         _write_by_oiio(path, light_from_rgba(rgba))
+    elif kind == ".tga":
+        _write_by_oiio(path, _eight_bit(rgba))
     else:
-        _write_by_oiio(path, _eight_bit(rgba) if kind == ".tga" else rgba)
+        write_bytes(path, pack_tiff(rgba))
 
 
 def _format(path: Path) -> str:

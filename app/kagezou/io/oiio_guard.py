@@ -199,7 +199,7 @@ def _differs(temp: Path, pixels: Pixels) -> str:
     back = source.read_image(0, 0, 0, pixels.shape[2], _TYPES[pixels.dtype.name])
     message = _text_of(source.geterror)
     source.close()
-    if back is None or message or not np.array_equal(back, pixels):
+    if back is None or message or not np.array_equal(back.view(np.uint8), pixels.view(np.uint8)):
         return "it reads back differently from what was written"
     return ""
 
