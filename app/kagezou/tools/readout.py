@@ -27,7 +27,8 @@ def readout(handle: Handle, before: Document, after: Document, frame: int, langu
         old = _numbers(value_of(before, address, frame), handle.index)
         new = _numbers(value_of(after, address, frame), handle.index)
         parts.extend(
-            f"{name} {_short(b)}{_degree(line)} ({_signed(b - a)})" for name, a, b in zip(names, old, new, strict=False)
+            f"{name} {_short(b)}{_degree(line)} ({_signed(b - a)}{_degree(line)})"
+            for name, a, b in zip(names, old, new, strict=False)
         )
     return "  ".join(parts)
 

@@ -14,7 +14,7 @@ MIN_DEPTH = 0.05
 """The least part of the eye's distance from the drawing at which things are still seen in true perspective."""
 
 EDGE_ON = 0.02
-"""A plane is taken as seen edge-on when the sine of the view ray to it, at the drawing's middle, is less."""
+"""A plane is seen edge-on when the eye is nearer to it than this part of the eye's distance from the drawing."""
 
 REACH_PX = 1e5
 """How far from the canvas's origin a drag can carry anything, along each axis."""
@@ -51,8 +51,10 @@ def depth_of(camera: Camera, point: Vector3) -> float:
 
 
 def is_edge_on(camera: Camera, point: Vector3, normal: Vector3) -> bool:
-    """Whether the plane through ``point`` is seen so nearly edge-on that places on it cannot be told apart."""
+    """Whether a plane, looked at in one of its points, is so nearly edge-on that its places cannot be told apart."""
     ex, ey, distance, w = camera.eye
+    if depth_of(camera, point) < MIN_DEPTH:
+        return abs(normal[2]) < EDGE_ON
     to_eye = (ex - w * point[0], ey - w * point[1], distance - w * point[2])
     return abs(dot(normal, to_eye)) < EDGE_ON * distance
 
@@ -118,7 +120,7 @@ def _in_perspective(camera: Camera, start: Vector3, normal: Vector3, canvas_px: 
 
 
 def _beside_the_eye(camera: Camera, start: Vector3, normal: Vector3, canvas_px: Point2) -> Vector3 | None:
-    if abs(normal[2]) < 1e-3:
+    if abs(normal[2]) < EDGE_ON:
         return None
     ex, ey, _, _ = camera.eye
     xy = (ex + MIN_DEPTH * (canvas_px[0] - ex), ey + MIN_DEPTH * (canvas_px[1] - ey))
