@@ -3,10 +3,15 @@
 from collections.abc import Iterator
 from pathlib import Path
 
+import hypothesis
 import numpy as np
 import pytest
 
 SAMPLES = Path(__file__).resolve().parents[1].parent / "shared" / "samples"
+
+# A busy machine is slow now and then; that says nothing about the program.
+hypothesis.settings.register_profile("kagezou", deadline=None)
+hypothesis.settings.load_profile("kagezou")
 
 
 @pytest.fixture(autouse=True)
