@@ -1,0 +1,74 @@
+"""What can be known before the first frame: drawings that are not there, a folder that refuses, a disk too small."""
+
+import shutil
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Final
+
+from kagezou.errors import DiskFullProblem, InputProblem
+from kagezou.export.jobs import CompositeContent, Job, Plan
+from kagezou.export.request import ExportRequest
+from kagezou.io.atomic import write_bytes
+from kagezou.io.faults import output_problem, shown
+
+LISTED: Final = 50
+"""So many missing files are named in full; of more, the number is."""
+
+_EMPTY_PART: Final = 500
+_PAINTED_PART: Final = 50
+"""No encoder makes a picture smaller than this part of its pixels: a shadow, a composite."""
+
+
+def missing_files(jobs: Iterable[Job]) -> tuple[Path, ...]:
+    """Return the drawings and backgrounds that are needed and are not there, each once, in order of need."""
+    needed = dict.fromkeys(path for job in jobs for path in job.sources)
+    return tuple(path for path in needed if not _is_file(path))
+
+
+def check_sources(jobs: Iterable[Job]) -> None:
+    """Raise InputProblem that names every missing file in one sentence."""
+    missing = missing_files(jobs)
+    if not missing:
+        return
+    if len(missing) == 1:
+        raise InputProblem(f"{shown(missing[0])}: the drawing is missing")
+    rest = f" and {len(missing) - LISTED} more" if len(missing) > LISTED else ""
+    raise InputProblem(f"{len(missing)} drawings are missing: {', '.join(map(shown, missing[:LISTED]))}{rest}")
+
+
+def prepare_folders(request: ExportRequest, plan: Plan) -> None:
+    """Make the folders of an export and see whether they can be written to.
+
+    Raises
+    ------
+    DiskFullProblem, OutputProblem
+        A folder cannot be made or written to, or the disk certainly has no room for the frames.
+    """
+    for folder in plan.folders:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise output_problem(folder, error) from error
+        probe = folder / f".kagezou-write-test-{folder.name}"
+        write_bytes(probe, b"can be written to")
+        probe.unlink(missing_ok=True)
+    needed = sum(_least_bytes(job, request) for job in plan.jobs)
+    free = shutil.disk_usage(request.folder).free
+    if needed > free:
+        raise DiskFullProblem(
+            f"{shown(request.folder)}: {plan.files} files need at least {needed >> 20} MB, "
+            f"but only {free >> 20} MB are free on the disk"
+        )
+
+
+def _least_bytes(job: Job, request: ExportRequest) -> int:
+    canvas = job.scene.canvas
+    part = _PAINTED_PART if isinstance(job.content, CompositeContent) else _EMPTY_PART
+    return len(job.targets) * canvas.width * canvas.height * 4 * request.depth // 8 // part
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False

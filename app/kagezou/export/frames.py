@@ -1,0 +1,152 @@
+"""Exporting frames: from a document and a request to whole files and a summary."""
+
+import time
+from contextlib import closing
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Final
+
+from kagezou.document.model import Document
+from kagezou.export.checks import check_sources, prepare_folders
+from kagezou.export.jobs import CompositeContent, Content, Job, Plan, planned
+from kagezou.export.ledger import Ledger, fingerprint
+from kagezou.export.pipeline import Image, Outcome, Stages, flow, window_for
+from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
+from kagezou.export.writing import blank_image, write_all
+from kagezou.io.atomic import sweep_stale
+from kagezou.io.cels import CelCache
+from kagezou.render.backdrop import Backdrop
+from kagezou.render.context import OpenContext
+from kagezou.render.renderer import Renderer
+
+CEL_BUDGET_BYTES: Final = 256 << 20
+
+
+def export_frames(
+    document: Document, request: ExportRequest, open_context: OpenContext, progress: Progress, cancelled: Cancelled
+) -> Summary:
+    """Write the frames that ``request`` asks for; every file is whole or not there.
+
+    Equal pictures are drawn and encoded once. The bytes depend neither on the number of workers nor on the order.
+
+    Raises
+    ------
+    UsageProblem
+        The request does not fit the document.
+    InputProblem
+        A drawing is missing or cannot be read, unless the request keeps going.
+    DiskFullProblem, OutputProblem
+        A place refuses; the frames before it are whole.
+    GraphicsProblem
+        There is no OpenGL, or it failed.
+    """
+    started = time.monotonic()
+    request = replace(request, folder=request.folder.absolute())
+    plan = planned(document, request)
+    if not request.keep_going:
+        check_sources(plan.jobs)
+    prepare_folders(request, plan)
+    for folder in plan.folders:
+        sweep_stale(folder)
+    run = _Run(plan, request, Ledger(request.folder), progress)
+    jobs = run.outstanding()
+    if jobs:
+        with open_context():
+            _draw(run, jobs, document, cancelled)
+    return run.summary(time.monotonic() - started)
+
+
+def _draw(run: "_Run", jobs: list[Job], document: Document, cancelled: Cancelled) -> None:
+    """Make the outstanding files with the context that is current."""
+    request, canvas = run.request, document.canvas
+    cels = CelCache(CEL_BUDGET_BYTES)
+    renderer = Renderer(cels)
+    window = window_for(canvas.width_px, canvas.height_px, request.workers)
+    stages = Stages(
+        decode=partial(_decode, cels, in_color=request.composite),
+        draw=partial(_drawn, renderer, request.depth),
+        write=write_all,
+    )
+    try:
+        with closing(flow(jobs, stages, request.workers, window, cancelled)) as outcomes:
+            for outcome in outcomes:
+                run.note(outcome)
+    finally:
+        renderer.close()
+
+
+def _decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
+    """Bring the drawings of a job into memory; in colour at once where a composite will want them so."""
+    for path in job.cels:
+        cels.cel(path)
+    for path in job.mattes:
+        if in_color:
+            cels.cel(path)
+        else:
+            cels.matte(path)
+
+
+def _drawn(renderer: Renderer, depth: int, job: Job) -> Image:
+    if isinstance(job.content, CompositeContent):
+        renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
+        return renderer.read_picture()
+    if job.layer is None:
+        return blank_image(job, job.content, depth)
+    return renderer.shadow(job.scene, job.layer, depth)
+
+
+@dataclass(slots=True)
+class _Run:
+    """An export under way: what it is to make, and what has come of it so far."""
+
+    plan: Plan
+    request: ExportRequest
+    ledger: Ledger
+    progress: Progress
+    trusted: int = 0
+    written: int = 0
+    drawn: int = 0
+    failures: list[Failure] = field(default_factory=list)
+    fingerprints: dict[Content, str] = field(default_factory=dict)
+
+    def outstanding(self) -> list[Job]:
+        """Return the jobs with the files that are still to be made."""
+        jobs: list[Job] = []
+        for job in self.plan.jobs:
+            made_of = self.fingerprints[job.content] = fingerprint(job, self.request)
+            targets = job.targets
+            if self.request.skip_existing:
+                targets = tuple(target for target in targets if not self.ledger.holds(target, made_of))
+                self.trusted += len(job.targets) - len(targets)
+            if targets:
+                jobs.append(job.only(targets))
+        return jobs
+
+    def note(self, outcome: Outcome) -> None:
+        """Take in what came of a job; InputProblem if it failed and the others are not to go on without it."""
+        job = outcome.job
+        if outcome.problem is not None:
+            if not self.request.keep_going:
+                raise outcome.problem
+            self.failures.append(Failure(tuple(target.frame for target in job.targets), str(outcome.problem)))
+            return
+        for target in job.targets:
+            self.ledger.add(target, self.fingerprints[job.content], outcome.written)
+        self.drawn += 1
+        self.written += len(job.targets)
+        self.progress(self.trusted + self.written, self.plan.files)
+
+    def summary(self, seconds: float) -> Summary:
+        """Return what came of it all."""
+        failed = sum(len(failure.frames) for failure in self.failures)
+        return Summary(
+            files=self.plan.files,
+            written=self.written,
+            drawn=self.drawn,
+            trusted=self.trusted,
+            failures=tuple(self.failures),
+            cancelled=self.trusted + self.written + failed < self.plan.files,
+            folders=self.plan.folders,
+            names=self.plan.names,
+            seconds=seconds,
+        )

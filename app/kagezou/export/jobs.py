@@ -1,0 +1,185 @@
+"""The pictures of an export, each one once, with every file that holds it."""
+
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Final
+
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.document.model import Document, Drawing, Layer
+from kagezou.errors import UsageProblem
+from kagezou.export.names import digits_for, safe_names
+from kagezou.export.request import SUFFIXES, ExportRequest
+from kagezou.scene.evaluate import evaluate
+from kagezou.scene.scene import LayerScene, Scene, ShadowCast, ShadowLook
+
+Rgb = tuple[int, int, int]
+COMPOSITE: Final = "composite"
+"""The folder and the first part of the files of composites."""
+
+
+@dataclass(frozen=True, slots=True)
+class ShadowContent:
+    """All that decides a shadow picture but its size and format; without a cast it is empty."""
+
+    cast: ShadowCast | None
+    color: Rgb
+    opacity: float
+
+
+@dataclass(frozen=True, slots=True)
+class CompositeContent:
+    """All that decides a composite but its size and format: the background and each layer, from the bottom."""
+
+    background: Path | None
+    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook], ...]
+
+
+Content = ShadowContent | CompositeContent
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """One file of an export."""
+
+    frame: int
+    path: Path
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """One picture and the files it goes into.
+
+    Parameters
+    ----------
+    content
+        What it shows; equal contents have equal pixels.
+    scene, layer
+        What to draw it from: the first frame that shows it; the layer is None for a composite and for an empty
+        shadow.
+    targets
+        In the order of their frames, never empty.
+    """
+
+    content: Content
+    scene: Scene
+    layer: LayerScene | None
+    targets: tuple[Target, ...]
+
+    @property
+    def mattes(self) -> tuple[Path, ...]:
+        """The drawings whose alpha it needs."""
+        if isinstance(self.content, CompositeContent):
+            return ()
+        return () if self.content.cast is None else (self.content.cast.drawing.path,)
+
+    @property
+    def cels(self) -> tuple[Path, ...]:
+        """The drawings it needs in colour."""
+        if isinstance(self.content, ShadowContent):
+            return ()
+        return tuple(drawing.path for drawing, _, _ in self.content.layers if drawing is not None)
+
+    @property
+    def sources(self) -> tuple[Path, ...]:
+        """Every file it is made of."""
+        background = self.content.background if isinstance(self.content, CompositeContent) else None
+        return (*self.mattes, *self.cels, *([background] if background is not None else []))
+
+    def only(self, targets: tuple[Target, ...]) -> "Job":
+        """Return the job with some of its targets."""
+        return replace(self, targets=targets)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Everything an export is to make: the pictures in the order of their first frames, folders and names."""
+
+    jobs: tuple[Job, ...]
+    folders: tuple[Path, ...]
+    names: dict[str, str]
+
+    @property
+    def files(self) -> int:
+        """How many files that are."""
+        return sum(len(job.targets) for job in self.jobs)
+
+
+def planned(document: Document, request: ExportRequest) -> Plan:
+    """Return what an export is to make.
+
+    Raises
+    ------
+    UsageProblem
+        A layer or a frame is asked for that the document does not have, or there is nothing to make.
+    """
+    frames = _frames(document, request)
+    layers = _layers(document, request)
+    names = safe_names(layer.name for layer in document.layers)
+    folders = [request.folder / f"{names[layer.name]}_shadow" for layer in layers]
+    if request.composite:
+        folders.append(request.folder / COMPOSITE)
+    if not folders:
+        raise UsageProblem("there is nothing to render: the project has no visible character layer")
+    digits = digits_for(document.canvas.length_frames)
+    first: dict[Content, Job] = {}
+    targets: dict[Content, list[Target]] = {}
+    for frame in frames:
+        scene = evaluate(document, frame)
+        pictures: list[tuple[str, Content, LayerScene | None]] = [
+            (f"{names[layer.name]}_shadow", *_shadow(document, layer, scene, frame)) for layer in layers
+        ]
+        if request.composite:
+            pictures.append((COMPOSITE, _composite(scene), None))
+        for label, content, layer_scene in pictures:
+            path = request.folder / label / f"{label}_{frame:0{digits}d}{SUFFIXES[request.format]}"
+            first.setdefault(content, Job(content, scene, layer_scene, ()))
+            targets.setdefault(content, []).append(Target(frame, path))
+    jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
+    return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in layers})
+
+
+def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple[ShadowContent, LayerScene | None]:
+    """Return a layer's shadow on a frame; an empty cel and a hidden layer give an empty one."""
+    seen = next((each for each in scene.layers if each.id == layer.id), None)
+    if seen is None or seen.cast is None:
+        text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
+        red, green, blue = bytes.fromhex(text.removeprefix("#"))
+        return ShadowContent(None, (red, green, blue), 0.0), None
+    return ShadowContent(seen.cast, seen.look.color, seen.look.opacity), seen
+
+
+def _composite(scene: Scene) -> CompositeContent:
+    return CompositeContent(scene.background, tuple((each.drawing, each.cast, each.look) for each in scene.layers))
+
+
+def _frames(document: Document, request: ExportRequest) -> tuple[int, ...]:
+    length = document.canvas.length_frames
+    if request.frames is None:
+        return tuple(range(1, length + 1))
+    beyond = [frame for frame in request.frames if not 1 <= frame <= length]
+    if beyond or not request.frames:
+        raise UsageProblem(f"frame {beyond[0] if beyond else 'none'} is not in the cut, which has frames 1-{length}")
+    return tuple(sorted(set(request.frames)))
+
+
+def _layers(document: Document, request: ExportRequest) -> tuple[Layer, ...]:
+    if request.layers is None:
+        return tuple(layer for layer in document.layers if _is_ever_visible(layer))
+    by_name = {layer.name: layer for layer in document.layers}
+    for name in request.layers:
+        if name not in by_name:
+            near = get_close_matches(name, by_name, n=1)
+            hint = (
+                f"; did you mean {near[0]!r}?" if near else f", only {', '.join(map(repr, by_name)) or 'none at all'}"
+            )
+            raise UsageProblem(f"there is no layer {name!r} in this project{hint}")
+    return tuple(layer for layer in document.layers if layer.name in request.layers)
+
+
+def _is_ever_visible(layer: Layer) -> bool:
+    track = layer.tracks.get(properties.VISIBLE.name)
+    if track is None:
+        return bool(properties.VISIBLE.default)
+    return any(key.value for key in track.keys) if track.is_keyed else bool(track.constant)

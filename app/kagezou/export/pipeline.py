@@ -1,0 +1,89 @@
+"""The pipeline: workers decode ahead and encode behind the one thread that draws.
+
+At most so many drawings are decoded ahead and so many pictures wait to be encoded, so that memory does not grow with
+the length of the cut.
+"""
+
+from collections import deque
+from collections.abc import Callable, Generator, Iterable
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any, Final
+
+from numpy.typing import NDArray
+
+from kagezou.errors import InputProblem
+from kagezou.export.jobs import Job
+from kagezou.io.encode import ShadowImage
+
+Image = ShadowImage | NDArray[Any]
+"""A shadow layer, or a composite as straight (H, W, 4)."""
+
+AHEAD_BUDGET_BYTES: Final = 256 << 20
+_BYTES_PER_PIXEL: Final = 10
+"""What a decoded 16-bit drawing and its matte take."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stages:
+    """What is done for each job: decoded and written by workers, drawn on the calling thread.
+
+    ``decode`` and ``draw`` may raise InputProblem, which fails their job alone; whatever else is raised ends the run.
+    ``write`` returns what its caller wants to know of the written file.
+    """
+
+    decode: Callable[[Job], None]
+    draw: Callable[[Job], Image]
+    write: Callable[[Job, Image], str]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A job that is done: what its writer returned, or why it could not be drawn."""
+
+    job: Job
+    written: str = ""
+    problem: InputProblem | None = None
+
+
+def window_for(width_px: int, height_px: int, workers: int) -> int:
+    """Return how many jobs may be decoded ahead, and how many may wait for their writer."""
+    fitting = AHEAD_BUDGET_BYTES // (width_px * height_px * _BYTES_PER_PIXEL)
+    return max(1, min(2 * workers, fitting))
+
+
+def flow(
+    jobs: Iterable[Job], stages: Stages, workers: int, window: int, cancelled: Callable[[], bool]
+) -> Generator[Outcome, None, None]:
+    """Yield the outcome of each job, in their order but for failed ones, which come as soon as they are known.
+
+    When ``cancelled`` says so, what is drawn is still written and yielded, and nothing more is begun. Whatever ends
+    the run, no worker is left when the iterator is closed.
+    """
+    upcoming = iter(jobs)
+    decoding: deque[tuple[Job, Future[None]]] = deque()
+    writing: deque[tuple[Job, Future[str]]] = deque()
+    pool = ThreadPoolExecutor(workers, thread_name_prefix="frames")
+    try:
+        while not cancelled():
+            while len(decoding) < window and (job := next(upcoming, None)) is not None:
+                decoding.append((job, pool.submit(stages.decode, job)))
+            if not decoding:
+                break
+            job, decoded = decoding.popleft()
+            try:
+                decoded.result()
+                image = stages.draw(job)
+            except InputProblem as problem:
+                yield Outcome(job, problem=problem)
+                continue
+            writing.append((job, pool.submit(stages.write, job, image)))
+            while writing and (len(writing) > window or writing[0][1].done()):
+                job, written = writing.popleft()
+                yield Outcome(job, written.result())
+        for _, decoded in decoding:
+            decoded.cancel()
+        for job, written in writing:
+            yield Outcome(job, written.result())
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)

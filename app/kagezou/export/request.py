@@ -1,0 +1,117 @@
+"""What is asked for and what came of it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from kagezou.errors import UsageProblem
+
+SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
+"""The formats and the suffix of their files."""
+
+DEPTHS: Final = {"png": (8, 16), "tga": (8,), "tiff": (8, 16), "exr": (16,)}
+"""The bits a channel that each format holds, the usual one first."""
+
+MAX_WORKERS: Final = 64
+
+
+@dataclass(frozen=True, slots=True)
+class ExportRequest:
+    """Which frames of a document to write, where, and how.
+
+    Parameters
+    ----------
+    folder
+        Where the layers' folders are made.
+    frames
+        Frame numbers, upward; None for the whole cut.
+    layers
+        Names of layers; None for every layer that is ever visible.
+    format, depth
+        A key of `SUFFIXES`, and bits a channel out of `DEPTHS`.
+    composite
+        Whether to write background, shadows and characters in one picture as well.
+    skip_existing
+        Whether to trust frames that an earlier export has finished and that would come out the same.
+    workers
+        Threads that decode and encode; drawing has its own.
+    keep_going
+        Whether the other frames are made when a drawing cannot be read.
+    """
+
+    folder: Path
+    frames: tuple[int, ...] | None = None
+    layers: tuple[str, ...] | None = None
+    format: str = "png"
+    depth: int = 8
+    composite: bool = False
+    skip_existing: bool = False
+    workers: int = 2
+    keep_going: bool = False
+
+    def __post_init__(self) -> None:
+        if self.format not in SUFFIXES:
+            raise UsageProblem(f"frames cannot be written as {self.format!r}, only as {', '.join(SUFFIXES)}")
+        if self.depth not in DEPTHS[self.format]:
+            depths = " or ".join(str(depth) for depth in DEPTHS[self.format])
+            raise UsageProblem(f"{self.format} frames have {depths} bits a channel, not {self.depth}")
+        if not 1 <= self.workers <= MAX_WORKERS:
+            raise UsageProblem(f"{self.workers} workers are not 1 to {MAX_WORKERS}")
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """Files that could not be made, by their frames, and why in one sentence."""
+
+    frames: tuple[int, ...]
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """What came of an export.
+
+    Parameters
+    ----------
+    files
+        How many files were asked for: frames times layers, and composites.
+    written
+        How many of them are new.
+    drawn
+        How many different pictures that took.
+    trusted
+        How many were whole already and left alone.
+    failures
+        What could not be made.
+    cancelled
+        Whether it was stopped before the end; every file that is there is whole.
+    folders
+        The folders that hold the files, absolute.
+    names
+        Layer name → the name its folder and files carry.
+    seconds
+        How long it took.
+    """
+
+    files: int
+    written: int
+    drawn: int
+    trusted: int
+    failures: tuple[Failure, ...]
+    cancelled: bool
+    folders: tuple[Path, ...]
+    names: dict[str, str]
+    seconds: float
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether everything asked for is there."""
+        return not self.failures and not self.cancelled
+
+
+Progress = Callable[[int, int], None]
+"""Called with the files finished so far and all files to be made, on the thread that asked for the export."""
+
+Cancelled = Callable[[], bool]
+"""Asked between pictures whether to stop."""
