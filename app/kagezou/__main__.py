@@ -1,0 +1,112 @@
+"""The front door: the window without a verb, the command line with one.
+
+The only place that knows both, and so the place that says where an OpenGL context comes from.
+"""
+
+import os
+import platform
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+from kagezou.cli import main as command_line
+from kagezou.cli.doors import Doors
+from kagezou.cli.terminal import PROGRAM, speak_plainly, tell
+from kagezou.errors import GraphicsProblem
+
+if TYPE_CHECKING:
+    from kagezou.render.context import GraphicsContext
+    from kagezou.render.info import GraphicsInfo
+
+PROJECT_SUFFIXES = (".kage", ".xdts")
+"""What the window opens: projects, and the timesheets that drawing programs hand over."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Choose the door and return the exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    speak_plainly()
+    if not words:
+        return open_window(None)
+    if len(words) == 1 and words[0].lower().endswith(PROJECT_SUFFIXES):
+        return open_window(Path(words[0]))
+    return command_line.run(words, Doors(open_context, open_window, has_display()))
+
+
+def has_display() -> bool:
+    """Return whether a window could be seen here."""
+    if platform.system() != "Linux":
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def open_window(project: Path | None) -> int:
+    """Open the window; where there cannot be one, say so in one sentence."""
+    if not has_display():
+        tell("there is no display for the window; the command line works without one (see kagezou --help)")
+        return GraphicsProblem.exit_code
+    try:
+        from kagezou.ui.application import run
+    except ImportError as error:
+        tell(f"the window cannot be opened: {error} (kagezou doctor says what is missing)")
+        return GraphicsProblem.exit_code
+    return run(project)
+
+
+def open_context() -> "GraphicsContext":
+    """Return an OpenGL context without a window: EGL, or the window system's offscreen surface.
+
+    Raises
+    ------
+    GraphicsProblem
+        Neither is to be had.
+    """
+    from kagezou.render.context import open_headless_context
+
+    try:
+        return open_headless_context()
+    except GraphicsProblem:
+        if not has_display():
+            raise
+    return _WindowSystemContext()
+
+
+class _WindowSystemContext:
+    """A context on an offscreen surface of the window system, with the Qt application that such a surface needs."""
+
+    def __init__(self) -> None:
+        try:
+            from PySide6.QtGui import QGuiApplication
+
+            from kagezou.ui.offscreen_context import OffscreenSurface
+        except ImportError as error:
+            raise GraphicsProblem(
+                f"no OpenGL is to be had: the window's libraries cannot be loaded: {error}"
+            ) from error
+        self._application = None if QGuiApplication.instance() else QGuiApplication([PROGRAM])
+        self._context = OffscreenSurface().open()
+
+    @property
+    def info(self) -> "GraphicsInfo":
+        """What draws; the context must be current."""
+        return self._context.info
+
+    def __enter__(self) -> Self:
+        """Make the context current on this thread."""
+        self._context.__enter__()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Destroy the context; an application of our own gives way to the window's."""
+        self._context.__exit__(kind, error, trace)
+        if self._application is not None:
+            self._application.shutdown()
+            self._application = None
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,93 @@
+"""How arguments are read: one sentence for what is wrong, with what was probably meant."""
+
+import argparse
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+from fractions import Fraction
+from pathlib import Path
+from typing import Final, NoReturn
+
+from kagezou.errors import UsageProblem
+
+_BROADCAST: Final = {"23.976": 24000, "23.98": 24000, "29.97": 30000, "47.952": 48000, "59.94": 60000}
+"""Frame rates that people round: so many thousand-and-firsts a second."""
+
+LARGEST_SIDE_PX: Final = 16384
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that raises UsageProblem, takes no abbreviations and prints examples as they are written."""
+
+    def __init__(self, verb: str, description: str, examples: str) -> None:
+        super().__init__(
+            prog=f"kagezou {verb}",
+            description=description,
+            epilog=f"examples:\n{examples}",
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )
+
+    def error(self, message: str) -> NoReturn:
+        """Raise UsageProblem with the message and where help is to be had."""
+        raise UsageProblem(f"{message} (see {self.prog} --help)")
+
+    def options_of(self, words: Sequence[str]) -> argparse.Namespace:
+        """Parse, and name the option that was probably meant by one there is not."""
+        found, unknown = self.parse_known_args(words)
+        if unknown:
+            options = [text for action in self._actions for text in action.option_strings]
+            wrong = next((text for text in unknown if text.startswith("-")), unknown[0])
+            self.error(f"{wrong!r} is not expected here{did_you_mean(wrong.split('=')[0], options)}")
+        return found
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """Return ``"; did you mean X?"``, or nothing where nothing is near."""
+    near = get_close_matches(word, list(known), n=1)
+    return f"; did you mean {near[0]}?" if near else ""
+
+
+def project_path(text: str) -> Path:
+    """Return the path of a project file."""
+    if not text:
+        raise argparse.ArgumentTypeError("the name of a project file is empty")
+    return Path(text)
+
+
+def size(text: str) -> tuple[int, int]:
+    """Return ``WIDTHxHEIGHT`` as px."""
+    sides = text.lower().replace("×", "x").split("x")
+    if len(sides) != 2 or not all(side.isascii() and side.isdigit() and len(side) <= 6 for side in sides):
+        raise argparse.ArgumentTypeError(f"{text!r} is no size such as 1920x1080")
+    width, height = (int(side) for side in sides)
+    if not (1 <= width <= LARGEST_SIDE_PX and 1 <= height <= LARGEST_SIDE_PX):
+        raise argparse.ArgumentTypeError(f"{text!r} is not within 1x1 and {LARGEST_SIDE_PX}x{LARGEST_SIDE_PX} px")
+    return width, height
+
+
+def frame_rate(text: str) -> Fraction:
+    """Return frames a second: ``24``, ``23.976``, ``24000/1001``."""
+    if text in _BROADCAST:
+        return Fraction(_BROADCAST[text], 1001)
+    try:
+        rate = Fraction(text) if len(text) <= 20 else Fraction(0)
+    except (ValueError, ZeroDivisionError):
+        rate = Fraction(0)
+    if not 0 < rate <= 1000:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of frames a second such as 24 or 24000/1001")
+    return rate
+
+
+def whole_number(text: str) -> int:
+    """Return a number of 1 and more."""
+    if not (text.isascii() and text.isdigit() and len(text) <= 9 and int(text) >= 1):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of 1 or more")
+    return int(text)
+
+
+def named_source(text: str) -> tuple[str, Path]:
+    """Return ``NAME=PATH`` as its two parts."""
+    name, sign, path = text.partition("=")
+    if not sign or not name.strip() or not path:
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=FOLDER_OR_FILE")
+    return name.strip(), Path(path)

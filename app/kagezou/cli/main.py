@@ -1,0 +1,135 @@
+"""From the words of a command line to an exit code."""
+
+import importlib
+import io
+import os
+import sys
+from argparse import Namespace
+from collections.abc import Sequence
+from typing import Final, Protocol
+
+from kagezou.cli import crash_log
+from kagezou.cli.arguments import Parser, did_you_mean
+from kagezou.cli.doors import Doors
+from kagezou.cli.interruption import Stopped, stopping_at_once
+from kagezou.cli.terminal import PROGRAM, give, tell
+from kagezou.errors import Problem, UsageProblem
+
+VERBS: Final = {
+    "new": "make a project of character drawings",
+    "set": "set properties, for the whole cut or by keys",
+    "get": "print the value of a property",
+    "info": "say what is in a project, and what is missing",
+    "render": "write the shadow layers as numbered frames",
+    "bench": "measure how fast this machine draws and exports",
+    "doctor": "say what this machine has and what it lacks",
+    "demo": "make and render a small project to look at",
+}
+EXIT_BROKEN_PIPE: Final = 141
+_HELP: Final = """\
+usage: kagezou [PROJECT.kage | SHEET.xdts]     the window
+       kagezou COMMAND ...                     the command line
+
+Cast-shadow layers for 2D animation, from the alpha of the character drawings.
+
+commands:
+{verbs}
+
+options:
+  -h, --help     show this, or with a command its own help
+  --version      show the version
+
+examples:
+  kagezou demo
+  kagezou new walk.kage --character Hero=drawings/hero
+  kagezou set walk.kage light.position=[1400,-300,900]
+  kagezou render walk.kage -o shadows --composite
+
+exit codes: 0 everything done, 1 defect, 2 usage, 3 input file, 4 cannot write, 5 disk full, 6 no OpenGL,
+            7 project file, 8 some frames failed, 130 Ctrl-C, 143 terminated
+"""
+
+
+class _Verb(Protocol):
+    """What each module of a verb has."""
+
+    DESCRIPTION: str
+    EXAMPLES: str
+
+    def add_arguments(self, parser: Parser) -> None: ...
+
+    def run(self, options: Namespace, doors: Doors) -> int: ...
+
+
+def run(arguments: Sequence[str], doors: Doors) -> int:
+    """Do what a command line says and return the exit code; whatever goes wrong is one line on stderr."""
+    try:
+        with stopping_at_once():
+            code = _dispatched(arguments, doors)
+            sys.stdout.flush()
+    except Problem as problem:
+        tell(str(problem))
+        return problem.exit_code
+    except Stopped as stop:
+        return stop.exit_code
+    except BrokenPipeError:
+        return _broken_pipe()
+    except OSError as error:
+        return _stdout_refused(error, arguments)
+    except MemoryError:
+        tell("there is not enough memory for this")
+        return Problem.exit_code
+    except Exception as error:
+        return _defect(error, arguments)
+    return code
+
+
+def _dispatched(arguments: Sequence[str], doors: Doors) -> int:
+    verb, *rest = arguments or ["--help"]
+    if verb in ("-h", "--help", "help"):
+        give(_HELP.format(verbs="\n".join(f"  {name:<8} {words}" for name, words in VERBS.items())).rstrip())
+        return 0
+    if verb in ("-V", "--version"):
+        from kagezou import __version__
+
+        give(f"{PROGRAM} {__version__}")
+        return 0
+    if verb not in VERBS:
+        hint = did_you_mean(verb, VERBS) or "; a project ends in .kage"
+        raise UsageProblem(f"{verb!r} is neither a command nor a project{hint} (see kagezou --help)")
+    module: _Verb = importlib.import_module(f"kagezou.cli.verbs.{verb}")
+    parser = Parser(verb, module.DESCRIPTION, module.EXAMPLES)
+    module.add_arguments(parser)
+    try:
+        options = parser.options_of(rest)
+    except SystemExit as done:  # --help has printed itself
+        return int(done.code or 0)
+    return module.run(options, doors)
+
+
+def _broken_pipe() -> int:
+    """Whoever read the output has gone: no one is left to tell."""
+    # What is still in the buffer would fail again, with a traceback, when Python ends.
+    with open(os.devnull, "wb") as nowhere:  # noqa: PTH123 - a device, not a file
+        try:
+            os.dup2(nowhere.fileno(), sys.stdout.fileno())
+        except (OSError, ValueError):
+            sys.stdout = io.StringIO()
+    return EXIT_BROKEN_PIPE
+
+
+def _stdout_refused(error: OSError, arguments: Sequence[str]) -> int:
+    """Rooms below turn refusals of files into problems; what is left is the output itself, or a defect."""
+    if error.filename is not None:
+        return _defect(error, arguments)
+    from kagezou.io.faults import cause_of, is_full
+
+    _broken_pipe()
+    tell(f"the output cannot be written: {cause_of(error)}")
+    return 5 if is_full(error) else 4
+
+
+def _defect(error: Exception, arguments: Sequence[str]) -> int:
+    where = crash_log.noted_at(error, arguments)
+    tell(f"a defect of the program: {type(error).__name__}: {str(error).partition(chr(10))[0]} ({where})")
+    return Problem.exit_code

@@ -1,0 +1,132 @@
+"""What is said to whom: data on stdout, everything else on stderr; progress only where someone is watching."""
+
+import json
+import os
+import shutil
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from typing import Final, TextIO
+
+PROGRAM: Final = "kagezou"
+_REDRAW_S: Final = 0.1
+_BAR: Final = 24
+
+Json = str | int | float | bool | None | Sequence["Json"] | Mapping[str, "Json"]
+
+
+def speak_plainly() -> None:
+    """Let stdout and stderr escape what their encoding lacks, instead of failing in the middle of a sentence."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="backslashreplace")
+
+
+def tell(sentence: str) -> None:
+    """Say one line to the person, on stderr."""
+    sys.stderr.write(f"{PROGRAM}: {one_line(sentence)}\n")
+    sys.stderr.flush()
+
+
+def note(sentence: str) -> None:
+    """Say one line that is no error, on stderr."""
+    tell(f"note: {sentence}")
+
+
+def give(line: str) -> None:
+    """Give one line of data, on stdout."""
+    sys.stdout.write(f"{line}\n")
+
+
+def give_json(value: Json, *, indent: int | None = None) -> None:
+    """Give a value as JSON, on stdout; letters of any script as themselves where stdout can write them."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False, indent=indent)
+    try:
+        text.encode(sys.stdout.encoding or "ascii")
+    except (UnicodeEncodeError, LookupError):
+        text = json.dumps(value, allow_nan=False, indent=indent)
+    give(text)
+
+
+def one_line(text: str) -> str:
+    """Return text as one printable line: names of files may hold line ends and terminal codes."""
+    return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode("ascii") for sign in text)
+
+
+def is_watched(stream: TextIO) -> bool:
+    """Return whether a line that is redrawn makes sense there."""
+    return stream.isatty() and os.environ.get("TERM") != "dumb"
+
+
+class ProgressLine:
+    """One line on stderr that counts frames, with their rate and the time left; nothing where no one is watching.
+
+    It is made of ASCII signs and carriage returns alone, so that every terminal and encoding shows it. Use it as a
+    context manager: it wipes itself when the work ends.
+
+    Parameters
+    ----------
+    doing
+        What is being done, such as ``rendering``.
+    stream
+        A terminal, or anything else.
+    """
+
+    def __init__(self, doing: str, stream: TextIO | None = None) -> None:
+        self._doing = doing
+        self._stream = stream or sys.stderr
+        self._is_shown = is_watched(self._stream)
+        self._started = time.monotonic()
+        self._first: int | None = None
+        self._drawn_at = 0.0
+        self._length = 0
+
+    def __enter__(self) -> "ProgressLine":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._length:
+            self._stream.write("\r" + " " * self._length + "\r")
+            self._stream.flush()
+
+    def update(self, done: int, total: int) -> None:
+        """Show that ``done`` of ``total`` frames are finished; drawn at most ten times a second."""
+        now = time.monotonic()
+        if self._first is None:
+            self._first = done - 1  # what was there before the first finished one took no time of ours
+        if not self._is_shown or (now - self._drawn_at < _REDRAW_S and done < total):
+            return
+        self._drawn_at = now
+        text = progress_text(self._doing, done, total, done - self._first, now - self._started)
+        text = text[: max(shutil.get_terminal_size().columns - 1, 1)]
+        self._stream.write("\r" + text.ljust(self._length))
+        self._stream.flush()
+        self._length = max(self._length, len(text))
+
+
+def progress_text(doing: str, done: int, total: int, made: int, seconds: float) -> str:
+    """Return one line of progress.
+
+    Parameters
+    ----------
+    doing
+        What is being done.
+    done, total
+        Frames finished and asked for.
+    made
+        How many of the finished ones were made just now, which took ``seconds``.
+    """
+    filled = _BAR * done // max(total, 1)
+    bar = "#" * filled + "-" * (_BAR - filled)
+    rate = made / seconds if seconds > 0 else 0.0
+    left = clock_text((total - done) / rate) if rate > 0 else "?"
+    return f"{doing} [{bar}] {done}/{total}  {rate:.1f} frames/s  {left} left"
+
+
+def clock_text(seconds: float) -> str:
+    """Return a duration as ``M:SS`` or ``H:MM:SS``."""
+    whole = max(round(seconds), 0)
+    hours, rest = divmod(whole, 3600)
+    minutes, last = divmod(rest, 60)
+    return f"{hours}:{minutes:02d}:{last:02d}" if hours else f"{minutes}:{last:02d}"

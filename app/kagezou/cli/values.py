@@ -1,0 +1,31 @@
+"""Values of properties as people and programs read them."""
+
+from kagezou.animation.track import Interpolation, Track, Value
+from kagezou.cli.terminal import Json
+
+
+def json_of_value(value: Value) -> Json:
+    """Return a value as JSON; whole numbers without a point, so that they read as they were typed."""
+    match value:
+        case bool() | str():
+            return value
+        case float():
+            return int(value) if value.is_integer() else value
+        case tuple():
+            return [json_of_value(part) for part in value]
+
+
+def json_of_keys(track: Track) -> list[Json]:
+    """Return the keys of a track, in order of their frames."""
+    keys: list[Json] = []
+    for key in track.keys:
+        entry: dict[str, Json] = {
+            "frame": key.frame,
+            "value": json_of_value(key.value),
+            "interp": key.interpolation.value,
+        }
+        if key.interpolation is Interpolation.BEZIER or key.ease_in or key.ease_out:
+            entry["ease_in"] = [[ease.speed, ease.influence] for ease in key.ease_in]
+            entry["ease_out"] = [[ease.speed, ease.influence] for ease in key.ease_out]
+        keys.append(entry)
+    return keys

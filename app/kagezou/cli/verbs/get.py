@@ -1,0 +1,52 @@
+"""``kagezou get``: the value of one property as JSON."""
+
+from argparse import Namespace
+
+from kagezou.cli.arguments import Parser, project_path, whole_number
+from kagezou.cli.doors import Doors
+from kagezou.cli.terminal import give_json
+
+DESCRIPTION = """\
+Print the value of a property as JSON: with --frame the value there, else the constant, or the list of its keys."""
+EXAMPLES = """\
+  kagezou get walk.kage light.position
+  kagezou get walk.kage layers.Hero.shadow.opacity --frame 12
+  kagezou get walk.kage light.position --json        with its path, unit and keys
+"""
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file")
+    parser.add_argument("path", metavar="PATH", help="a property; kagezou info PROJECT.kage --properties lists them")
+    parser.add_argument("--frame", type=whole_number, metavar="N", help="the frame, counted from 1")
+    parser.add_argument("--json", action="store_true", help="one object with path, unit, frame, value and keys")
+
+
+def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+    """Load the project and print the value."""
+    from kagezou.cli.values import json_of_keys, json_of_value
+    from kagezou.document.address import resolve, track_of
+    from kagezou.io.project_file import load
+
+    document = load(options.project)
+    address = resolve(document, options.path)
+    track = track_of(document, address)
+    keys = json_of_keys(track)
+    if options.frame is not None:
+        value = json_of_value(track.value_at(options.frame))
+    else:
+        value = keys if track.is_keyed else json_of_value(track.constant)
+    if options.json:
+        give_json(
+            {
+                "path": options.path,
+                "unit": address.property.unit,
+                "frame": options.frame,
+                "value": None if track.is_keyed and options.frame is None else value,
+                "keys": keys,
+            }
+        )
+    else:
+        give_json(value)
+    return 0

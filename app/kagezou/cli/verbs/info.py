@@ -1,0 +1,157 @@
+"""``kagezou info``: what is in a project, and what is missing."""
+
+from argparse import Namespace
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from kagezou.cli.arguments import Parser, project_path
+from kagezou.cli.doors import Doors
+from kagezou.cli.terminal import Json, give, give_json, one_line
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from kagezou.document.address import Address
+    from kagezou.document.model import Document, Layer
+
+DESCRIPTION = "Say what is in a project: canvas, layers, drawings, missing files, and which properties have keys."
+EXAMPLES = """\
+  kagezou info walk.kage
+  kagezou info walk.kage --properties        every property: value, unit, range and what it does
+  kagezou info walk.kage --json
+"""
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file")
+    parser.add_argument("--properties", action="store_true", help="list every property instead")
+    parser.add_argument("--json", action="store_true", help="print one object")
+
+
+def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+    """Load the project and describe it."""
+    from kagezou.io.project_file import load
+
+    document = load(options.project)
+    if options.json:
+        table = {"properties": _property_table(document)} if options.properties else {}
+        give_json({**_about(document), **table}, indent=2)
+        return 0
+    lines = _property_lines(document) if options.properties else _lines(document)
+    for line in lines:
+        give(one_line(line))
+    return 0
+
+
+def _about(document: "Document") -> dict[str, Json]:
+    from kagezou.io.faults import shown
+
+    canvas = document.canvas
+    return {
+        "width_px": canvas.width_px,
+        "height_px": canvas.height_px,
+        "frame_rate": str(canvas.frame_rate),
+        "first_frame": 1,
+        "last_frame": canvas.length_frames,
+        "background": None if document.background is None else shown(document.background),
+        "layers": [_about_layer(layer) for layer in document.layers],
+        "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
+        "missing": [shown(path) for path in _missing(document)],
+    }
+
+
+def _about_layer(layer: "Layer") -> Json:
+    exposed = [exposure for exposure in layer.cels.exposures if exposure.drawing is not None]
+    return {
+        "name": layer.name,
+        "drawings": len(layer.cels.drawings),
+        "exposures": len(exposed),
+        "first_exposure": exposed[0].frame if exposed else None,
+        "figure_px": [layer.figure.left, layer.figure.top, layer.figure.right, layer.figure.bottom],
+    }
+
+
+def _keyed_addresses(document: "Document") -> "Iterator[Address]":
+    from kagezou.document.address import addresses, track_of
+
+    return (address for address in addresses(document) if track_of(document, address).is_keyed)
+
+
+def _keyed(document: "Document", address: "Address") -> dict[str, Json]:
+    from kagezou.document.address import path_of, track_of
+
+    return {"path": path_of(document, address), "frames": [key.frame for key in track_of(document, address).keys]}
+
+
+def _missing(document: "Document") -> "Iterator[Path]":
+    paths = [drawing.path for layer in document.layers for drawing in layer.cels.drawings]
+    if document.background is not None:
+        paths.append(document.background)
+    return (path for path in dict.fromkeys(paths) if not path.is_file())
+
+
+def _lines(document: "Document") -> Iterator[str]:
+    from kagezou.animation.frames import format_frames
+    from kagezou.document.address import path_of, track_of
+    from kagezou.io.faults import shown
+
+    canvas = document.canvas
+    seconds = float(canvas.length_frames / canvas.frame_rate)
+    rate = f"{float(canvas.frame_rate):g}"
+    yield f"canvas      {canvas.width_px} x {canvas.height_px} px"
+    yield f"frames      1-{canvas.length_frames} at {rate} frames/s ({seconds:.2f} s)"
+    yield f"background  {shown(document.background) if document.background else 'none'}"
+    for layer in document.layers:
+        count = len(layer.cels.drawings)
+        box = layer.figure
+        yield f"layer       {layer.name}: {count} drawing{'s' * (count != 1)}, figure {box.width} x {box.height} px"
+    for address in _keyed_addresses(document):
+        frames = format_frames(key.frame for key in track_of(document, address).keys)
+        yield f"keys        {path_of(document, address)} on {frames}"
+    for path in _missing(document):
+        yield f"missing     {shown(path)}"
+
+
+def _property_table(document: "Document") -> Json:
+    from kagezou.cli.values import json_of_keys, json_of_value
+    from kagezou.document.address import addresses, path_of, track_of
+    from kagezou.document.property import Kind
+
+    table: list[Json] = []
+    for address in addresses(document):
+        line, track = address.property, track_of(document, address)
+        row: dict[str, Json] = {
+            "path": path_of(document, address),
+            "kind": line.kind.value,
+            "unit": line.unit,
+            "default": json_of_value(line.default),
+            "value": None if track.is_keyed else json_of_value(track.constant),
+            "keys": json_of_keys(track),
+            "help": line.help.en,
+            "help_ja": line.help.ja,
+        }
+        if line.kind is Kind.NUMBER:
+            row["range"] = [json_of_value(line.low), json_of_value(line.high)]
+        if line.choices:
+            row["choices"] = list(line.choices)
+        table.append(row)
+    return table
+
+
+def _property_lines(document: "Document") -> Iterator[str]:
+    import json
+
+    from kagezou.cli.values import json_of_value
+    from kagezou.document.address import addresses, path_of, track_of
+    from kagezou.document.property import Kind
+
+    for address in addresses(document):
+        line, track = address.property, track_of(document, address)
+        count = len(track.keys)
+        value = json.dumps(json_of_value(track.constant), ensure_ascii=False)
+        shown = f"{count} key{'s' * (count != 1)}" if track.is_keyed else value
+        allowed = " | ".join(line.choices) or (f"{line.low:g} to {line.high:g}" if line.kind is Kind.NUMBER else "")
+        limits = " ".join(part for part in (allowed, line.unit) if part)
+        yield f"{path_of(document, address)} = {shown}" + (f"  ({limits})" if limits else "")
+        yield f"    {line.help.en}"

@@ -1,0 +1,61 @@
+"""``kagezou new``: a project of character drawings, with a light that shows a good shadow at once."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from kagezou.cli.arguments import Parser, frame_rate, named_source, project_path, size
+from kagezou.cli.doors import Doors
+from kagezou.cli.terminal import note
+from kagezou.errors import OutputProblem
+
+DESCRIPTION = (
+    "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', or one file."
+)
+EXAMPLES = """\
+  kagezou new walk.kage --character Hero=drawings/hero
+  kagezou new duo.kage --character A=cels/A --character B=cels/B --background street.png
+  kagezou new cut12.kage --character A=cels/A --timesheet cut12.xdts --fps 24 --size 1920x1080
+"""
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file to write")
+    parser.add_argument(
+        "--character",
+        type=named_source,
+        action="append",
+        default=[],
+        metavar="NAME=DIR_OR_FILE",
+        help="a character layer; may be given several times, from the lowest to the topmost",
+    )
+    parser.add_argument("--background", type=Path, metavar="FILE", help="a picture under everything")
+    parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
+    parser.add_argument("--fps", type=frame_rate, default="24", metavar="RATE", help="frames a second (24)")
+    parser.add_argument("--timesheet", type=Path, metavar="SHEET.xdts", help="when which drawing is exposed")
+    parser.add_argument("--force", action="store_true", help="replace a project that is there")
+
+
+def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+    """Make the project and write it."""
+    from kagezou.io.faults import shown
+    from kagezou.io.project_file import save
+    from kagezou.session.staging import CharacterSource, new_document
+
+    path: Path = options.project
+    if path.exists() and not options.force:
+        raise OutputProblem(f"{shown(path)}: it is there already; --force replaces it")
+    sources = [CharacterSource(name, source) for name, source in options.character]
+    staged = new_document(sources, background=options.background, size=options.size, frame_rate=options.fps)
+    notes = list(staged.notes)
+    document = staged.document
+    if options.timesheet is not None:
+        from kagezou.session.staging import with_timesheet
+
+        timed = with_timesheet(document, options.timesheet)
+        document = timed.document
+        notes += timed.notes
+    save(document, path)
+    for sentence in notes:
+        note(sentence)
+    return 0

@@ -1,0 +1,121 @@
+"""``kagezou render``: shadow layers and composites as numbered frames."""
+
+import os
+from argparse import Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kagezou.cli.arguments import Parser, project_path, whole_number
+from kagezou.cli.doors import Doors
+from kagezou.cli.interruption import Interruption, stopping_gently
+from kagezou.cli.terminal import ProgressLine, give, give_json, note, tell
+from kagezou.errors import SomeFramesFailed
+
+if TYPE_CHECKING:
+    from kagezou.export.request import Summary
+
+DESCRIPTION = """\
+Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
+one file for every frame. Prints the folders. A picture that is held or comes again is drawn once."""
+EXAMPLES = """\
+  kagezou render walk.kage -o shadows
+  kagezou render walk.kage -o shadows --composite --frames 1-48
+  kagezou render walk.kage -o shadows --layer Hero --format exr
+  kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
+"""
+_DEFAULT_DEPTH = {"exr": 16}
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file")
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="where the folders are made")
+    parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
+    parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
+    parser.add_argument("--format", choices=("png", "tga", "tiff", "exr"), default="png", help="the format (png)")
+    parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16)")
+    parser.add_argument(
+        "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
+    )
+    parser.add_argument(
+        "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
+    )
+    parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
+    parser.add_argument(
+        "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
+    )
+    parser.add_argument("--json", action="store_true", help="print one object about what was done")
+
+
+def run(options: Namespace, doors: Doors) -> int:
+    """Render what is asked for."""
+    from kagezou.animation.frames import parse_frames
+    from kagezou.export.frames import export_frames
+    from kagezou.export.request import ExportRequest
+    from kagezou.io.project_file import load
+
+    request = ExportRequest(
+        folder=options.output,
+        frames=None if options.frames is None else parse_frames(options.frames),
+        layers=None if options.layer is None else tuple(options.layer),
+        format=options.format,
+        depth=options.depth or _DEFAULT_DEPTH.get(options.format, 8),
+        composite=options.composite,
+        skip_existing=options.skip_existing,
+        workers=options.workers or processors(),
+        keep_going=options.keep_going,
+    )
+    document = load(options.project)
+    with stopping_gently() as interruption, ProgressLine("rendering") as line:
+        summary = export_frames(document, request, doors.open_context, line.update, interruption.is_set)
+    report(summary, as_json=options.json)
+    return verdict(summary, interruption)
+
+
+def processors() -> int:
+    """Return how many threads this process may keep busy."""
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity else os.cpu_count() or 1
+
+
+def report(summary: "Summary", *, as_json: bool) -> None:
+    """Print the folders, or one object; notes about names go to stderr."""
+    from kagezou.io.faults import shown
+
+    for layer, name in summary.names.items():
+        if layer != name and not as_json:
+            note(f"layer {layer!r} is written as {name!r}, which every system accepts")
+    if as_json:
+        give_json(
+            {
+                "files": summary.files,
+                "written": summary.written,
+                "drawn": summary.drawn,
+                "trusted": summary.trusted,
+                "failed": [{"frames": list(each.frames), "why": each.sentence} for each in summary.failures],
+                "whole": summary.is_whole,
+                "folders": [shown(folder) for folder in summary.folders],
+                "names": summary.names,
+                "seconds": round(summary.seconds, 3),
+                "fps": round(summary.written / summary.seconds, 2) if summary.seconds > 0 else None,
+            }
+        )
+        return
+    for folder in summary.folders:
+        give(shown(folder))
+
+
+def verdict(summary: "Summary", interruption: Interruption) -> int:
+    """Say what is not whole and return the exit code."""
+    from kagezou.animation.frames import format_frames
+
+    for failure in summary.failures:
+        tell(f"frame {format_frames(failure.frames)}: {failure.sentence}")
+    if summary.cancelled:
+        done = summary.written + summary.trusted
+        tell(f"stopped after {done} of {summary.files} frames, all of them whole; --skip-existing goes on from there")
+        return interruption.exit_code
+    if summary.failures:
+        failed = sum(len(failure.frames) for failure in summary.failures)
+        raise SomeFramesFailed(f"{failed} of {summary.files} frames failed")
+    return 0

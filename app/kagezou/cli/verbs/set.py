@@ -1,0 +1,105 @@
+"""``kagezou set``: properties, for the whole cut or by keys; all of them or none."""
+
+import json
+from argparse import Namespace
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NoReturn
+
+from kagezou.cli.arguments import Parser, project_path, whole_number
+from kagezou.cli.doors import Doors
+from kagezou.errors import UsageProblem
+
+if TYPE_CHECKING:
+    from kagezou.document.address import Address
+    from kagezou.document.model import Document
+
+DESCRIPTION = """\
+Set properties. Without --frame a value holds for the whole cut and its keys go; with it, it becomes a key.
+Everything is checked before anything is written."""
+EXAMPLES = """\
+  kagezou set walk.kage light.position=[1400,-300,900]
+  kagezou set walk.kage layers.Hero.shadow.color=#1A2340 layers.Hero.shadow.opacity=0.5 light.kind=sun
+  kagezou set walk.kage light.azimuth=-40 --frame 1
+  kagezou set walk.kage light.azimuth=40 --frame 48 --interp bezier
+  kagezou set walk.kage 'layers.Hero.grounding=[[420,900],[510,900]]'
+  kagezou info walk.kage --properties        lists every PATH
+"""
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file to change")
+    parser.add_argument(
+        "assignments",
+        nargs="+",
+        metavar="PATH=JSON",
+        help="a property and its value as JSON; words such as sun, #20203A and true need no quotes",
+    )
+    parser.add_argument("--frame", type=whole_number, metavar="N", help="set a key on this frame, counted from 1")
+    parser.add_argument(
+        "--interp", choices=("hold", "linear", "bezier"), help="how the value goes on from the key (as its neighbours)"
+    )
+
+
+def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+    """Load, change, and write the project if it changed."""
+    from kagezou.animation.track import Interpolation
+    from kagezou.document.edits import set_constant, set_key
+    from kagezou.io.project_file import load, save
+
+    if options.interp is not None and options.frame is None:
+        raise UsageProblem("--interp says how a key goes on and needs --frame")
+    interpolation = None if options.interp is None else Interpolation(options.interp)
+    before = document = load(options.project)
+    for text in options.assignments:
+        address, raw = _assignment(document, text)
+        if options.frame is None:
+            document = set_constant(document, address, raw)
+        else:
+            document = set_key(document, address, options.frame, raw, interpolation)
+    if document is not before:
+        save(document, options.project)
+    return 0
+
+
+def _assignment(document: "Document", text: str) -> "tuple[Address, object]":
+    """Return the address and the raw value of ``PATH=JSON``; a layer's name may hold an equals sign."""
+    from kagezou.document.address import resolve
+
+    problem: UsageProblem | None = None
+    for path, value in _halves(text):
+        try:
+            return resolve(document, path), _raw(path, value)
+        except _NoJson as refusal:
+            raise UsageProblem(str(refusal)) from refusal
+        except UsageProblem as unknown:
+            problem = problem or unknown
+    raise problem or UsageProblem(f"{text!r} is not PATH=JSON, such as light.position=[1400,-300,900]")
+
+
+def _halves(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the parts before and after each equals sign."""
+    at = text.find("=")
+    while at > 0:
+        yield text[:at].strip(), text[at + 1 :].strip()
+        at = text.find("=", at + 1)
+
+
+class _NoJson(Exception):
+    """What stands behind the equals sign cannot be read."""
+
+
+def _raw(path: str, text: str) -> object:
+    """Return a JSON value, or the text itself where it is one bare word or colour."""
+    try:
+        value: object = json.loads(text, parse_constant=_no_constant)
+    except (ValueError, RecursionError):
+        bare = text.removeprefix("#")
+        if text and bare.isascii() and bare.replace("_", "").isalnum():
+            return text
+        raise _NoJson(f'{path}: {text[:60]!r} is not JSON: a number, true, "word", [x, y] or [[x, y], ...]') from None
+    return value
+
+
+def _no_constant(name: str) -> NoReturn:
+    raise ValueError(name)
