@@ -20,6 +20,8 @@ OpenGL.ERROR_CHECKING = False
 OpenGL.ERROR_LOGGING = False
 
 GL: Any = importlib.import_module("OpenGL.GL")
+# PyOpenGL's own form of this one call asks which context is current, of EGL alone, and fails in a GLX window.
+GL.glVertexAttribPointer = importlib.import_module("OpenGL.raw.GL.VERSION.GL_2_0").glVertexAttribPointer
 
 _NAMES = {
     0x0500: "invalid enum",
