@@ -80,8 +80,9 @@ class Player(QObject):
 
     def picture_shown(self) -> None:
         """Take note that the viewport has brought a frame to the screen."""
-        self._waiting_for_picture = False
-        if not self._is_playing:
+        # Other widgets are brought to the screen too; only the first time after a step it is that step's frame.
+        is_new, self._waiting_for_picture = self._waiting_for_picture, False
+        if not self._is_playing or not is_new:
             return
         now = self._clock()
         self._shown_at.append(now)

@@ -3,30 +3,17 @@
 from collections.abc import Callable
 from time import monotonic
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractSpinBox,
-    QApplication,
-    QComboBox,
-    QLineEdit,
-    QPlainTextEdit,
-    QTextEdit,
-    QWidget,
-)
 
 TAP_S = 0.25
-_OWN_USE_OF_SPACE = (QLineEdit, QAbstractSpinBox, QPlainTextEdit, QTextEdit, QAbstractButton, QComboBox)
 
 
 class SpaceBar(QObject):
-    """Watches the keys of one window; whatever types or clicks with the space bar keeps it.
+    """Told of the keys that reach the window, which is those that no text field or button has taken for itself.
 
     Parameters
     ----------
-    window
-        The window; keys of others are left alone.
     clock
         Seconds that only go forward.
     """
@@ -34,9 +21,8 @@ class SpaceBar(QObject):
     tapped = Signal()
     changed = Signal()
 
-    def __init__(self, window: QWidget, clock: Callable[[], float] = monotonic) -> None:
-        super().__init__(window)
-        self._window = window
+    def __init__(self, clock: Callable[[], float] = monotonic) -> None:
+        super().__init__()
         self._clock = clock
         self._since: float | None = None
         self._was_used = False
@@ -50,35 +36,28 @@ class SpaceBar(QObject):
         """Take note that the bar serves for panning this time, and does not play."""
         self._was_used = True
 
-    def watch(self, application: QApplication) -> None:
-        """Begin to watch the keys."""
-        application.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() is QEvent.Type.WindowDeactivate and watched is self._window:
-            self._since = None
-        if not isinstance(event, QKeyEvent) or event.key() != Qt.Key.Key_Space:
-            return False
-        if event.type() not in (QEvent.Type.KeyPress, QEvent.Type.KeyRelease) or not isinstance(watched, QWidget):
-            return False
-        if watched.window() is not self._window or (self._since is None and not self._is_free(watched, event)):
+    def press(self, event: QKeyEvent) -> bool:
+        """Take a key that goes down; false if it is another one."""
+        if event.key() != Qt.Key.Key_Space or event.modifiers():
             return False
         if not event.isAutoRepeat():
-            self._press() if event.type() is QEvent.Type.KeyPress else self._release()
+            self._since, self._was_used = self._clock(), False
+            self.changed.emit()
         return True
 
-    def _is_free(self, watched: QWidget, event: QKeyEvent) -> bool:
-        return not event.modifiers() and not isinstance(watched, _OWN_USE_OF_SPACE)
+    def release(self, event: QKeyEvent) -> bool:
+        """Take a key that comes up; false if it is another one."""
+        if event.key() != Qt.Key.Key_Space or self._since is None:
+            return False
+        if not event.isAutoRepeat():
+            short = self._clock() - self._since <= TAP_S
+            self.forget()
+            if short and not self._was_used:
+                self.tapped.emit()
+        return True
 
-    def _press(self) -> None:
-        self._since, self._was_used = self._clock(), False
-        self.changed.emit()
-
-    def _release(self) -> None:
-        if self._since is None:
-            return
-        short = self._clock() - self._since <= TAP_S
-        self._since = None
-        self.changed.emit()
-        if short and not self._was_used:
-            self.tapped.emit()
+    def forget(self) -> None:
+        """Take the bar for released, because the window will not be told."""
+        if self._since is not None:
+            self._since = None
+            self.changed.emit()

@@ -97,7 +97,7 @@ class SwitchEditor(Editor):
         self.box = QCheckBox()
         self.box.setAccessibleName(said(line.label))
         self.box.setToolTip(said(line.help))
-        self.box.clicked.connect(self.entered)
+        self.box.clicked.connect(self.entered.emit)
         self.row.addWidget(self.box, 1)
 
     def show_value(self, value: Value) -> None:
@@ -112,9 +112,9 @@ class ColorEditor(Editor):
         self.field = ColorField()
         self.field.setToolTip(said(line.help))
         self.field.picking_began.connect(self.began)
-        self.field.tried.connect(self.tried)
+        self.field.tried.connect(self.tried.emit)
         self.field.picking_ended.connect(self.ended)
-        self.field.entered.connect(self.entered)
+        self.field.entered.connect(self.entered.emit)
         self.row.addWidget(self.field, 1)
 
     def show_value(self, value: Value) -> None:

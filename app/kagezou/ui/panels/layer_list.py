@@ -23,9 +23,7 @@ from kagezou.ui.panels.thumbnails import Thumbnails
 
 
 class LayerView(QListView):
-    """The rows; Delete removes the chosen layer, F2 and a double click rename it."""
-
-    removal_asked = Signal()
+    """The rows; F2 and a double click rename."""
 
     def __init__(self, model: LayerModel) -> None:
         super().__init__()
@@ -41,8 +39,9 @@ class LayerView(QListView):
         self.setAccessibleName(self.tr("Layers"))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
-            self.removal_asked.emit()
+        # The space bar plays, wherever the focus is.
+        if event.key() == Qt.Key.Key_Space:
+            event.ignore()
         else:
             super().keyPressEvent(event)
 
@@ -57,7 +56,6 @@ class LayerList(QWidget):
         self._bridge = bridge
         self.model = LayerModel(bridge, thumbnails)
         self.view = LayerView(self.model)
-        self.view.removal_asked.connect(self.remove_current)
         self.view.selectionModel().selectionChanged.connect(self._choose)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.view.customContextMenuRequested.connect(self._open_menu)

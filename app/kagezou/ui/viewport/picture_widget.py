@@ -1,9 +1,11 @@
 """The widget with the OpenGL context: it shows the session's frame, and is made anew with every context."""
 
+import sys
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 
-from kagezou.errors import Problem
+from kagezou.errors import GraphicsProblem, Problem
 from kagezou.io.cels import CelCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
@@ -33,6 +35,9 @@ class PictureWidget(QOpenGLWidget):
     broken_changed = Signal(object)
     """The picture files that cannot be shown now, a tuple of Broken; connect queued."""
 
+    started = Signal(str, bool)
+    """What draws, by name, and whether it is the processor; connect queued."""
+
     def __init__(self, bridge: Bridge, cels: CelCache, viewpoint: Viewpoint) -> None:
         super().__init__()
         self.viewpoint = viewpoint
@@ -57,6 +62,11 @@ class PictureWidget(QOpenGLWidget):
         """What draws; None before the first painting and while there is no context."""
         return self._stage
 
+    @property
+    def device(self) -> str:
+        """The name of what draws, empty where nothing does."""
+        return self._stage.device if self._stage else ""
+
     def show_backdrop(self, backdrop: Backdrop) -> None:
         """Choose what is shown where nothing is drawn."""
         self._backdrop = backdrop
@@ -69,33 +79,43 @@ class PictureWidget(QOpenGLWidget):
         self.update()
 
     def initializeGL(self) -> None:
+        try:
+            self._begin()
+        except Problem as problem:
+            self.failed.emit(str(problem))
+        except Exception:
+            # Qt would lose what leaves this method; a defect of ours must be heard of.
+            sys.excepthook(*sys.exc_info())
+
+    def paintGL(self) -> None:
+        if self._stage is None:
+            return
+        try:
+            self._paint(self._stage)
+        except Problem as problem:
+            self.failed.emit(str(problem))
+        except Exception:
+            sys.excepthook(*sys.exc_info())
+
+    def resizeGL(self, width: int, height: int) -> None:
+        self.viewpoint.resize((float(self.width()), float(self.height())), self.devicePixelRatioF())
+
+    def _begin(self) -> None:
         context = self.context()
         context.aboutToBeDestroyed.connect(self._release, Qt.ConnectionType.DirectConnection)
         major, minor = context.format().majorVersion(), context.format().minorVersion()
         if (major, minor) < NEEDED_VERSION:
             words = self.tr("The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.")
-            self.failed.emit(words.replace("%1", f"{major}.{minor}"))
-            return
-        try:
-            self._stage = Stage(self._cels)
-        except Problem as problem:
-            self.failed.emit(str(problem))
+            raise GraphicsProblem(words.replace("%1", f"{major}.{minor}"))
+        self._stage = Stage(self._cels)
+        self.started.emit(self._stage.device, self._stage.is_software)
 
-    def paintGL(self) -> None:
-        stage = self._stage
-        if stage is None:
-            return
-        try:
-            stage.draw(self._bridge.document, self._bridge.frame, self._backdrop)
-            stage.present(self._window_view())
-        except Problem as problem:
-            self.failed.emit(str(problem))
+    def _paint(self, stage: Stage) -> None:
+        stage.draw(self._bridge.document, self._bridge.frame, self._backdrop)
+        stage.present(self._window_view())
         if stage.broken != self._broken:
             self._broken = stage.broken
             self.broken_changed.emit(stage.broken)
-
-    def resizeGL(self, width: int, height: int) -> None:
-        self.viewpoint.resize((float(self.width()), float(self.height())), self.devicePixelRatioF())
 
     def _document_changed(self) -> None:
         canvas = self._bridge.document.canvas

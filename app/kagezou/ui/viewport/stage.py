@@ -45,6 +45,11 @@ class Stage:
         """The name of what draws."""
         return self._renderer.info.renderer
 
+    @property
+    def is_software(self) -> bool:
+        """Whether the processor draws, not a graphics card."""
+        return self._renderer.info.is_software
+
     def forget_picture(self) -> None:
         """Draw anew next time, because files may have changed."""
         self._evaluated = self._drawn = None

@@ -1,0 +1,100 @@
+"""The program with a window: makes the application, its one window, and runs until that is closed."""
+
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QSurfaceFormat
+from PySide6.QtWidgets import QApplication
+
+from kagezou import __version__
+from kagezou.ui import theme
+from kagezou.ui.desk import Desk
+from kagezou.ui.icons import application_icon
+from kagezou.ui.incidents import Incidents
+from kagezou.ui.language import Language
+from kagezou.ui.main_window import MainWindow
+from kagezou.ui.offscreen_context import surface_format
+from kagezou.ui.settings import Settings
+
+
+def run(project: Path | None, *, arguments: Sequence[str] = ()) -> int:
+    """Open the window, with a project if one is given, and return the exit code when it is closed.
+
+    Parameters
+    ----------
+    project
+        The project to open; one that cannot be opened is told in the window.
+    arguments
+        What Qt itself may take from the command line, such as ``-platform``.
+    """
+    application = make_application(arguments)
+    incidents = Incidents()
+    incidents.watch()
+    program = Program(application, Settings())
+    incidents.happened.connect(program.say)
+    # Python's own handler would only run when the event loop next meets Python.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    program.show()
+    if project is not None:
+        program.window.project.open_path(project)
+    return application.exec()
+
+
+def make_application(arguments: Sequence[str] = ()) -> QApplication:
+    """Return the application, with everything set that must be set before it is made."""
+    QSurfaceFormat.setDefaultFormat(surface_format())
+    QGuiApplication.setHighDpiScaleFactorRoundingPolicy(Qt.HighDpiScaleFactorRoundingPolicy.PassThrough)
+    QGuiApplication.setDesktopFileName("kagezou")
+    application = QApplication([sys.argv[0] or "kagezou", *arguments])
+    application.setApplicationName("Kagezou")
+    application.setApplicationVersion(__version__)
+    application.setWindowIcon(application_icon())
+    theme.apply(application)
+    return application
+
+
+class Program:
+    """The desk and the window over it; another language means another window over the same desk.
+
+    Parameters
+    ----------
+    application
+        The application.
+    settings
+        What is remembered.
+    """
+
+    def __init__(self, application: QApplication, settings: Settings) -> None:
+        self._settings = settings
+        self._language = Language(application)
+        self._language.speak(settings.language)
+        self.desk = Desk()
+        self.window = self._make_window()
+
+    def show(self) -> None:
+        """Bring the window to the screen."""
+        self.window.show()
+
+    def say(self, sentence: str) -> None:
+        """Say what went wrong, in the window."""
+        self.window.bar.say("incident", sentence)
+
+    def speak(self, code: str) -> None:
+        """Change the language: the window is made anew, what is on the desk stays."""
+        self._settings.language = code
+        self._language.speak(code)
+        old, self.window = self.window, self._make_window_after(self.window)
+        self.window.show()
+        old.deleteLater()
+
+    def _make_window_after(self, old: MainWindow) -> MainWindow:
+        old.close_unasked()
+        return self._make_window()
+
+    def _make_window(self) -> MainWindow:
+        window = MainWindow(self.desk, self._settings)
+        window.language_chosen.connect(self.speak)
+        return window

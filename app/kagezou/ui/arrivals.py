@@ -1,0 +1,67 @@
+"""What files dropped on the window or picked in a dialog are meant to be."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from kagezou.io.signatures import is_picture
+from kagezou.session.staging import CharacterSource
+
+PROJECT_SUFFIX = ".kage"
+_OPAQUE = (".jpg", ".jpeg")
+_NUMBER = re.compile(r"[0-9]{1,6}(?=[A-Za-z]{0,2}$)")
+
+
+@dataclass(frozen=True, slots=True)
+class Arrivals:
+    """What came.
+
+    Parameters
+    ----------
+    project
+        A project to open, if there is one among the files.
+    characters
+        Folders, sequences and single pictures that become layers.
+    background
+        A picture without transparency that came alone.
+    """
+
+    project: Path | None = None
+    characters: tuple[CharacterSource, ...] = ()
+    background: Path | None = None
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is nothing the program can use."""
+        return self.project is None and not self.characters and self.background is None
+
+
+def arrivals_of(paths: Iterable[Path]) -> Arrivals:
+    """Sort out what paths are; numbered pictures that belong together become one sequence."""
+    given = list(paths)
+    project = next((path for path in given if path.suffix.lower() == PROJECT_SUFFIX), None)
+    if project is not None:
+        return Arrivals(project=project)
+    if len(given) == 1 and given[0].suffix.lower() in _OPAQUE:
+        return Arrivals(background=given[0])
+    folders = [CharacterSource(None, path) for path in given if path.is_dir()]
+    pictures = [path for path in given if not path.is_dir() and is_picture(path)]
+    return Arrivals(characters=(*folders, *(CharacterSource(None, path) for path in _sequences(pictures))))
+
+
+def whole_sequence(path: Path) -> Path:
+    """Return the pattern of the sequence a numbered picture belongs to, or the picture itself."""
+    stem, hits = _NUMBER.subn("#", path.stem)
+    return path.with_name(stem + path.suffix) if hits else path
+
+
+def _sequences(pictures: list[Path]) -> list[Path]:
+    """Return a pattern for pictures that differ only in their number, and the others as they are."""
+    patterns = [whole_sequence(path) for path in pictures]
+    found: list[Path] = []
+    for path, pattern in zip(pictures, patterns, strict=True):
+        source = pattern if patterns.count(pattern) > 1 else path
+        if source not in found:
+            found.append(source)
+    return found

@@ -1,0 +1,139 @@
+"""Exporting beside the window: a thread that draws, and its progress in the status bar."""
+
+import os
+import threading
+from pathlib import Path
+
+from PySide6.QtCore import QThread, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
+
+from kagezou.document.model import Document
+from kagezou.errors import Problem
+from kagezou.export.frames import export_frames
+from kagezou.export.request import ExportRequest, Summary
+from kagezou.ui.icons import icon
+from kagezou.ui.message_bar import MessageBar, Severity
+from kagezou.ui.offscreen_context import OffscreenSurface
+
+_KEY = "export"
+
+
+class ExportJob(QThread):
+    """One export of one document, which may meanwhile be edited further: documents never change.
+
+    Parameters
+    ----------
+    document
+        What to export.
+    request
+        How and where to.
+    """
+
+    progressed = Signal(int, int)
+    done = Signal(Summary)
+    failed = Signal(str)
+
+    def __init__(self, document: Document, request: ExportRequest) -> None:
+        super().__init__()
+        self._document = document
+        self._request = request
+        self._surface = OffscreenSurface()
+        self._stop = threading.Event()
+
+    def cancel(self) -> None:
+        """Stop after the pictures in hand; what is written is whole."""
+        self._stop.set()
+
+    def run(self) -> None:
+        try:
+            summary = export_frames(
+                self._document, self._request, self._surface.open, self.progressed.emit, self._stop.is_set
+            )
+        except Problem as problem:
+            self.failed.emit(str(problem))
+        else:
+            self.done.emit(summary)
+
+
+class Exporting(QWidget):
+    """Progress and a way to stop, for the status bar; hidden while nothing is exported.
+
+    Parameters
+    ----------
+    bar
+        Where the end is said.
+    """
+
+    def __init__(self, bar: MessageBar) -> None:
+        super().__init__()
+        self._bar = bar
+        self._job: ExportJob | None = None
+        self._words = QLabel(self.tr("Exporting"))
+        self._progress = QProgressBar()
+        self._progress.setFixedWidth(180)
+        self._progress.setFormat("%v / %m")
+        self._stop = QToolButton()
+        self._stop.setIcon(icon("close"))
+        self._stop.setToolTip(self.tr("Cancel the export"))
+        self._stop.setAccessibleName(self.tr("Cancel the export"))
+        self._stop.clicked.connect(self.cancel)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 1, 4, 1)
+        row.setSpacing(4)
+        for widget in (self._words, self._progress, self._stop):
+            row.addWidget(widget)
+        self.hide()
+
+    @property
+    def is_running(self) -> bool:
+        """Whether an export is under way."""
+        return self._job is not None
+
+    def start(self, document: Document, folder: Path) -> None:
+        """Export every layer's shadow of the whole cut."""
+        if self._job is not None:
+            self._bar.say(_KEY, self.tr("An export is still running."), Severity.NOTE)
+            return
+        # One core is left to the window.
+        workers = max((os.cpu_count() or 2) - 1, 1)
+        job = ExportJob(document, ExportRequest(folder, workers=workers))
+        job.progressed.connect(self._show_progress)
+        job.done.connect(self._say_done)
+        job.failed.connect(lambda sentence: self._bar.say(_KEY, sentence))
+        job.finished.connect(self._end)
+        self._job = job
+        self._progress.setRange(0, 0)
+        self._words.setText(self.tr("Exporting"))
+        self.show()
+        job.start(QThread.Priority.LowPriority)
+
+    def cancel(self) -> None:
+        """Stop soon."""
+        if self._job is not None:
+            self._words.setText(self.tr("Stopping"))
+            self._job.cancel()
+
+    def finish(self) -> None:
+        """Stop and wait, before the window goes."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job.wait()
+
+    def _show_progress(self, finished: int, whole: int) -> None:
+        self._progress.setRange(0, whole)
+        self._progress.setValue(finished)
+
+    def _say_done(self, summary: Summary) -> None:
+        if summary.failures:
+            self._bar.say(_KEY, summary.failures[-1].sentence)
+        elif summary.cancelled:
+            words = self.tr("Export stopped; %n file(s) are written and whole.", "", summary.written)
+            self._bar.say(_KEY, words, Severity.NOTE)
+        else:
+            words = self.tr("Exported %n file(s) to %1", "", summary.files)
+            where = str(summary.folders[0].parent) if summary.folders else ""
+            self._bar.say(_KEY, words.replace("%1", where), Severity.NOTE)
+
+    def _end(self) -> None:
+        self._job = None
+        self.hide()

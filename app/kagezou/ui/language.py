@@ -1,0 +1,45 @@
+"""Putting the window into a language: Qt's own texts and ours."""
+
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+
+from kagezou.locations import resource_folder
+
+LANGUAGES = {"en": "English", "ja": "日本語"}
+"""The languages there are, each in its own words."""
+
+
+class Language:
+    """The translators installed now; installing others takes these away.
+
+    Parameters
+    ----------
+    application
+        What speaks.
+    """
+
+    def __init__(self, application: QCoreApplication) -> None:
+        self._application = application
+        self._installed: list[QTranslator] = []
+        self.code = "en"
+
+    def speak(self, chosen: str) -> None:
+        """Speak a language by its code; an empty one means the system's, and English where we do not speak that."""
+        for translator in self._installed:
+            self._application.removeTranslator(translator)
+        self._installed.clear()
+        self.code = chosen if chosen in LANGUAGES else system_language()
+        # English is loaded too: it holds the plural forms.
+        self._install(f"qtbase_{self.code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))
+        self._install(f"kagezou_{self.code}", str(resource_folder() / "translations"))
+
+    def _install(self, name: str, folder: str) -> None:
+        translator = QTranslator(self._application)
+        if translator.load(name, folder):
+            self._application.installTranslator(translator)
+            self._installed.append(translator)
+
+
+def system_language() -> str:
+    """Return the code of the system's language if we speak it, else English."""
+    spoken = (locale.split("-")[0] for locale in QLocale.system().uiLanguages())
+    return next((code for code in spoken if code in LANGUAGES), "en")

@@ -1,0 +1,172 @@
+"""The main window: puts the parts together and connects them, and knows nothing else."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEvent, QKeyEvent
+from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+
+from kagezou.ui.commands import Actions
+from kagezou.ui.desk import Desk
+from kagezou.ui.dialogs import Dialogs
+from kagezou.ui.dock import Dock
+from kagezou.ui.exporting import Exporting
+from kagezou.ui.menus import Menus
+from kagezou.ui.message_bar import MessageBar
+from kagezou.ui.panels.inspector import Inspector
+from kagezou.ui.panels.layer_list import LayerList
+from kagezou.ui.panels.thumbnails import Thumbnails
+from kagezou.ui.playback import Player
+from kagezou.ui.project_actions import ProjectActions
+from kagezou.ui.settings import Settings
+from kagezou.ui.space_bar import SpaceBar
+from kagezou.ui.status import Status
+from kagezou.ui.transport import Transport
+from kagezou.ui.viewport.viewport import Viewport
+from kagezou.ui.welcome import Welcome
+from kagezou.ui.wiring import connect_messages, connect_playback, connect_project, connect_view
+
+_BUTTONS = ("first", "key_previous", "back", "play", "forward", "key_next", "last", None, "loop")
+
+
+class MainWindow(QMainWindow):
+    """One window over one desk; may be thrown away and made anew while the desk stays.
+
+    Parameters
+    ----------
+    desk
+        The project.
+    settings
+        What is remembered.
+    """
+
+    language_chosen = Signal(str)
+    demo_wanted = Signal()
+
+    def __init__(self, desk: Desk, settings: Settings) -> None:
+        super().__init__()
+        self.desk = desk
+        self.settings = settings
+        self._may_close_unasked = False
+        self._make_parts()
+        self._lay_out()
+        connect_project(self)
+        connect_view(self)
+        connect_playback(self)
+        connect_messages(self)
+        self.show_title()
+        self.show_page()
+        self._restore_layout()
+
+    def show_title(self) -> None:
+        """Show the project's name, and whether it is saved."""
+        self.setWindowTitle(f"{self.project.project_name}[*] — Kagezou")
+        self.setWindowModified(not self.desk.is_saved)
+        self.setWindowFilePath(str(self.desk.path) if self.desk.path else "")
+
+    def show_page(self) -> None:
+        """Show the picture, or where to begin while there is none."""
+        blank = self.desk.is_blank
+        if blank:
+            self.welcome.show_recent(self.settings.recent)
+        self.pages.setCurrentWidget(self.welcome if blank else self.viewport)
+        for name in ("save_as", "export", "delete", "rename_layer", "play"):
+            self.actions_of[name].setEnabled(not blank)
+        self.actions_of["no_background"].setEnabled(self.desk.bridge.document.background is not None)
+
+    def close_unasked(self) -> None:
+        """Close without the question about unsaved work: the desk stays, only the window goes."""
+        self._may_close_unasked = True
+        self.close()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.player.stop()
+        self.viewport.hand.cancel()
+        if not self._may_close_unasked and not self.project.may_leave():
+            event.ignore()
+            return
+        self.exporting.finish()
+        self.thumbnails.wait()
+        self.settings.set_layout("geometry", self.saveGeometry())
+        self.settings.set_layout("state", self.saveState())
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not self.space.press(event):
+            super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if not self.space.release(event):
+            super().keyReleaseEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() is QEvent.Type.ActivationChange and not self.isActiveWindow():
+            self.space.forget()
+        super().changeEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+            self.welcome.show_hovered(hovered=True)
+
+    def dragLeaveEvent(self, event: QDragLeaveEvent) -> None:
+        self.welcome.show_hovered(hovered=False)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        self.welcome.show_hovered(hovered=False)
+        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        event.acceptProposedAction()
+        self.project.bring(paths)
+
+    def _make_parts(self) -> None:
+        bridge = self.desk.bridge
+        self.actions_of = Actions(self)
+        self.bar = MessageBar()
+        self.player = Player(bridge)
+        self.space = SpaceBar()
+        self.thumbnails = Thumbnails()
+        self.welcome = Welcome()
+        self.viewport = Viewport(bridge, self.desk.cels, self.space)
+        self.layers = LayerList(bridge, self.thumbnails)
+        self.inspector = Inspector(bridge)
+        self.transport = Transport(bridge, self.player, [self.actions_of[name] if name else None for name in _BUTTONS])
+        self.exporting = Exporting(self.bar)
+        self.status = Status(bridge, self.exporting)
+        self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
+        self.menus = Menus(self, self.actions_of)
+
+    def _lay_out(self) -> None:
+        self.pages = QStackedWidget()
+        self.pages.addWidget(self.welcome)
+        self.pages.addWidget(self.viewport)
+        middle = QWidget()
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.bar)
+        column.addWidget(self.pages, 1)
+        column.addWidget(self.transport)
+        self.setCentralWidget(middle)
+        self.addToolBar(self.menus.tool_bar())
+        self.setStatusBar(self.status)
+        self.docks = (
+            Dock("layers", self.tr("Layers"), self.layers),
+            Dock("inspector", self.tr("Inspector"), self.inspector),
+        )
+        for dock in self.docks:
+            self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+            self.menus.view.addAction(dock.toggleViewAction())
+        # Sizes in letters, so that they hold at any font size.
+        letter = self.fontMetrics().averageCharWidth()
+        self.resizeDocks(list(self.docks), [44 * letter] * 2, Qt.Orientation.Horizontal)
+        self.resizeDocks(list(self.docks), [200, 520], Qt.Orientation.Vertical)
+        self.setAcceptDrops(True)
+        self.setDockNestingEnabled(True)
+        self.resize(1360, 860)
+
+    def _restore_layout(self) -> None:
+        geometry, state = self.settings.layout("geometry"), self.settings.layout("state")
+        if not geometry.isEmpty():
+            self.restoreGeometry(geometry)
+        if not state.isEmpty():
+            self.restoreState(state)

@@ -1,0 +1,154 @@
+"""What the commands about files do: ask, act, and say in the message bar what went wrong."""
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
+from PySide6.QtWidgets import QApplication
+
+from kagezou.errors import Problem
+from kagezou.session.staging import CharacterSource
+from kagezou.ui.arrivals import PROJECT_SUFFIX, arrivals_of, whole_sequence
+from kagezou.ui.desk import Desk
+from kagezou.ui.dialogs import Answer, Dialogs
+from kagezou.ui.message_bar import MessageBar, Severity
+from kagezou.ui.settings import Settings
+
+_KEY = "project"
+
+
+class ProjectActions(QObject):
+    """New, open, save, import, and the question before unsaved work goes.
+
+    Parameters
+    ----------
+    desk
+        The project.
+    dialogs
+        Who asks.
+    bar
+        Where problems are said.
+    settings
+        Where recent projects are remembered.
+    """
+
+    recent_changed = Signal()
+    demo_wanted = Signal()
+
+    def __init__(self, desk: Desk, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
+        super().__init__()
+        self._desk = desk
+        self.dialogs = dialogs
+        self._bar = bar
+        self._settings = settings
+
+    def new(self) -> None:
+        """Begin a project from a folder of cels."""
+        if self.may_leave() and (folder := self.dialogs.folder_of_cels()):
+            self._try(lambda: self._desk.new((CharacterSource(None, folder),)))
+
+    def open(self) -> None:
+        """Open another project."""
+        if self.may_leave() and (path := self.dialogs.project_to_open()):
+            self.open_path(path)
+
+    def open_recent(self, path: Path) -> None:
+        """Open a project of before."""
+        if self.may_leave():
+            self.open_path(path)
+
+    def open_path(self, path: Path) -> bool:
+        """Open a project without asking about the old one; false if it cannot be opened."""
+        opened = self._try(lambda: self._desk.open(path))
+        if opened:
+            self._remember(path)
+        return opened
+
+    def save(self) -> bool:
+        """Save where it was saved before, or ask; false if it is not saved after that."""
+        path = self._desk.path
+        return self._save_to(path) if path else self.save_as()
+
+    def save_as(self) -> bool:
+        """Ask where to save."""
+        suggested = self._desk.path.name if self._desk.path else self.project_name + PROJECT_SUFFIX
+        path = self.dialogs.project_to_save(suggested)
+        return self._save_to(path) if path else False
+
+    def import_folder(self) -> None:
+        """Bring in a folder of cels as a layer."""
+        if folder := self.dialogs.folder_of_cels():
+            self.bring([folder])
+
+    def import_pictures(self) -> None:
+        """Bring in pictures; of one numbered picture the whole sequence comes."""
+        paths = self.dialogs.pictures()
+        if len(paths) == 1:
+            self._try(lambda: self._desk.bring((CharacterSource(None, whole_sequence(paths[0])),)))
+        elif paths:
+            self.bring(paths)
+
+    def set_background(self) -> None:
+        """Put a picture under everything."""
+        if path := self.dialogs.background():
+            self._try(lambda: self._desk.put_background(path))
+
+    def remove_background(self) -> None:
+        """Take the background away."""
+        self._try(lambda: self._desk.put_background(None))
+
+    def bring(self, paths: Iterable[Path]) -> None:
+        """Take what was dropped: a project is opened, cels become layers, a lone opaque picture the background."""
+        given = list(paths)
+        arrivals = arrivals_of(given)
+        if arrivals.project is not None:
+            self.open_recent(arrivals.project)
+        elif arrivals.background is not None:
+            background = arrivals.background
+            self._try(lambda: self._desk.put_background(background))
+        elif arrivals.characters:
+            self._try(lambda: self._desk.bring(arrivals.characters))
+        elif given:
+            names = ", ".join(path.name for path in given[:3])
+            words = self.tr("%1: neither a project, a folder of cels nor a picture that can be read")
+            self._bar.say(_KEY, words.replace("%1", names), Severity.WARNING)
+
+    def may_leave(self) -> bool:
+        """Whether the project may be put away: it is saved, saved now, or given up."""
+        if self._desk.is_saved:
+            return True
+        answer = self.dialogs.unsaved(self.project_name)
+        return self.save() if answer is Answer.SAVE else answer is Answer.DISCARD
+
+    @property
+    def project_name(self) -> str:
+        """What the window calls the project."""
+        return self._desk.path.stem if self._desk.path else self.tr("Untitled")
+
+    def _save_to(self, path: Path) -> bool:
+        saved = self._try(lambda: self._desk.save(path))
+        if saved and self._desk.path:
+            self._remember(self._desk.path)
+            self._bar.say("saved", self.tr("Saved %1").replace("%1", self._desk.path.name), Severity.NOTE)
+        return saved
+
+    def _remember(self, path: Path) -> None:
+        self._settings.remember_project(path)
+        self.recent_changed.emit()
+
+    def _try(self, do: Callable[[], object]) -> bool:
+        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
+        try:
+            do()
+        except Problem as problem:
+            self._bar.say(_KEY, _sentence(problem))
+            return False
+        finally:
+            QApplication.restoreOverrideCursor()
+        self._bar.withdraw(_KEY)
+        return True
+
+
+def _sentence(problem: Problem) -> str:
+    text = str(problem)
+    return text[:1].upper() + text[1:] if text else QCoreApplication.translate("ProjectActions", "Something went wrong")

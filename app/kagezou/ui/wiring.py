@@ -1,0 +1,178 @@
+"""Who tells whom: the connections between the parts of the main window, by subject."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+
+from kagezou.render.backdrop import Backdrop
+from kagezou.ui.help_dialogs import about_dialog, shortcuts_dialog
+from kagezou.ui.icons import icon
+from kagezou.ui.key_frames import key_frames, next_key, previous_key
+from kagezou.ui.message_bar import Severity
+from kagezou.ui.viewport.stage import Broken
+
+if TYPE_CHECKING:
+    from kagezou.ui.main_window import MainWindow
+
+_QUEUED = Qt.ConnectionType.QueuedConnection
+
+
+def connect_project(window: "MainWindow") -> None:
+    """Connect files, history and layers."""
+    actions, project, session = window.actions_of, window.project, lambda: window.desk.bridge.session
+    bridge, welcome = window.desk.bridge, window.welcome
+    for name, do in {
+        "new": project.new,
+        "open": project.open,
+        "save": project.save,
+        "save_as": project.save_as,
+        "import": project.import_folder,
+        "import_pictures": project.import_pictures,
+        "background": project.set_background,
+        "no_background": project.remove_background,
+        "export": lambda: _export(window),
+        "quit": window.close,
+        "undo": lambda: session().undo(),
+        "redo": lambda: session().redo(),
+        "delete": lambda: _delete(window),
+        "rename_layer": window.layers.rename_current,
+        "shortcuts": lambda: shortcuts_dialog(window, actions.commands).open(),
+        "about": lambda: about_dialog(window, window.viewport.device).open(),
+    }.items():
+        actions.on(name, do)
+    welcome.cels_asked.connect(project.new)
+    welcome.open_asked.connect(project.open)
+    welcome.recent_asked.connect(project.open_recent)
+    welcome.demo_asked.connect(window.demo_wanted)
+    window.layers.add_asked.connect(project.import_folder)
+    project.recent_changed.connect(lambda: _show_recent(window))
+    window.desk.path_changed.connect(window.show_title)
+    bridge.saved_changed.connect(window.show_title)
+    bridge.document_changed.connect(window.show_page)
+    bridge.history_changed.connect(lambda: window.menus.show_steps(session().undo_name, session().redo_name))
+    window.menus.show_steps(session().undo_name, session().redo_name)
+    _show_recent(window)
+
+
+def connect_view(window: "MainWindow") -> None:
+    """Connect what has to do with looking."""
+    actions, viewport, settings = window.actions_of, window.viewport, window.settings
+    viewpoint = viewport.viewpoint
+    actions.on("fit", viewpoint.fit)
+    actions.on("actual", viewpoint.show_actual_pixels)
+    actions.on("zoom_in", lambda: viewpoint.zoom_middle(2))
+    actions.on("zoom_out", lambda: viewpoint.zoom_middle(-2))
+    actions["handles"].setChecked(True)
+    actions["handles"].toggled.connect(lambda _: _show_handles(window))
+    viewpoint.changed.connect(lambda: window.status.show_zoom(viewpoint.percent))
+    window.status.show_zoom(viewpoint.percent)
+
+    def choose(backdrop: Backdrop) -> None:
+        viewport.show_backdrop(backdrop)
+        settings.set_word("backdrop", backdrop.value)
+
+    kept = settings.word("backdrop", Backdrop.BACKGROUND.value)
+    known = [each.value for each in Backdrop if each is not Backdrop.TRANSPARENT]
+    viewport.show_backdrop(Backdrop(kept) if kept in known else Backdrop.BACKGROUND)
+    window.menus.add_backdrops(viewport.backdrop, choose)
+    window.menus.add_languages(settings.language, window.language_chosen.emit)
+
+
+def connect_playback(window: "MainWindow") -> None:
+    """Connect the commands of time."""
+    actions, player, bridge = window.actions_of, window.player, window.desk.bridge
+
+    def step(frames: int) -> None:
+        player.stop()
+        bridge.session.go_to(bridge.frame + frames)
+
+    def to_key(frame: int | None) -> None:
+        if frame is not None:
+            bridge.session.go_to(frame)
+
+    def keyed() -> tuple[int, ...]:
+        return key_frames(bridge.document, bridge.layer_id)
+
+    for name, frames in {"back": -1, "forward": 1, "back_10": -10, "forward_10": 10}.items():
+        actions.on(name, partial(step, frames))
+    actions.on("first", lambda: bridge.session.go_to(1))
+    actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
+    actions.on("key_previous", lambda: to_key(previous_key(keyed(), bridge.frame)))
+    actions.on("key_next", lambda: to_key(next_key(keyed(), bridge.frame)))
+    actions.on("play", lambda: _play(window))
+    window.space.tapped.connect(lambda: _play(window))
+    window.viewport.step_asked.connect(step)
+    window.viewport.frameSwapped.connect(player.picture_shown)
+    player.playing_changed.connect(lambda _: _show_playing(window))
+    for name in ("loop", "every_frame"):
+        _remember_switch(window, name)
+
+
+def connect_messages(window: "MainWindow") -> None:
+    """Connect what went wrong, and what one should know, with the bar that says it."""
+    bar, viewport = window.bar, window.viewport
+    broken: set[str] = set()
+
+    def show_broken(files: tuple[Broken, ...]) -> None:
+        now = {str(each.path): str(each.problem) for each in files}
+        for path in broken - now.keys():
+            bar.withdraw(path)
+        for path, sentence in now.items():
+            if path not in broken:
+                bar.say(path, sentence, Severity.WARNING)
+        broken.clear()
+        broken.update(now)
+
+    viewport.failed.connect(lambda sentence: bar.say("graphics", sentence), _QUEUED)
+    viewport.broken_changed.connect(show_broken, _QUEUED)
+    viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
+    viewport.started.connect(window.status.show_device, _QUEUED)
+    window.desk.noted.connect(lambda sentence: bar.say(sentence, sentence, Severity.WARNING))
+
+
+def _show_recent(window: "MainWindow") -> None:
+    projects = window.settings.recent
+    window.menus.show_recent(projects, window.project.open_recent)
+    window.welcome.show_recent(projects)
+
+
+def _export(window: "MainWindow") -> None:
+    folder = window.project.dialogs.folder_for_export()
+    if folder is not None:
+        window.exporting.start(window.desk.bridge.document, folder)
+
+
+def _delete(window: "MainWindow") -> None:
+    if window.layers.view.hasFocus():
+        window.layers.remove_current()
+    else:
+        window.viewport.hand.delete_selected()
+
+
+def _play(window: "MainWindow") -> None:
+    if not window.viewport.hand.is_busy and not window.desk.is_blank:
+        window.player.toggle()
+
+
+def _show_handles(window: "MainWindow") -> None:
+    # While the cut runs they would only stand in the way of seeing it.
+    shown = window.actions_of["handles"].isChecked() and not window.player.is_playing
+    window.viewport.show_handles(shown=shown)
+
+
+def _show_playing(window: "MainWindow") -> None:
+    window.actions_of["play"].setIcon(icon("pause" if window.player.is_playing else "play"))
+    _show_handles(window)
+
+
+def _remember_switch(window: "MainWindow", name: str) -> None:
+    action, player, settings = window.actions_of[name], window.player, window.settings
+
+    def switch(on: bool) -> None:
+        setattr(player, name, on)
+        settings.set_flag(name, on=on)
+
+    action.setChecked(settings.flag(name, default=True))
+    setattr(player, name, action.isChecked())
+    action.toggled.connect(switch)
