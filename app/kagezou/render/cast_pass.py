@@ -8,10 +8,10 @@ from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.shadow import cast_card
 from kagezou.geometry.vectors import Vector4
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_uniforms import Frame, Grazing, edge_uniforms
+from kagezou.render.cast_uniforms import AT_A_LIMIT, SQUEEZED, Edges, Frame, Grazing
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
-from kagezou.render.program import Program, Uniform
+from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.targets import Target
 from kagezou.render.tiles import Tiling, tiled
 from kagezou.scene.scene import ShadowCast
@@ -22,8 +22,8 @@ class CastPass:
 
     def __init__(self, boxes: Boxes) -> None:
         self._boxes = boxes
-        self._edge = Program("box.vert", "cast.frag")
-        self._full = Program("box.vert", "full.frag")
+        self._edge = Variants("box.vert", "cast.frag")
+        self._full = Variants("box.vert", "full.frag")
         self._copy = Program("box.vert", "shade.frag")
         self._scratch: Target | None = None
 
@@ -67,24 +67,33 @@ class CastPass:
             tiling = around and tiled(each, around, (matte.occupancy, matte.box), target.box)
             if not tiling or tiling.box is None:
                 continue
-            uniforms: dict[str, Uniform] = {"u_target_size_px": target.size_px, "u_origin_px": frame.origin}
-            uniforms |= grazing.uniforms(each, frame)
-            edge: dict[str, Uniform] = {**edge_uniforms(each, matte, frame), "u_translucent": cast.translucent}
             target.bind()
             GL.glEnable(GL.GL_BLEND)
             GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
             GL.glBlendEquation(GL.GL_FUNC_ADD if each.joins_left else GL.GL_MAX)
-            self._draw_tiles(tiling, uniforms, edge)
+            grazing_switches = grazing.switches(each, frame)
+            uniforms: dict[str, Uniform] = {"u_target_size_px": target.size_px, "u_origin_px": frame.origin}
+            uniforms |= grazing.uniforms(each, frame)
+            if len(tiling.full):
+                self._full[grazing_switches].use(uniforms)
+                self._boxes.draw(tiling.full)
+            edges = Edges(each, matte, frame)
+            switches = grazing_switches | edges.switches(translucent=cast.translucent)
+            self._draw_edges(tiling, edges, switches, uniforms)
             drawn = tiling.box if drawn is None else drawn.union(tiling.box)
         return drawn
 
-    def _draw_tiles(self, tiling: Tiling, uniforms: dict[str, Uniform], edge: dict[str, Uniform]) -> None:
-        if len(tiling.full):
-            self._full.use(uniforms)
-            self._boxes.draw(tiling.full)
+    def _draw_edges(self, tiling: Tiling, edges: Edges, switches: frozenset[str], uniforms: dict[str, Uniform]) -> None:
+        if switches >= SQUEEZED:
+            edges.matte.texture.make_mipmaps()
+        edges.matte.texture.bind(0)
+        uniforms = uniforms | edges.uniforms()
         if len(tiling.edge):
-            self._edge.use(uniforms | edge)
+            self._edge[switches].use(uniforms)
             self._boxes.draw(tiling.edge)
+        if len(tiling.edge_at_limit):
+            self._edge[switches | AT_A_LIMIT].use(uniforms | edges.limits())
+            self._boxes.draw(tiling.edge_at_limit)
 
     def _scratch_like(self, target: Target) -> Target:
         if self._scratch is not None and self._scratch.box != target.box:

@@ -17,6 +17,13 @@ MAX_CELLS = 32
 """A pixel is split into at most this many cells each way; a matte squeezed further is read from its mipmaps."""
 
 
+NO_SWITCHES: frozenset[str] = frozenset()
+LAMP_IS_LOW = frozenset({"LAMP_IS_LOW"})
+TRANSLUCENT = frozenset({"TRANSLUCENT"})
+SQUEEZED = frozenset({"SQUEEZED"})
+AT_A_LIMIT = frozenset({"AT_A_LIMIT"})
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Frame:
     """The convex part (N, 2) of the canvas a cast may touch, and the canvas px around which its numbers are given."""
@@ -53,10 +60,13 @@ class Grazing:
         away = (x - receiver.origin[0], y - receiver.origin[1], z - receiver.origin[2])
         return Grazing(is_lamp=True, height=height, foot_uv=(dot(away, receiver.u), dot(away, receiver.v)))
 
+    def switches(self, cast: Cast, frame: Frame) -> frozenset[str]:
+        """Return the switches of ``grazing.glsl``."""
+        return LAMP_IS_LOW if self.is_lamp and self._is_low_over(cast, frame.region) else NO_SWITCHES
+
     def uniforms(self, cast: Cast, frame: Frame) -> dict[str, Uniform]:
         """Return what ``grazing.glsl`` wants."""
         return {
-            "u_fades": self.is_lamp and self._is_low_over(cast, frame.region),
             "u_strength": 1.0 if self.is_lamp else grazing_strength(self.height),
             "u_receiver_from_pixel": _balanced(cast.receiver_from_canvas @ frame.canvas_from_pixel),
             "u_lamp_on_receiver": (*self.foot_uv, self.height),
@@ -70,23 +80,42 @@ class Grazing:
         return bool((self.height < np.hypot(away, self.height) * sin(radians(GRAZING_FULL_DEG))).any())
 
 
-def edge_uniforms(cast: Cast, matte: PlacedMatte, frame: Frame) -> dict[str, Uniform]:
-    """Return what ``cast.frag`` wants, with the matte bound to unit 0."""
-    canvas_from_pixel = frame.canvas_from_pixel
-    texel_from_canvas = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
-    texel = _balanced(texel_from_canvas @ cast.art_from_canvas @ canvas_from_pixel)
-    if _may_need_mipmaps(texel, frame.region - frame.origin):
-        matte.texture.make_mipmaps()
-    matte.texture.bind(0)
-    return {
-        "u_matte": 0,
-        "u_texel_from_pixel": texel,
-        "u_side": cast.side @ canvas_from_pixel,
-        "u_left_fold": cast.left_fold @ canvas_from_pixel,
-        "u_right_fold": cast.right_fold @ canvas_from_pixel,
-        "u_max_cells": MAX_CELLS,
-        "u_last_level": LAST_LEVEL,
-    }
+@dataclass(frozen=True, slots=True, eq=False)
+class Edges:
+    """What ``cast.frag`` wants to know of a cast and a matte."""
+
+    cast: Cast
+    matte: PlacedMatte
+    frame: Frame
+
+    @property
+    def _texel_from_pixel(self) -> Matrix:
+        box = self.matte.box
+        texel_from_canvas = np.array([[1.0, 0.0, -box.left], [0.0, 1.0, -box.top], [0.0, 0.0, 1.0]])
+        return _balanced(texel_from_canvas @ self.cast.art_from_canvas @ self.frame.canvas_from_pixel)
+
+    def switches(self, *, translucent: bool) -> frozenset[str]:
+        """Return the switches that hold for the whole cast."""
+        squeezed = _may_need_mipmaps(self._texel_from_pixel, self.frame.region - self.frame.origin)
+        return (TRANSLUCENT if translucent else NO_SWITCHES) | (SQUEEZED if squeezed else NO_SWITCHES)
+
+    def uniforms(self) -> dict[str, Uniform]:
+        """Return the uniforms that every variant has, for a matte on unit 0."""
+        return {
+            "u_matte": 0,
+            "u_texel_from_pixel": self._texel_from_pixel,
+            "u_max_cells": MAX_CELLS,
+            "u_last_level": LAST_LEVEL,
+        }
+
+    def limits(self) -> dict[str, Uniform]:
+        """Return the uniforms of the variants at a limit."""
+        canvas_from_pixel = self.frame.canvas_from_pixel
+        return {
+            "u_side": self.cast.side @ canvas_from_pixel,
+            "u_left_fold": self.cast.left_fold @ canvas_from_pixel,
+            "u_right_fold": self.cast.right_fold @ canvas_from_pixel,
+        }
 
 
 def _balanced(matrix: Matrix) -> Matrix:

@@ -10,20 +10,20 @@ from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images import Matte, Steps
 from kagezou.render.boxes import Boxes
 from kagezou.render.occupancy import Occupancy
-from kagezou.render.program import Program
+from kagezou.render.program import Program, Uniform
 from kagezou.render.shelf import Shelf
 from kagezou.render.targets import LAST_LEVEL, Format, Target, Texture
 
 HARD_EDGE_SIGMA_PX = 1.0
 """Paint data without anti-aliasing is smoothed by this Gaussian before its 0.5 level is taken as the edge."""
 
-_RIM_PX = 1
+_RIM_PX = 2
 _SMOOTHING_REACH_PX = ceil(3 * HARD_EDGE_SIGMA_PX)
 
 
 @dataclass(frozen=True, slots=True)
 class MatteOnCard:
-    """A matte as a texture with an empty rim, and where it is empty or full."""
+    """A matte as a texture with an empty rim, four alphas to a texel, and where it is empty or full."""
 
     texture: Texture
     occupancy: Occupancy
@@ -53,6 +53,7 @@ class Mattes:
     def __init__(self, boxes: Boxes, budget_bytes: int) -> None:
         self._boxes = boxes
         self._smooth = Program("box.vert", "smooth.frag")
+        self._pack = Program("box.vert", "pack.frag")
         self._shelf: Shelf[MatteOnCard] = Shelf(budget_bytes)
 
     def placed(self, matte: Matte, canvas: Box) -> PlacedMatte | None:
@@ -72,6 +73,7 @@ class Mattes:
         """Give the memory back."""
         self._shelf.close()
         self._smooth.close()
+        self._pack.close()
 
     def _put_on_card(self, matte: Matte, box: Box) -> MatteOnCard:
         margin = _margin(matte)
@@ -84,28 +86,29 @@ class Mattes:
         texture = Texture(padded.shape[1], padded.shape[0], form)
         texture.upload(padded)
         if matte.hard_edged:
-            return MatteOnCard(self._smoothed(texture), Occupancy(padded, _SMOOTHING_REACH_PX))
-        return MatteOnCard(texture, Occupancy(padded, 0))
+            texture = self._smoothed(texture)
+        return MatteOnCard(self._packed(texture), Occupancy(padded, _SMOOTHING_REACH_PX if matte.hard_edged else 0))
 
     def _smoothed(self, source: Texture) -> Texture:
-        """Return the matte smoothed in x, then in y, instead of ``source``."""
-        size = (source.width_px, source.height_px)
-        across, result = Target(*size, Format.ALPHA16), Target(*size, Format.ALPHA16)
-        for texture, target, axis in ((source, across, (1.0, 0.0)), (across.texture, result, (0.0, 1.0))):
-            target.bind()
-            texture.bind(0)
-            self._smooth.use(
-                {
-                    "u_target_size_px": (float(size[0]), float(size[1])),
-                    "u_source": 0,
-                    "u_axis": axis,
-                    "u_sigma_px": HARD_EDGE_SIGMA_PX,
-                }
-            )
-            self._boxes.draw_one(target.box)
-        across.close()
+        """Return the matte smoothed in x, then in y."""
+        for axis in ((1.0, 0.0), (0.0, 1.0)):
+            uniforms: dict[str, Uniform] = {"u_axis": axis, "u_sigma_px": HARD_EDGE_SIGMA_PX}
+            source = self._drawn(self._smooth, source, Format.ALPHA16, uniforms)
+        return source
+
+    def _packed(self, source: Texture) -> Texture:
+        form = Format.RGBA8 if source.form is Format.ALPHA8 else Format.RGBA16
+        return self._drawn(self._pack, source, form, {})
+
+    def _drawn(self, program: Program, source: Texture, form: Format, uniforms: dict[str, Uniform]) -> Texture:
+        """Return what a program makes of a texture of the same size, instead of it."""
+        target = Target(source.width_px, source.height_px, form)
+        target.bind()
+        source.bind(0)
+        program.use({"u_target_size_px": target.size_px, "u_source": 0, **uniforms})
+        self._boxes.draw_one(target.box)
         source.close()
-        return result.texture_alone()
+        return target.texture_alone()
 
 
 def _margin(matte: Matte) -> int:

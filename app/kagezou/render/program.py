@@ -1,7 +1,7 @@
 """Shader programs: read from files, joined by ``#include``, compiled, and fed uniforms by the document's words."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -24,14 +24,23 @@ def shader_source(name: str) -> str:
 
 
 class Program:
-    """A linked pair of shaders."""
+    """A linked pair of shaders.
 
-    def __init__(self, vertex: str, fragment: str) -> None:
+    Parameters
+    ----------
+    vertex, fragment
+        Names of files.
+    switches
+        Words that are defined for the preprocessor: a software rasteriser runs both sides of every branch, so what is
+        known before drawing is decided when compiling.
+    """
+
+    def __init__(self, vertex: str, fragment: str, switches: Iterable[str] = ()) -> None:
         self._name = f"{vertex} + {fragment}"
         self._source = shader_source(vertex) + shader_source(fragment)
         self.id = int(GL.glCreateProgram())
         for name, kind in ((vertex, GL.GL_VERTEX_SHADER), (fragment, GL.GL_FRAGMENT_SHADER)):
-            shader = _compiled(name, kind)
+            shader = _compiled(name, kind, switches)
             GL.glAttachShader(self.id, shader)
             GL.glDeleteShader(shader)
         GL.glLinkProgram(self.id)
@@ -71,9 +80,31 @@ class Program:
                 (GL.glUniform2fv, GL.glUniform3fv, GL.glUniform4fv)[len(numbers) - 2](place, 1, numbers)
 
 
-def _compiled(name: str, kind: int) -> int:
+class Variants:
+    """The same pair of shaders, compiled once for each set of switches that is asked for."""
+
+    def __init__(self, vertex: str, fragment: str) -> None:
+        self._files = (vertex, fragment)
+        self._made: dict[frozenset[str], Program] = {}
+
+    def __getitem__(self, switches: frozenset[str]) -> Program:
+        """Return the program with these switches."""
+        program = self._made.get(switches)
+        if program is None:
+            program = self._made[switches] = Program(*self._files, sorted(switches))
+        return program
+
+    def close(self) -> None:
+        """Give the memory back."""
+        for program in self._made.values():
+            program.close()
+        self._made.clear()
+
+
+def _compiled(name: str, kind: int, switches: Iterable[str]) -> int:
+    version, rest = shader_source(name).split("\n", 1)
     shader = int(GL.glCreateShader(kind))
-    GL.glShaderSource(shader, shader_source(name))
+    GL.glShaderSource(shader, "\n".join([version, *(f"#define {switch}" for switch in switches), rest]))
     GL.glCompileShader(shader)
     if not GL.glGetShaderiv(shader, GL.GL_COMPILE_STATUS):
         raise GraphicsProblem(f"the graphics driver refuses {name}: {_log(GL.glGetShaderInfoLog(shader))}")

@@ -1,5 +1,7 @@
 """The renderer: the one way from a scene to pixels, for the window, the command line and a farm alike."""
 
+import numpy as np
+
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
 from kagezou.io.cels import CelCache
@@ -7,6 +9,7 @@ from kagezou.io.encode import ShadowImage
 from kagezou.io.images import Steps
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.boxes import Boxes
+from kagezou.render.depth_map import DepthMapPass
 from kagezou.render.gl import GL, check
 from kagezou.render.info import read_info
 from kagezou.render.picture import Picture
@@ -84,6 +87,27 @@ class Renderer:
         alpha = target.read(box)
         check("drawing a shadow")
         return ShadowImage(canvas.width, canvas.height, layer.look.color, alpha, box)
+
+    def depth_map_coverage(self, scene: Scene, layer: LayerScene, map_px: int = 4096) -> Steps:
+        """Return a layer's covered parts, (H, W) 16 bit, found by a literal depth map: a cross-check, not a picture."""
+        target = Target(scene.canvas.width, scene.canvas.height, Format.ALPHA16)
+        target.clear()
+        matte = self._shadows.matte(scene, layer)
+        if layer.cast is not None and matte is not None:
+            depth_map = DepthMapPass(self._boxes, map_px)
+            depth_map.draw(layer.cast, matte, target)
+            depth_map.close()
+        coverage = target.read(target.box)
+        target.close()
+        check("drawing a depth map")
+        return coverage
+
+    def coverage(self, scene: Scene, layer: LayerScene) -> Steps:
+        """Return a layer's covered parts before opacity, (H, W) 16 bit."""
+        coverage = self._shadows.coverage(scene, layer)
+        if coverage is None:
+            return np.zeros((scene.canvas.height, scene.canvas.width), np.uint16)
+        return coverage.target.read(scene.canvas)
 
     def draw_picture(self, scene: Scene, backdrop: Backdrop = Backdrop.BACKGROUND, depth: int = 8) -> None:
         """Draw backdrop, shadows and characters; the result stays in the renderer until the next picture."""

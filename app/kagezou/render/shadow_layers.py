@@ -7,7 +7,7 @@ from kagezou.io.cels import CelCache
 from kagezou.io.images import Matte
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
-from kagezou.render.mattes import Mattes
+from kagezou.render.mattes import Mattes, PlacedMatte
 from kagezou.render.targets import Format, Target
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
@@ -31,6 +31,12 @@ class ShadowLayers:
         self._pass = CastPass(boxes)
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
+
+    def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
+        """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
+        return (
+            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.path), scene.canvas)
+        )
 
     def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
         """Return the covered parts of a layer's shadow, or None where it has none."""

@@ -164,3 +164,44 @@ class Target:
     def close(self) -> None:
         """Give the memory back."""
         self.texture_alone().close()
+
+
+class DepthTarget:
+    """A square depth buffer that can be read as a texture: 32 bit, compared as less."""
+
+    def __init__(self, side_px: int) -> None:
+        self._side = side_px
+        self._texture = int(GL.glGenTextures(1))
+        self.bind_texture(0)
+        GL.glTexImage2D(
+            GL.GL_TEXTURE_2D, 0, GL.GL_DEPTH_COMPONENT32F, side_px, side_px, 0, GL.GL_DEPTH_COMPONENT, GL.GL_FLOAT, None
+        )
+        for name in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_NEAREST)
+        self._framebuffer = int(GL.glGenFramebuffers(1))
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self._framebuffer)
+        GL.glFramebufferTexture2D(GL.GL_FRAMEBUFFER, GL.GL_DEPTH_ATTACHMENT, GL.GL_TEXTURE_2D, self._texture, 0)
+        GL.glDrawBuffer(GL.GL_NONE)
+        GL.glReadBuffer(GL.GL_NONE)
+
+    def bind_texture(self, unit: int) -> None:
+        """Bind the depths to a texture unit."""
+        GL.glActiveTexture(GL.GL_TEXTURE0 + unit)
+        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
+
+    def begin(self) -> None:
+        """Draw depths from now on, starting from the farthest."""
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self._framebuffer)
+        GL.glViewport(0, 0, self._side, self._side)
+        for state in (GL.GL_BLEND, GL.GL_SCISSOR_TEST, GL.GL_CULL_FACE, GL.GL_STENCIL_TEST):
+            GL.glDisable(state)
+        GL.glEnable(GL.GL_DEPTH_TEST)
+        GL.glDepthFunc(GL.GL_LESS)
+        GL.glDepthMask(True)  # noqa: FBT003 - the call's own order
+        GL.glClearDepth(1.0)
+        GL.glClear(GL.GL_DEPTH_BUFFER_BIT)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        GL.glDeleteFramebuffers(1, [self._framebuffer])
+        GL.glDeleteTextures([self._texture])

@@ -18,10 +18,21 @@ Boxes = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Tiling:
-    """The parts of a shadow: boxes that are full, boxes that hold an edge, and the box around them all."""
+    """The parts of a shadow, and the box around them all.
+
+    Parameters
+    ----------
+    full
+        Wholly covered.
+    edge
+        Holding an edge of the drawing, and nothing else.
+    edge_at_limit
+        Holding an edge where the card's contact line or a fold may run through as well.
+    """
 
     full: Boxes
     edge: Boxes
+    edge_at_limit: Boxes
     box: Box | None
 
 
@@ -54,12 +65,14 @@ def tiled(cast: Cast, region: Box, matte: tuple[Occupancy, Box], canvas: Box) ->
     outside, inside = _limits(cast, corners)
     empty, full = _occupied(cast, corners, matte)
     shape = (len(rows), len(columns))
-    is_full = (full & inside).reshape(shape)
-    is_edge = ~((empty | outside).reshape(shape) | is_full)
+    shape = (len(rows), len(columns))
     origin = (region.left // TILE_PX, region.top // TILE_PX)
-    return Tiling(
-        _runs(is_full, origin, canvas), _runs(is_edge, origin, canvas), _around(is_full | is_edge, origin, canvas)
-    )
+    is_full = full & inside
+    is_edge = ~(empty | outside | is_full)
+    parts = (is_full, is_edge & inside, is_edge & ~inside)
+    full_boxes, edge_boxes, limit_boxes = (_runs(part.reshape(shape), origin, canvas) for part in parts)
+    around = _around((is_full | is_edge).reshape(shape), origin, canvas)
+    return Tiling(full_boxes, edge_boxes, limit_boxes, around)
 
 
 def _limits(cast: Cast, corners: Matrix) -> tuple[Flags, Flags]:

@@ -1,0 +1,122 @@
+"""The float64 reference: every ray followed in the world, sharing no formula with the renderer's homographies."""
+
+from dataclasses import dataclass
+from math import radians, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG
+from kagezou.geometry.vectors import Vector4
+from kagezou.scene.scene import ShadowCast
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Art:
+    """A drawing's alpha (H, W), 0 to 1, and where its first texel lies on the canvas."""
+
+    alpha: Array
+    left: int = 0
+    top: int = 0
+
+    def at(self, x: Array, y: Array) -> Array:
+        """Bilinear alpha at canvas points; nothing lies beyond the drawing."""
+        rim = np.pad(self.alpha, 1)
+        px = np.clip(x - self.left + 0.5, 0.0, rim.shape[1] - 1.000001)
+        py = np.clip(y - self.top + 0.5, 0.0, rim.shape[0] - 1.000001)
+        i, j = px.astype(np.intp), py.astype(np.intp)
+        fx, fy = px - i, py - j
+        upper = rim[j, i] * (1 - fx) + rim[j, i + 1] * fx
+        lower = rim[j + 1, i] * (1 - fx) + rim[j + 1, i + 1] * fx
+        return np.asarray(upper * (1 - fy) + lower * fy)
+
+
+def shade(cast: ShadowCast, art: Art, x: Array, y: Array) -> Array:
+    """Return how much light each canvas point of the first receiver loses, 0 to 1."""
+    ground = cast.receivers[0]
+    eye = np.array(cast.camera.eye)
+    picture = np.stack([x, y, np.zeros_like(x)], axis=-1)
+    along = np.broadcast_to(-eye[:3], picture.shape) if eye[3] == 0 else picture - eye[:3]
+    normal = np.array(ground.normal)
+    falling = along @ normal
+    height = (picture - np.array(ground.origin)) @ normal
+    with np.errstate(divide="ignore", invalid="ignore"):
+        s = -height / falling
+        seen = np.isfinite(s) & ((s > -1) | (eye[3] == 0))
+        point = picture + np.where(seen, s, 0.0)[..., np.newaxis] * along
+    total = np.zeros_like(x)
+    for light in cast.lights:
+        total = np.maximum(total, _shade_from(cast, art, light, point) * _grazing(light, point, cast))
+    return np.where(seen, total, 0.0)
+
+
+def _shade_from(cast: ShadowCast, art: Art, light: Vector4, point: Array) -> Array:
+    lamp = np.array(light)
+    toward = np.broadcast_to(lamp[:3], point.shape) if lamp[3] == 0 else lamp[:3] - point
+    contacts = [place[0] for place in cast.card.contacts]
+    pieces = cast.card.pieces
+    total = np.zeros(point.shape[:-1])
+    for index, piece in enumerate(pieces):
+        low = -np.inf if index == 0 else contacts[index]
+        high = np.inf if index == len(pieces) - 1 else contacts[index + 1]
+        # z - z0 - slope (x - x0) along the ray, zero where it meets the piece
+        start = point[..., 2] - piece.z0 - piece.slope * (point[..., 0] - piece.x0)
+        rate = toward[..., 2] - piece.slope * toward[..., 0]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t = -start / rate
+        hits = np.isfinite(t) & (t > 0) & ((t < 1) | (lamp[3] == 0))
+        hit = point + np.where(hits, t, 0.0)[..., np.newaxis] * toward
+        hits &= (hit[..., 0] >= low) & (hit[..., 0] <= high)
+        ex, ey, ez, ew = cast.camera.eye
+        k = 1.0 if ew == 0 else 1 / (1 - hit[..., 2] / ez)
+        hits &= np.broadcast_to(np.asarray(k) > 0, hits.shape)
+        u = hit[..., 0] if ew == 0 else ex + (hit[..., 0] - ex) * k
+        v = hit[..., 1] if ew == 0 else ey + (hit[..., 1] - ey) * k
+        alpha = art.at(np.where(hits, u, -1e6), np.where(hits, v, -1e6))
+        total = np.maximum(total, alpha if cast.translucent else (alpha >= 0.5).astype(np.float64))
+    return total
+
+
+def _grazing(light: Vector4, point: Array, cast: ShadowCast) -> Array:
+    lamp = np.array(light)
+    normal = np.array(cast.receivers[0].normal)
+    toward = np.broadcast_to(lamp[:3], point.shape) if lamp[3] == 0 else lamp[:3] - point
+    sine = (toward @ normal) / np.linalg.norm(toward, axis=-1)
+    low, high = sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG))
+    t = np.clip((sine - low) / (high - low), 0, 1)
+    return np.asarray(t * t * (3 - 2 * t))
+
+
+def coverage(cast: ShadowCast, art: Art, hint: Array, rays: int = 160) -> Array:
+    """Return the covered part of every pixel, of the shape of ``hint`` (H, W), which is what is to be judged.
+
+    One ray a pixel in the box that the hint covers, and one in every few beyond it, find where there is shadow;
+    pixels near an edge, and those where the hint says otherwise, get ``rays`` each.
+    """
+    height, width = hint.shape
+    result = np.zeros_like(hint)
+    rows, columns = np.nonzero(hint.any(axis=1))[0], np.nonzero(hint.any(axis=0))[0]
+    top, bottom = max(rows[0] - 8, 0), min(rows[-1] + 9, height)
+    left, right = max(columns[0] - 8, 0), min(columns[-1] + 9, width)
+    y, x = np.mgrid[3:height:7, 3:width:7] + 0.5
+    beyond = (y < top) | (y > bottom) | (x < left) | (x > right)
+    assert not shade(cast, art, x[beyond], y[beyond]).any(), "there is shadow far from where it was drawn"
+
+    y, x = np.mgrid[top:bottom, left:right].astype(np.float64)
+    coarse = shade(cast, art, x + 0.5, y + 0.5)
+    rim = np.pad(coarse, 1, mode="edge")
+    around = np.stack([rim[j : j + coarse.shape[0], i : i + coarse.shape[1]] for j in range(3) for i in range(3)])
+    fine = (around.max(axis=0) - around.min(axis=0) > 1e-6) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
+    px, py = x[fine], y[fine]
+    coarse[fine] = sum(shade(cast, art, px + dx, py + dy) for dx, dy in _spread(rays)) / rays
+    result[top:bottom, left:right] = coarse
+    return result
+
+
+def _spread(count: int) -> Array:
+    """Return points (count, 2) of the unit square spread by the plastic number: no rows for a thin edge to hide in."""
+    plastic = 1.32471795724474602596
+    index = np.arange(1, count + 1)[:, np.newaxis]
+    return np.asarray((0.5 + index * np.array([1 / plastic, 1 / plastic**2])) % 1)
