@@ -1,18 +1,14 @@
 """``kagezou render``: shadow layers and composites as numbered frames."""
 
-import os
 from argparse import Namespace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.doors import Doors
-from kagezou.cli.interruption import Interruption, stopping_gently
-from kagezou.cli.terminal import ProgressLine, give, give_json, note, tell
-from kagezou.errors import SomeFramesFailed
-
-if TYPE_CHECKING:
-    from kagezou.export.request import Summary
+from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.processors import processors
+from kagezou.cli.reporting import report, verdict
+from kagezou.cli.terminal import ProgressLine
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -70,52 +66,3 @@ def run(options: Namespace, doors: Doors) -> int:
         summary = export_frames(document, request, doors.open_context, line.update, interruption.is_set)
     report(summary, as_json=options.json)
     return verdict(summary, interruption)
-
-
-def processors() -> int:
-    """Return how many threads this process may keep busy."""
-    affinity = getattr(os, "sched_getaffinity", None)
-    return len(affinity(0)) if affinity else os.cpu_count() or 1
-
-
-def report(summary: "Summary", *, as_json: bool) -> None:
-    """Print the folders, or one object; notes about names go to stderr."""
-    from kagezou.io.faults import shown
-
-    for layer, name in summary.names.items():
-        if layer != name and not as_json:
-            note(f"layer {layer!r} is written as {name!r}, which every system accepts")
-    if as_json:
-        give_json(
-            {
-                "files": summary.files,
-                "written": summary.written,
-                "drawn": summary.drawn,
-                "trusted": summary.trusted,
-                "failed": [{"frames": list(each.frames), "why": each.sentence} for each in summary.failures],
-                "whole": summary.is_whole,
-                "folders": [shown(folder) for folder in summary.folders],
-                "names": summary.names,
-                "seconds": round(summary.seconds, 3),
-                "fps": round(summary.written / summary.seconds, 2) if summary.seconds > 0 else None,
-            }
-        )
-        return
-    for folder in summary.folders:
-        give(shown(folder))
-
-
-def verdict(summary: "Summary", interruption: Interruption) -> int:
-    """Say what is not whole and return the exit code."""
-    from kagezou.animation.frames import format_frames
-
-    for failure in summary.failures:
-        tell(f"frame {format_frames(failure.frames)}: {failure.sentence}")
-    if summary.cancelled:
-        done = summary.written + summary.trusted
-        tell(f"stopped after {done} of {summary.files} frames, all of them whole; --skip-existing goes on from there")
-        return interruption.exit_code
-    if summary.failures:
-        failed = sum(len(failure.frames) for failure in summary.failures)
-        raise SomeFramesFailed(f"{failed} of {summary.files} frames failed")
-    return 0

@@ -1,0 +1,94 @@
+"""The demo's files: the numbered drawings, the background, and the project that lets a light go over them."""
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from kagezou.animation.track import Interpolation, Value
+from kagezou.cli.demo.figure import drawn
+from kagezou.cli.demo.pose import FRAMES, GROUND_Y, pose_at
+from kagezou.cli.demo.scenery import painted
+from kagezou.document.address import resolve
+from kagezou.document.edits import set_constant, set_key
+from kagezou.document.model import Document
+from kagezou.io.encode import write_rgba
+from kagezou.io.faults import output_problem
+from kagezou.io.project_file import save
+from kagezou.session.staging import CharacterSource, new_document
+
+SIZE_PX: Final = 1000
+CHARACTER: Final = "Child"
+_CONSTANTS: Final[dict[str, Value]] = {
+    "ground.position": (500.0, GROUND_Y + 3),
+    "ground.declination": 58.0,
+    f"layers.{CHARACTER}.shadow.color": "#2C3E63",
+    f"layers.{CHARACTER}.shadow.opacity": 0.55,
+}
+_LIGHT: Final[dict[int, Value]] = {1: (60.0, -760.0, 640.0), FRAMES: (960.0, -700.0, 700.0)}
+"""Where the lamp stands, by frame: it wanders from the left to the right of the child."""
+
+
+@dataclass(frozen=True, slots=True)
+class Demo:
+    """The files of a demo."""
+
+    project: Path
+    document: Document
+
+
+def make_drawings(folder: Path, workers: int, progress: Callable[[int, int], None], count: int = FRAMES) -> None:
+    """Draw the first ``count`` drawings into a folder as ``child_0001.png`` and so on.
+
+    Raises
+    ------
+    DiskFullProblem, OutputProblem
+        The folder refuses.
+    """
+    _make_folder(folder)
+
+    def draw(frame: int) -> None:
+        write_rgba(folder / f"child_{frame:04d}.png", drawn(pose_at(frame), SIZE_PX, SIZE_PX))
+
+    with ThreadPoolExecutor(workers) as pool:
+        try:
+            for done, _ in enumerate(pool.map(draw, range(1, count + 1)), start=1):
+                progress(done, count)
+        except BaseException:
+            pool.shutdown(wait=True, cancel_futures=True)
+            raise
+
+
+def make_demo(folder: Path, workers: int, progress: Callable[[int, int], None]) -> Demo:
+    """Draw everything into a folder and write the project beside it; what was there of a former demo is replaced.
+
+    Raises
+    ------
+    DiskFullProblem, OutputProblem
+        The folder refuses.
+    """
+    make_drawings(folder / "drawings", workers, progress)
+    background = folder / "meadow.png"
+    write_rgba(background, painted(SIZE_PX, SIZE_PX))
+    document = staged(folder / "drawings", background)
+    project = folder / "demo.kage"
+    save(document, project)
+    return Demo(project, document)
+
+
+def staged(drawings: Path, background: Path | None) -> Document:
+    """Return the document of the demo's drawings, with its light on the move."""
+    document = new_document([CharacterSource(CHARACTER, drawings)], background=background).document
+    for path, value in _CONSTANTS.items():
+        document = set_constant(document, resolve(document, path), value)
+    for frame, place in _LIGHT.items():
+        document = set_key(document, resolve(document, "light.position"), frame, place, Interpolation.BEZIER)
+    return document
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise output_problem(folder, error) from error
