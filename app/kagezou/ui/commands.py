@@ -130,7 +130,7 @@ def _action(command: Command, owner: QWidget) -> QAction:
     action.setShortcuts([QKeySequence(keys) for keys in command.keys])
     action.setCheckable(command.checkable)
     if command.icon:
-        action.setIcon(icon(command.icon, lit=command.checkable))
+        action.setIcon(icon(command.icon))
     plain = command.text.replace("&", "").rstrip("…")
     action.setToolTip(f"{plain}  ({action.shortcut().toString()})" if command.keys else plain)
     owner.addAction(action)

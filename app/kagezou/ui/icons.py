@@ -7,22 +7,22 @@ from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
 from kagezou.locations import resource_folder
-from kagezou.ui.theme import BRIGHT, OFF, SELECTED, TEXT
+from kagezou.ui.theme import BRIGHT, OFF, TEXT
 
 _DRAWN_IN = "#d0d0d0"
 _SIZES = (16, 20, 24, 32, 48, 64)
 
 
 @cache
-def icon(name: str, *, lit: bool = False) -> QIcon:
-    """Return an icon by its file's name; ``lit`` shows its checked state in the colour of selection."""
+def icon(name: str) -> QIcon:
+    """Return an icon by its file's name."""
     text = (resource_folder() / "icons" / f"{name}.svg").read_text(encoding="utf-8")
     made = QIcon()
     for size in _SIZES:
         made.addPixmap(_drawn(text, TEXT, size), QIcon.Mode.Normal, QIcon.State.Off)
         made.addPixmap(_drawn(text, BRIGHT, size), QIcon.Mode.Active, QIcon.State.Off)
         made.addPixmap(_drawn(text, OFF, size), QIcon.Mode.Disabled, QIcon.State.Off)
-        made.addPixmap(_drawn(text, SELECTED if lit else BRIGHT, size), QIcon.Mode.Normal, QIcon.State.On)
+        made.addPixmap(_drawn(text, BRIGHT, size), QIcon.Mode.Normal, QIcon.State.On)
     return made
 
 

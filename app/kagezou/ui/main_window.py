@@ -28,6 +28,10 @@ from kagezou.ui.wiring import connect_messages, connect_playback, connect_projec
 
 _BUTTONS = ("first", "key_previous", "back", "play", "forward", "key_next", "last", None, "loop")
 
+_DOCK_LETTERS = 38
+_LAYERS_SHARE = 30
+"""Of 100 parts of the height."""
+
 
 class MainWindow(QMainWindow):
     """One window over one desk; may be thrown away and made anew while the desk stays.
@@ -70,6 +74,8 @@ class MainWindow(QMainWindow):
         if blank:
             self.welcome.show_recent(self.settings.recent)
         self.pages.setCurrentWidget(self.welcome if blank else self.viewport)
+        self.transport.setVisible(not blank)
+        self.inspector.setEnabled(not blank)
         for name in ("save_as", "export", "delete", "rename_layer", "play"):
             self.actions_of[name].setEnabled(not blank)
         self.actions_of["no_background"].setEnabled(self.desk.bridge.document.background is not None)
@@ -156,13 +162,13 @@ class MainWindow(QMainWindow):
         for dock in self.docks:
             self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
             self.menus.view.addAction(dock.toggleViewAction())
-        # Sizes in letters, so that they hold at any font size.
-        letter = self.fontMetrics().averageCharWidth()
-        self.resizeDocks(list(self.docks), [44 * letter] * 2, Qt.Orientation.Horizontal)
-        self.resizeDocks(list(self.docks), [200, 520], Qt.Orientation.Vertical)
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
         self.resize(1360, 860)
+        # In letters, so that it holds at any font size.
+        letter = self.fontMetrics().horizontalAdvance("0")
+        self.resizeDocks(list(self.docks), [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)
+        self.resizeDocks(list(self.docks), [_LAYERS_SHARE, 100 - _LAYERS_SHARE], Qt.Orientation.Vertical)
 
     def _restore_layout(self) -> None:
         geometry, state = self.settings.layout("geometry"), self.settings.layout("state")

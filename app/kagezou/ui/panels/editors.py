@@ -54,7 +54,7 @@ class NumbersEditor(Editor):
             field.drag_ended.connect(self.ended)
             field.dragged.connect(lambda number, at=index: self.tried.emit(self._with(at, number)))
             field.entered.connect(lambda number, at=index: self.entered.emit(self._with(at, number)))
-            field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-0000.0") + 12)
+            field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-00000") + 12)
             self.row.addWidget(field, 1)
 
     @property

@@ -75,6 +75,8 @@ class Inspector(QScrollArea):
         layer_id = self._bridge.layer_id
         self._layer_sections = [] if layer_id is None else self._sections(Scope.LAYER, layer_id)
         _align([*self._scene_sections, *self._layer_sections])
+        bar = self.verticalScrollBar().sizeHint().width()
+        self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
 
     def _sections(self, scope: Scope, layer_id: str | None) -> list[Section]:
         made: dict[str, Section] = {}

@@ -52,7 +52,7 @@ class KeyButton(QAbstractButton):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         middle, radius = QPointF(self.width() / 2, self.height() / 2), 4.6
-        hovered = self.underMouse() or self.hasFocus()
+        hovered = self.isEnabled() and (self.underMouse() or self.hasFocus())
         match self._state:
             case KeyState.NONE:
                 painter.setPen(QPen(TEXT if hovered else OFF, 1.2))

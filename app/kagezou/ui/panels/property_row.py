@@ -1,7 +1,7 @@
 """One line of the inspector: key diamond, name, editor; it edits one address of the session at hand."""
 
 from PySide6.QtCore import QObject, QPoint, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QPalette
 from PySide6.QtWidgets import QMenu
 
 from kagezou.animation.track import Value
@@ -13,7 +13,7 @@ from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.editors import Editor, editor_for
 from kagezou.ui.panels.key_button import KeyButton, KeyState
 from kagezou.ui.panels.scrub_field import ScrubLabel
-from kagezou.ui.theme import CHANGED, OFF, TEXT
+from kagezou.ui.theme import CHANGED, TEXT
 from kagezou.ui.words import said
 
 
@@ -34,7 +34,6 @@ class PropertyRow(QObject):
         self._bridge = bridge
         self._gesture: Gesture | None = None
         self._shown: tuple[object, int] | None = None
-        self._tone = ""
         self.key = KeyButton()
         self.editor: Editor = editor_for(address.property)
         self.label = ScrubLabel(said(address.property.label), self.editor.scrubbed_by_label)
@@ -47,6 +46,11 @@ class PropertyRow(QObject):
         self.editor.tried.connect(self._try)
         self.editor.ended.connect(self._end)
         self.editor.entered.connect(self.enter)
+
+    @property
+    def widgets(self) -> tuple[KeyButton, ScrubLabel, Editor]:
+        """The three columns."""
+        return (self.key, self.label, self.editor)
 
     @property
     def path(self) -> str:
@@ -66,14 +70,13 @@ class PropertyRow(QObject):
 
     def set_visible(self, *, visible: bool) -> None:
         """Show or hide the whole line."""
-        for widget in (self.key, self.label, self.editor):
+        for widget in self.widgets:
             widget.setVisible(visible)
 
     def set_editable(self, *, editable: bool) -> None:
         """Allow editing, or only show."""
-        self.editor.setEnabled(editable)
-        self.key.setEnabled(editable)
-        self._color_label(changed=self._tone == CHANGED.name())
+        for widget in self.widgets:
+            widget.setEnabled(editable)
 
     def enter(self, raw: Value) -> None:
         """Set a value at the frame looked at, as one step."""
@@ -130,10 +133,10 @@ class PropertyRow(QObject):
         self.refresh()
 
     def _color_label(self, *, changed: bool) -> None:
-        tone = (CHANGED if changed else TEXT) if self.editor.isEnabled() else OFF
-        if tone.name() != self._tone:
-            self._tone = tone.name()
-            self.label.setStyleSheet(f"color: {self._tone}")
+        palette = self.label.palette()
+        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
+            palette.setColor(group, QPalette.ColorRole.WindowText, CHANGED if changed else TEXT)
+        self.label.setPalette(palette)
 
     def _open_menu(self, at: QPoint) -> None:
         track = track_of(self._bridge.document, self.address)

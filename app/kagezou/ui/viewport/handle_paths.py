@@ -1,5 +1,6 @@
 """The outlines of handles and guides on screen: constant in size, told apart by shape, readable on any picture."""
 
+from collections.abc import Iterable
 from math import cos, pi, sin
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -32,6 +33,20 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.CARD_FOOT: (_STRONG, Qt.PenStyle.SolidLine),
     GuideKind.SHADOW_RAY: (_FAINT, Qt.PenStyle.DotLine),
 }
+
+
+_EXPLAINING: dict[GuideKind, tuple[str, ...]] = {
+    GuideKind.GROUND_OUTLINE: ("ground.", "light."),
+    GuideKind.SHADOW_RAY: ("shadow.",),
+    GuideKind.TILT_ARC: ("tilt.",),
+}
+"""Guides that only stand in the way until one of their handles is touched, by the beginnings of those handles' ids."""
+
+
+def is_wanted(kind: GuideKind, active_ids: Iterable[str | None]) -> bool:
+    """Whether a guide is worth showing while these handles are hovered, held or selected."""
+    handles = _EXPLAINING.get(kind)
+    return handles is None or any(each is not None and each.startswith(handles) for each in active_ids)
 
 
 def handle_path(shape: Shape, radius: float, cursor: Cursor) -> QPainterPath:
@@ -79,9 +94,9 @@ def paint_handle(painter: QPainter, handle: Handle, at: Point2, *, hovered: bool
 def paint_off_view_arrow(painter: QPainter, off: OffView, *, selected: bool) -> None:
     """Paint the arrow toward a handle that lies outside the view."""
     (x, y), (dx, dy) = off.view_px, off.direction
-    tip = QPointF(x + dx * 15, y + dy * 15)
-    base = QPointF(x + dx * 9, y + dy * 9)
-    side = QPointF(-dy * 4, dx * 4)
+    tip = QPointF(x + dx * 17, y + dy * 17)
+    base = QPointF(x + dx * 10, y + dy * 10)
+    side = QPointF(-dy * 5, dx * 5)
     path = QPainterPath()
     path.addPolygon(QPolygonF([tip, base + side, base - side]))
     path.closeSubpath()

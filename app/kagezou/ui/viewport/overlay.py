@@ -12,9 +12,10 @@ from PySide6.QtWidgets import QWidget
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import place_in_view
 from kagezou.ui.viewport.hand import Hand
-from kagezou.ui.viewport.handle_paths import paint_guide, paint_handle, paint_off_view_arrow
+from kagezou.ui.viewport.handle_paths import is_wanted, paint_guide, paint_handle, paint_off_view_arrow
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
+_EDGE = QColor(0, 0, 0, 150)
 _PILL = QColor(16, 16, 16, 225)
 _PILL_EDGE = QColor(255, 255, 255, 46)
 _PILL_TEXT = QColor("#f4f4f4")
@@ -39,24 +40,33 @@ class Overlay(QWidget):
         if not self.shows_handles:
             return
         painter = QPainter(self)
+        self._paint_canvas_edge(painter)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_handles(painter)
         if self._hand.place_px is not None and (words := self._hand.words):
             self._paint_pill(painter, words, self._hand.place_px)
         painter.end()
 
+    def _paint_canvas_edge(self, painter: QPainter) -> None:
+        left, top = self._viewpoint.view.view_from_canvas((0.0, 0.0))
+        right, bottom = self._viewpoint.view.view_from_canvas(self._viewpoint.canvas_size)
+        painter.setPen(QPen(_EDGE, 1))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(QRectF(QPointF(round(left) - 0.5, round(top) - 0.5), QPointF(round(right), round(bottom))))
+
     def _paint_handles(self, painter: QPainter) -> None:
         handles, view, size = self._hand.handles, self._viewpoint.view, self._viewpoint.size
         area = QRectF(self.rect())
-        for guide in handles.guides:
-            paint_guide(painter, guide, view, area)
         active = self._hand.held.id if self._hand.held else self._hand.hovered_id
+        for guide in handles.guides:
+            if is_wanted(guide.kind, (active, self._hand.selected_id)):
+                paint_guide(painter, guide, view, area)
         for handle in handles.handles:
             at, off = place_in_view(handle, view, size)
             selected = handle.id == self._hand.selected_id
+            paint_handle(painter, handle, at, hovered=handle.id == active, selected=selected)
             if off is not None:
                 paint_off_view_arrow(painter, off, selected=selected)
-            paint_handle(painter, handle, at, hovered=handle.id == active, selected=selected)
 
     def _paint_pill(self, painter: QPainter, words: str, at: Point2) -> None:
         font = QFont(self.font())

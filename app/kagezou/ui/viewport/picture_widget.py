@@ -111,7 +111,11 @@ class PictureWidget(QOpenGLWidget):
         self.started.emit(self._stage.device, self._stage.is_software)
 
     def _paint(self, stage: Stage) -> None:
-        stage.draw(self._bridge.document, self._bridge.frame, self._backdrop)
+        document, backdrop = self._bridge.document, self._backdrop
+        if backdrop is Backdrop.BACKGROUND and document.background is None:
+            # Paper: on any other tone the colour of a shadow could not be judged.
+            backdrop = Backdrop.WHITE
+        stage.draw(document, self._bridge.frame, backdrop)
         stage.present(self._window_view())
         if stage.broken != self._broken:
             self._broken = stage.broken

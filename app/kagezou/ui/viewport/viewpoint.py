@@ -8,7 +8,8 @@ from kagezou.tools.view import View
 ZOOM_STEP = 2.0**0.25
 """One notch of the wheel: four double the size."""
 
-FIT_MARGIN_PX = 20.0
+FIT_MARGIN_PX = 64.0
+"""Room around the canvas for the handles that stand at its edge."""
 
 
 class Viewpoint(QObject):
@@ -31,6 +32,11 @@ class Viewpoint(QObject):
     def size(self) -> Point2:
         """The viewport's width and height, logical px."""
         return self._size
+
+    @property
+    def canvas_size(self) -> Point2:
+        """The canvas' width and height, canvas px."""
+        return self._canvas
 
     @property
     def device_ratio(self) -> float:
