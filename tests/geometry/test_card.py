@@ -1,0 +1,103 @@
+"""The card: how a drawing stands with no, one, two and more grounding points."""
+
+from math import inf
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kagezou.geometry.camera import Camera
+from kagezou.geometry.card import MAX_SLOPE_DEG, card_for
+from kagezou.geometry.ground import ground_plane, place_on
+from kagezou.geometry.vectors import Point2, height_over
+
+CAMERA = Camera(1000, 1000)
+GROUND = ground_plane((500.0, 800.0), 0.0, 60.0)
+SLANT = 3**0.5
+"""Depth for each pixel up the screen on this ground: tan 60°."""
+
+
+def test_without_points_the_card_stands_on_the_ground_line() -> None:
+    card = card_for(CAMERA, GROUND, [], 0.0, 300.0)
+    (piece,) = card.pieces
+    assert (piece.z0, piece.slope, piece.left, piece.right) == (0.0, 0.0, -inf, inf)
+    assert card.contacts == ()
+    turned = card_for(CAMERA, GROUND, [], 45.0, 300.0)
+    assert turned.pieces[0].slope == pytest.approx(1.0)
+    assert (turned.pieces[0].x0, turned.tilt_deg) == (500.0, 45.0)
+
+
+def test_with_one_point_it_passes_through_that_place() -> None:
+    card = card_for(CAMERA, GROUND, [(400.0, 780.0)], 0.0, 300.0)
+    (piece,) = card.pieces
+    assert (piece.x0, piece.z0, piece.slope) == pytest.approx((400.0, -20.0 * SLANT, 0.0))
+    turned = card_for(CAMERA, GROUND, [(400.0, 780.0)], -30.0, 300.0)
+    assert turned.pieces[0].slope == pytest.approx(-(3**-0.5))
+    assert turned.tilt_deg == -30.0
+
+
+def test_with_two_points_the_tilt_is_measured() -> None:
+    card = card_for(CAMERA, GROUND, [(600.0, 800.0), (400.0, 780.0)], 33.0, 300.0)
+    (piece,) = card.pieces
+    assert piece.slope == pytest.approx(20 * SLANT / 200)
+    assert card.tilt_deg == pytest.approx(9.826, abs=1e-3)
+    assert [place[0] for place in card.contacts] == [400.0, 600.0]
+
+
+def test_with_three_points_it_is_folded_at_the_middle_one() -> None:
+    card = card_for(CAMERA, GROUND, [(300.0, 800.0), (500.0, 850.0), (700.0, 790.0)], 20.0, 300.0)
+    left, right = card.pieces
+    assert (left.left, left.right, right.left, right.right) == (-inf, 500.0, 500.0, inf)
+    assert left.slope > 0 > right.slope
+    assert card.tilt_deg == 0.0
+    assert not card.merged
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        [(500.0, 780.0), (505.0, 790.0)],
+        [(500.0, 780.0), (500.0, 780.0)],
+        [(500.0, 700.0), (510.0, 790.0)],
+    ],
+    ids=["closer than 2 % of the height", "the same place", "steeper than 75°"],
+)
+def test_points_too_close_or_too_steep_count_as_their_middle(points: list[Point2]) -> None:
+    card = card_for(CAMERA, GROUND, points, 40.0, 300.0)
+    (piece,) = card.pieces
+    assert card.merged
+    assert (piece.slope, card.tilt_deg) == (0.0, 0.0)
+    (place,) = card.contacts
+    middle = ((points[0][0] + points[1][0]) / 2, (points[0][1] + points[1][1]) / 2)
+    assert place == pytest.approx(place_on(CAMERA, GROUND, middle))
+
+
+def test_neighbours_that_change_sides_in_the_world_count_as_one() -> None:
+    camera, ground = Camera(1000, 1000, 100.0), ground_plane((500.0, 600.0), 0.0, 80.0)
+    seen = [(300.0, 990.0), (320.0, 600.0)]
+    near, far = (place_on(camera, ground, point) for point in seen)
+    assert near is not None
+    assert far is not None
+    assert near[0] > far[0]
+    card = card_for(camera, ground, seen, 0.0, 300.0)
+    assert card.merged
+    assert len(card.pieces) == len(card.contacts) == 1
+
+
+def test_a_point_in_the_sky_is_left_out() -> None:
+    camera, ground = Camera(1000, 1000, 60.0), ground_plane((500.0, 800.0), 0.0, 80.0)
+    assert card_for(camera, ground, [(500.0, -900.0)], 0.0, 300.0).contacts == ()
+    assert len(card_for(camera, ground, [(500.0, -900.0), (400.0, 820.0)], 0.0, 300.0).contacts) == 1
+
+
+@given(st.lists(st.tuples(st.floats(0, 1000), st.floats(500, 1000)), max_size=8), st.floats(-90, 90))
+def test_any_points_make_a_card_that_stands_on_the_ground(points: list[Point2], tilt: float) -> None:
+    card = card_for(CAMERA, GROUND, points, tilt, 300.0)
+    assert card.pieces[0].left == -inf
+    assert card.pieces[-1].right == inf
+    for place in card.contacts:
+        assert height_over(GROUND.equation, (*place, 1.0)) == pytest.approx(0.0, abs=1e-6)
+        assert any(abs(height_over(piece.plane, (*place, 1.0))) < 1e-6 for piece in card.pieces)
+    limit = 3.7320508075688776 + 1e-9
+    assert MAX_SLOPE_DEG == 75.0
+    assert all(abs(piece.slope) <= limit for piece in card.pieces)
