@@ -147,7 +147,8 @@ def _foot_at(time: float, *, is_near: bool) -> Foot:
     part = inside - 1
     x = stands_at + 2 * _STEP * _eased(part, 0.0, 1.0)
     lift = 46.0 * sin(pi * part) ** 1.2
-    return Foot((x, GROUND_Y - 27 - lift), 0.55 - 0.85 * _eased(part, 0.05, 0.95))
+    heel = 0.55 - 0.85 * _eased(part, 0.05, 0.95)
+    return Foot((x, GROUND_Y - 27 - 30 * max(heel, 0.0) - lift), heel)
 
 
 def _standing(x: float, heel: float) -> Foot:

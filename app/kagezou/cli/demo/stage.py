@@ -26,7 +26,7 @@ _CONSTANTS: Final[dict[str, Value]] = {
     f"layers.{CHARACTER}.shadow.color": "#2C3E63",
     f"layers.{CHARACTER}.shadow.opacity": 0.55,
 }
-_LIGHT: Final[dict[int, Value]] = {1: (60.0, -760.0, 640.0), FRAMES: (960.0, -700.0, 700.0)}
+_LIGHT: Final[dict[int, Value]] = {1: (-90.0, -300.0, 330.0), FRAMES: (1060.0, -300.0, 330.0)}
 """Where the lamp stands, by frame: it wanders from the left to the right of the child."""
 
 
