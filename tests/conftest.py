@@ -2,10 +2,14 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import hypothesis
 import numpy as np
 import pytest
+
+if TYPE_CHECKING:
+    from kagezou.render.renderer import Renderer
 
 SAMPLES = Path(__file__).resolve().parents[1].parent / "shared" / "samples"
 
@@ -27,3 +31,25 @@ def samples() -> Path:
     if not SAMPLES.is_dir():
         pytest.skip(f"no real sample animation beside the project ({SAMPLES.name} folder is absent)")
     return SAMPLES
+
+
+@pytest.fixture(scope="session")
+def figure(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A file with an anti-aliased figure, 1000×1000."""
+    from figures import figure_alpha, write_figure
+
+    return write_figure(tmp_path_factory.mktemp("figure") / "figure.png", figure_alpha())
+
+
+@pytest.fixture(scope="module")
+def renderer() -> "Iterator[Renderer]":
+    """The real renderer on a context without a display; it lives for one module of tests."""
+    # The pure tiers must not need OpenGL, so it is asked for only here.
+    from kagezou.io.cels import CelCache
+    from kagezou.render.context import open_headless_context
+    from kagezou.render.renderer import Renderer
+
+    with open_headless_context():
+        renderer = Renderer(CelCache())
+        yield renderer
+        renderer.close()

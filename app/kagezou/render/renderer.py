@@ -115,13 +115,14 @@ class Renderer:
         picture = self._picture_for(scene.canvas, form)
         picture.begin(backdrop, scene.background)
         self._shadows.forget_except(scene)
+        # Whole drawings first: each then serves its matte too, and no file is read twice.
+        cels = [self._cels.cel(layer.drawing.path) for layer in scene.layers if layer.drawing is not None]
         for layer in scene.layers:
             coverage = self._shadows.coverage(scene, layer)
             if coverage is not None and coverage.box is not None:
                 picture.lay_shadow(coverage.target.texture, coverage.box, layer.look)
-        for layer in scene.layers:
-            if layer.drawing is not None:
-                picture.lay_cel(self._cels.cel(layer.drawing.path))
+        for cel in cels:
+            picture.lay_cel(cel)
         check("drawing the picture")
 
     def read_picture(self) -> Steps:
