@@ -1,5 +1,6 @@
 """Characters drawn by the tests: limbs, a head and thin hair, anti-aliased or binary, as straight RGBA."""
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -38,7 +39,7 @@ def figure_alpha(size: int = SIZE, *, binary: bool = False) -> NDArray[np.uint8]
         distance = np.minimum(distance, np.hypot(x - ax - t * dx, y - ay - t * dy) - half)
     distance = np.maximum(distance, y - FEET_Y)
     coverage = np.clip(0.5 - distance * scale, 0, 1)
-    return ((coverage >= 0.5) * 255 if binary else np.round(coverage * 255)).astype(np.uint8)
+    return np.asarray((coverage >= 0.5) * 255 if binary else np.round(coverage * 255), np.uint8)
 
 
 def write_figure(path: Path, alpha: NDArray[np.uint8]) -> Path:
@@ -65,7 +66,7 @@ def standing(path: Path, size: int = SIZE) -> Document:
     )
 
 
-def with_values(document: Document, values: dict[str, object]) -> Document:
+def with_values(document: Document, values: Mapping[str, object]) -> Document:
     """Set constants by their paths."""
     for path, value in values.items():
         document = edits.set_constant(document, resolve(document, path), value)
