@@ -6,7 +6,7 @@ The only place that knows both, and so the place that says where an OpenGL conte
 import os
 import platform
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
@@ -52,7 +52,15 @@ def open_window(project: Path | None) -> int:
     except ImportError as error:
         tell(f"the window cannot be opened: {error} (kagezou doctor says what is missing)")
         return GraphicsProblem.exit_code
-    return run(project)
+    return run(project, make_demo=make_demo)
+
+
+def make_demo(folder: Path, progress: Callable[[int, int], None]) -> Path:
+    """Make the demo's files for the window and return its project."""
+    from kagezou.cli.demo.stage import make_demo as make
+    from kagezou.cli.processors import processors
+
+    return make(folder, processors(), progress).project
 
 
 def open_context() -> "GraphicsContext":

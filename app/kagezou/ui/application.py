@@ -5,12 +5,13 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from kagezou import __version__
 from kagezou.ui import theme
+from kagezou.ui.demo import MakeDemo
 from kagezou.ui.desk import Desk
 from kagezou.ui.icons import application_icon
 from kagezou.ui.incidents import Incidents
@@ -20,7 +21,7 @@ from kagezou.ui.offscreen_context import surface_format
 from kagezou.ui.settings import Settings
 
 
-def run(project: Path | None, *, arguments: Sequence[str] = ()) -> int:
+def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeDemo | None = None) -> int:
     """Open the window, with a project if one is given, and return the exit code when it is closed.
 
     Parameters
@@ -29,18 +30,22 @@ def run(project: Path | None, *, arguments: Sequence[str] = ()) -> int:
         The project to open; one that cannot be opened is told in the window.
     arguments
         What Qt itself may take from the command line, such as ``-platform``.
+    make_demo
+        Who makes the demo; without it none is offered.
     """
     application = make_application(arguments)
     incidents = Incidents()
     incidents.watch()
-    program = Program(application, Settings())
+    program = Program(application, Settings(), make_demo)
     incidents.happened.connect(program.say)
     # Python's own handler would only run when the event loop next meets Python.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     program.show()
     if project is not None:
         program.window.project.open_path(project)
-    return application.exec()
+    code = application.exec()
+    program.put_away()
+    return code
 
 
 def make_application(arguments: Sequence[str] = ()) -> QApplication:
@@ -65,10 +70,13 @@ class Program:
         The application.
     settings
         What is remembered.
+    make_demo
+        Who makes the demo, if anyone does.
     """
 
-    def __init__(self, application: QApplication, settings: Settings) -> None:
+    def __init__(self, application: QApplication, settings: Settings, make_demo: MakeDemo | None = None) -> None:
         self._settings = settings
+        self._make_demo = make_demo
         self._language = Language(application)
         self._language.speak(settings.language)
         self.desk = Desk()
@@ -81,6 +89,12 @@ class Program:
     def say(self, sentence: str) -> None:
         """Say what went wrong, in the window."""
         self.window.bar.say("incident", sentence)
+
+    def put_away(self) -> None:
+        """Destroy the window before the application goes, with everything that needs it."""
+        self.window.close_unasked()
+        self.window.deleteLater()
+        QCoreApplication.sendPostedEvents(self.window, QEvent.Type.DeferredDelete)
 
     def speak(self, code: str) -> None:
         """Change the language: the window is made anew, what is on the desk stays."""
@@ -95,6 +109,6 @@ class Program:
         return self._make_window()
 
     def _make_window(self) -> MainWindow:
-        window = MainWindow(self.desk, self._settings)
+        window = MainWindow(self.desk, self._settings, self._make_demo)
         window.language_chosen.connect(self.speak)
         return window

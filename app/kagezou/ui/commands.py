@@ -1,5 +1,6 @@
 """Every command of the window in one list: its words, keys and icon; menus, tool bar and shortcut sheet read it."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -37,68 +38,68 @@ class Command:
 
 def file_commands() -> tuple[Command, ...]:
     """Return the commands about files."""
-    tr = QCoreApplication.translate
+    translate = QCoreApplication.translate
     return (
-        Command("new", tr("Commands", "&New from Cels…"), ("Ctrl+N",), "cels"),
-        Command("open", tr("Commands", "&Open…"), ("Ctrl+O",), "folder"),
-        Command("save", tr("Commands", "&Save"), ("Ctrl+S",), "save"),
-        Command("save_as", tr("Commands", "Save &As…"), ("Ctrl+Shift+S",)),
-        Command("import", tr("Commands", "&Import Character…"), ("Ctrl+I",), "add"),
-        Command("import_pictures", tr("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
-        Command("background", tr("Commands", "Set &Background…")),
-        Command("no_background", tr("Commands", "Remove Background")),
-        Command("export", tr("Commands", "&Export Shadow Layers…"), ("Ctrl+M",), "export"),
-        Command("quit", tr("Commands", "&Quit"), ("Ctrl+Q",)),
+        Command("new", translate("Commands", "&New from Cels…"), ("Ctrl+N",), "cels"),
+        Command("open", translate("Commands", "&Open…"), ("Ctrl+O",), "folder"),
+        Command("save", translate("Commands", "&Save"), ("Ctrl+S",), "save"),
+        Command("save_as", translate("Commands", "Save &As…"), ("Ctrl+Shift+S",)),
+        Command("import", translate("Commands", "&Import Character…"), ("Ctrl+I",), "add"),
+        Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
+        Command("background", translate("Commands", "Set &Background…")),
+        Command("no_background", translate("Commands", "Remove Background")),
+        Command("export", translate("Commands", "&Export Shadow Layers…"), ("Ctrl+M",), "export"),
+        Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),
     )
 
 
 def edit_commands() -> tuple[Command, ...]:
     """Return the commands about the document."""
-    tr = QCoreApplication.translate
+    translate = QCoreApplication.translate
     return (
-        Command("undo", tr("Commands", "&Undo"), ("Ctrl+Z",), "undo"),
-        Command("redo", tr("Commands", "&Redo"), ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
-        Command("delete", tr("Commands", "&Delete"), ("Del", "Backspace")),
-        Command("rename_layer", tr("Commands", "Re&name Layer")),
+        Command("undo", translate("Commands", "&Undo"), ("Ctrl+Z",), "undo"),
+        Command("redo", translate("Commands", "&Redo"), ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
+        Command("delete", translate("Commands", "&Delete"), ("Del", "Backspace")),
+        Command("rename_layer", translate("Commands", "Re&name Layer")),
     )
 
 
 def view_commands() -> tuple[Command, ...]:
     """Return the commands about looking."""
-    tr = QCoreApplication.translate
+    translate = QCoreApplication.translate
     return (
-        Command("fit", tr("Commands", "&Fit in Window"), ("F", "Shift+/", "?", "Ctrl+0"), "fit"),
-        Command("actual", tr("Commands", "&Actual Pixels (100 %)"), ("/", "Ctrl+Alt+0"), "actual"),
-        Command("zoom_in", tr("Commands", "Zoom &In"), ("Ctrl++", "Ctrl+=")),
-        Command("zoom_out", tr("Commands", "Zoom &Out"), ("Ctrl+-",)),
-        Command("handles", tr("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
+        Command("fit", translate("Commands", "&Fit in Window"), ("F", "Shift+/", "?", "Ctrl+0"), "fit"),
+        Command("actual", translate("Commands", "&Actual Pixels (100 %)"), ("/", "Ctrl+Alt+0"), "actual"),
+        Command("zoom_in", translate("Commands", "Zoom &In"), ("Ctrl++", "Ctrl+=")),
+        Command("zoom_out", translate("Commands", "Zoom &Out"), ("Ctrl+-",)),
+        Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
     )
 
 
 def playback_commands() -> tuple[Command, ...]:
     """Return the commands about time; the space bar itself is watched elsewhere, for it also pans."""
-    tr = QCoreApplication.translate
+    translate = QCoreApplication.translate
     return (
-        Command("play", tr("Commands", "&Play / Stop"), (), "play"),
-        Command("loop", tr("Commands", "&Loop"), ("L",), "loop", checkable=True),
-        Command("every_frame", tr("Commands", "Play &Every Frame"), (), "", checkable=True),
-        Command("first", tr("Commands", "&First Frame"), ("Home",), "first"),
-        Command("back_10", tr("Commands", "10 Frames Back"), ("Shift+PgUp", "Ctrl+Shift+Left")),
-        Command("back", tr("Commands", "P&revious Frame"), ("PgUp", ",", "Ctrl+Left"), "step-back"),
-        Command("forward", tr("Commands", "&Next Frame"), ("PgDown", ".", "Ctrl+Right"), "step-forward"),
-        Command("forward_10", tr("Commands", "10 Frames On"), ("Shift+PgDown", "Ctrl+Shift+Right")),
-        Command("last", tr("Commands", "La&st Frame"), ("End",), "last"),
-        Command("key_previous", tr("Commands", "Previous &Key"), ("J",), "key-previous"),
-        Command("key_next", tr("Commands", "Next Ke&y"), ("K",), "key-next"),
+        Command("play", translate("Commands", "&Play / Stop"), (), "play"),
+        Command("loop", translate("Commands", "&Loop"), ("L",), "loop", checkable=True),
+        Command("every_frame", translate("Commands", "Play &Every Frame"), (), "", checkable=True),
+        Command("first", translate("Commands", "&First Frame"), ("Home",), "first"),
+        Command("back_10", translate("Commands", "10 Frames Back"), ("Shift+PgUp", "Ctrl+Shift+Left")),
+        Command("back", translate("Commands", "P&revious Frame"), ("PgUp", ",", "Ctrl+Left"), "step-back"),
+        Command("forward", translate("Commands", "&Next Frame"), ("PgDown", ".", "Ctrl+Right"), "step-forward"),
+        Command("forward_10", translate("Commands", "10 Frames On"), ("Shift+PgDown", "Ctrl+Shift+Right")),
+        Command("last", translate("Commands", "La&st Frame"), ("End",), "last"),
+        Command("key_previous", translate("Commands", "Previous &Key"), ("J",), "key-previous"),
+        Command("key_next", translate("Commands", "Next Ke&y"), ("K",), "key-next"),
     )
 
 
 def help_commands() -> tuple[Command, ...]:
     """Return the commands that explain."""
-    tr = QCoreApplication.translate
+    translate = QCoreApplication.translate
     return (
-        Command("shortcuts", tr("Commands", "&Keyboard Shortcuts"), ("F1",)),
-        Command("about", tr("Commands", "&About Kagezou")),
+        Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("F1",)),
+        Command("about", translate("Commands", "&About Kagezou")),
     )
 
 
@@ -124,6 +125,11 @@ class Actions:
         self._actions[name].triggered.connect(lambda _checked: do())
 
 
+def plain(text: str) -> str:
+    """Return a menu's words without mnemonic and dots; Japanese menus write the mnemonic behind them, as (&S)."""
+    return re.sub(r"\s*\(&.\)", "", text).replace("&", "").replace("…", "")
+
+
 def _action(command: Command, owner: QWidget) -> QAction:
     action = QAction(command.text, owner)
     action.setObjectName(command.name)
@@ -131,7 +137,7 @@ def _action(command: Command, owner: QWidget) -> QAction:
     action.setCheckable(command.checkable)
     if command.icon:
         action.setIcon(icon(command.icon))
-    plain = command.text.replace("&", "").rstrip("…")
-    action.setToolTip(f"{plain}  ({action.shortcut().toString()})" if command.keys else plain)
+    words = plain(command.text)
+    action.setToolTip(f"{words}  ({action.shortcut().toString()})" if command.keys else words)
     owner.addAction(action)
     return action

@@ -8,14 +8,14 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou import __version__
-from kagezou.ui.commands import Command
+from kagezou.ui.commands import Command, plain
 from kagezou.ui.icons import application_icon
 
 
 def about_dialog(parent: QWidget, graphics: str) -> QDialog:
     """Return the window about the program; ``graphics`` names what draws."""
-    tr = QCoreApplication.translate
-    dialog = _dialog(parent, tr("Help", "About Kagezou"))
+    translate = QCoreApplication.translate
+    dialog = _dialog(parent, translate("Help", "About Kagezou"))
     picture = QLabel()
     picture.setPixmap(application_icon().pixmap(QSize(64, 64)))
     picture.setAlignment(Qt.AlignmentFlag.AlignHCenter)
@@ -23,10 +23,10 @@ def about_dialog(parent: QWidget, graphics: str) -> QDialog:
     name.setObjectName("welcome_title")
     name.setAlignment(Qt.AlignmentFlag.AlignHCenter)
     lines = (
-        tr("Help", "Cast-shadow layers for 2D animation, from the alpha of the character drawings."),
-        tr("Help", "Version %1").replace("%1", __version__),
+        translate("Help", "Cast-shadow layers for 2D animation, from the alpha of the character drawings."),
+        translate("Help", "Version %1").replace("%1", __version__),
         f"Python {python_version()}    Qt {qVersion()}",
-        tr("Help", "Graphics: %1").replace("%1", graphics or tr("Help", "none")),
+        translate("Help", "Graphics: %1").replace("%1", graphics or translate("Help", "none")),
     )
     words = QLabel("\n".join(lines))
     words.setAlignment(Qt.AlignmentFlag.AlignHCenter)
@@ -43,7 +43,7 @@ def shortcuts_dialog(parent: QWidget, commands: Sequence[Command]) -> QDialog:
     grid = QGridLayout(sheet)
     grid.setHorizontalSpacing(28)
     grid.setVerticalSpacing(5)
-    lines = [(_plain(command.text), _keys(command)) for command in commands if command.keys]
+    lines = [(plain(command.text), _keys(command)) for command in commands if command.keys]
     for row, (words, keys) in enumerate((*_gestures(), *lines)):
         label = QLabel(words)
         label.setObjectName("shortcut_words")
@@ -58,33 +58,30 @@ def shortcuts_dialog(parent: QWidget, commands: Sequence[Command]) -> QDialog:
 
 
 def _gestures() -> tuple[tuple[str, str], ...]:
-    tr = QCoreApplication.translate
+    translate = QCoreApplication.translate
     return (
-        (tr("Help", "Play / stop"), tr("Help", "Space")),
-        (tr("Help", "Move the picture"), tr("Help", "Space + drag, middle mouse button")),
-        (tr("Help", "Zoom at the pointer"), tr("Help", "Wheel")),
-        (tr("Help", "Add a grounding point"), tr("Help", "Double click on the character")),
-        (tr("Help", "Keep to one axis, or to steps of 15°"), tr("Help", "Shift while dragging")),
-        (tr("Help", "Move the counterpart the opposite way"), tr("Help", "Alt while dragging")),
-        (tr("Help", "Drag at a tenth of the speed"), tr("Help", "Shift + Alt while dragging")),
-        (tr("Help", "Do not snap"), tr("Help", "Ctrl while dragging")),
-        (tr("Help", "Take a drag back"), tr("Help", "Esc, right mouse button")),
-        (tr("Help", "Select the next handle"), tr("Help", "Tab")),
-        (tr("Help", "Nudge the selected handle, by 1 or 10 px"), tr("Help", "Arrow keys, with Shift")),
-        (tr("Help", "Change a number ten times faster or slower"), tr("Help", "Shift or Ctrl while dragging it")),
-        (tr("Help", "Calculate in a number field"), "*2   /3   +10   -=10   50%"),
+        (translate("Help", "Play / stop"), translate("Help", "Space")),
+        (translate("Help", "Move the picture"), translate("Help", "Space + drag, middle mouse button")),
+        (translate("Help", "Zoom at the pointer"), translate("Help", "Wheel")),
+        (translate("Help", "Add a grounding point"), translate("Help", "Double click on the character")),
+        (translate("Help", "Keep to one axis, or to steps of 15°"), translate("Help", "Shift while dragging")),
+        (translate("Help", "Move the counterpart the opposite way"), translate("Help", "Alt while dragging")),
+        (translate("Help", "Drag at a tenth of the speed"), translate("Help", "Shift + Alt while dragging")),
+        (translate("Help", "Do not snap"), translate("Help", "Ctrl while dragging")),
+        (translate("Help", "Take a drag back"), translate("Help", "Esc, right mouse button")),
+        (translate("Help", "Select the next handle"), translate("Help", "Tab")),
+        (translate("Help", "Nudge the selected handle, by 1 or 10 px"), translate("Help", "Arrow keys, with Shift")),
+        (
+            translate("Help", "Change a number faster or slower"),
+            translate("Help", "Shift or Ctrl while dragging it"),
+        ),
+        (translate("Help", "Calculate in a number field"), "*2   /3   +10   -=10   50%"),
     )
 
 
 def _keys(command: Command) -> str:
     native = QKeySequence.SequenceFormat.NativeText
     return ",   ".join(QKeySequence(keys).toString(native) for keys in command.keys)
-
-
-def _plain(text: str) -> str:
-    # Japanese menus write the mnemonic behind the words, as (&S).
-    head, _, tail = text.partition("(&")
-    return (head + tail[2:] if tail else text).replace("&", "").replace("…", "")
 
 
 def _dialog(parent: QWidget, title: str) -> QDialog:

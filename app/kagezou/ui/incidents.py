@@ -73,7 +73,7 @@ def _log_to_file() -> Path | None:
     log.setLevel(logging.INFO)
     log.addHandler(logging.StreamHandler())
     try:
-        path = user_log_path("Kagezou", appauthor=False, ensure_exists=True) / "kagezou.log"
+        path = user_log_path("kagezou", appauthor=False, ensure_exists=True) / "window.log"
         handler = RotatingFileHandler(path, maxBytes=LOG_BYTES, backupCount=2, encoding="utf-8")
     except OSError as error:
         log.warning("no log file: %s", error)

@@ -7,6 +7,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEv
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from kagezou.ui.commands import Actions
+from kagezou.ui.demo import DemoOpener, MakeDemo
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Dialogs
 from kagezou.ui.dock import Dock
@@ -42,17 +43,20 @@ class MainWindow(QMainWindow):
         The project.
     settings
         What is remembered.
+    make_demo
+        Who makes the demo; without it none is offered.
     """
 
     language_chosen = Signal(str)
-    demo_wanted = Signal()
 
-    def __init__(self, desk: Desk, settings: Settings) -> None:
+    def __init__(self, desk: Desk, settings: Settings, make_demo: MakeDemo | None = None) -> None:
         super().__init__()
         self.desk = desk
         self.settings = settings
         self._may_close_unasked = False
         self._make_parts()
+        self.demo = DemoOpener(make_demo, self.bar, self.project.open_recent) if make_demo else None
+        self.welcome.offer_demo(offered=make_demo is not None)
         self._lay_out()
         connect_project(self)
         connect_view(self)
@@ -92,6 +96,8 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.exporting.finish()
+        if self.demo is not None:
+            self.demo.finish()
         self.thumbnails.wait()
         self.settings.set_layout("geometry", self.saveGeometry())
         self.settings.set_layout("state", self.saveState())

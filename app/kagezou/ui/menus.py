@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMainWindow, QMenu, QSizePolicy, QToolBar, QToolButton, QWidget
 
 from kagezou.render.backdrop import Backdrop
-from kagezou.ui.commands import Actions
+from kagezou.ui.commands import Actions, plain
 from kagezou.ui.icons import icon
 from kagezou.ui.language import LANGUAGES
 
@@ -71,10 +71,8 @@ class Menus(QObject):
         for name, words, step in (("undo", self.tr("&Undo"), undo), ("redo", self.tr("&Redo"), redo)):
             action = self._actions[name]
             action.setEnabled(step is not None)
-            plain = words.split("(&")[0].replace("&", "")
             action.setText(words if step is None else self.tr("%1 %2").replace("%1", words).replace("%2", step))
-            tip = plain if step is None else self.tr("%1 %2").replace("%1", plain).replace("%2", step)
-            action.setToolTip(f"{tip}  ({action.shortcut().toString()})")
+            action.setToolTip(f"{plain(action.text())}  ({action.shortcut().toString()})")
 
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""

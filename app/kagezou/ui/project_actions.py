@@ -33,7 +33,6 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
-    demo_wanted = Signal()
 
     def __init__(self, desk: Desk, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()

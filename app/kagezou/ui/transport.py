@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QToolButton, QVBox
 
 from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.commands import plain
 from kagezou.ui.playback import Player
 from kagezou.ui.ruler import Ruler
 from kagezou.ui.timecode import parse_frame, sheet_text
@@ -119,5 +120,5 @@ def _button(action: QAction) -> QToolButton:
     button = QToolButton()
     button.setDefaultAction(action)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    button.setAccessibleName(action.text().replace("&", ""))
+    button.setAccessibleName(plain(action.text()))
     return button

@@ -1,5 +1,6 @@
 """What an empty window shows: where to begin."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
@@ -61,6 +62,10 @@ class Welcome(QWidget):
         self._drop.style().unpolish(self._drop)
         self._drop.style().polish(self._drop)
 
+    def offer_demo(self, *, offered: bool) -> None:
+        """Show or hide the way to the demo."""
+        self._demo.setVisible(offered)
+
     def _title(self) -> QHBoxLayout:
         picture = QLabel()
         picture.setPixmap(application_icon().pixmap(QSize(52, 52)))
@@ -99,17 +104,12 @@ class Welcome(QWidget):
         return self._drop
 
     def _buttons(self) -> QHBoxLayout:
+        self._demo = _button(self.tr("Open the demo"), self.demo_asked.emit)
         row = QHBoxLayout()
         row.setSpacing(10)
-        for words, signal in (
-            (self.tr("Choose cels…"), self.cels_asked),
-            (self.tr("Open a project…"), self.open_asked),
-            (self.tr("Open the demo"), self.demo_asked),
-        ):
-            button = QPushButton(words)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(signal)
-            row.addWidget(button)
+        row.addWidget(_button(self.tr("Choose cels…"), self.cels_asked.emit))
+        row.addWidget(_button(self.tr("Open a project…"), self.open_asked.emit))
+        row.addWidget(self._demo)
         return row
 
     def _recent_button(self, path: Path) -> QPushButton:
@@ -124,3 +124,10 @@ class Welcome(QWidget):
 def _short(folder: Path) -> str:
     home = Path.home()
     return f"~/{folder.relative_to(home).as_posix()}" if folder.is_relative_to(home) else str(folder)
+
+
+def _button(words: str, do: Callable[[], None]) -> QPushButton:
+    button = QPushButton(words)
+    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    button.clicked.connect(lambda _checked: do())
+    return button

@@ -44,7 +44,8 @@ def connect_project(window: "MainWindow") -> None:
     welcome.cels_asked.connect(project.new)
     welcome.open_asked.connect(project.open)
     welcome.recent_asked.connect(project.open_recent)
-    welcome.demo_asked.connect(window.demo_wanted)
+    if window.demo is not None:
+        welcome.demo_asked.connect(window.demo.open)
     window.layers.add_asked.connect(project.import_folder)
     project.recent_changed.connect(lambda: _show_recent(window))
     window.desk.path_changed.connect(window.show_title)

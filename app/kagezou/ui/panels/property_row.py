@@ -91,7 +91,7 @@ class PropertyRow(QObject):
     def reset(self) -> None:
         """Go back to the default, without keys."""
         document = set_constant(self._bridge.document, self.address, self.address.property.default)
-        self._bridge.session.edit(self.tr("Reset %s").replace("%s", said(self.address.property.label)), document)
+        self._bridge.session.edit(self.tr("Reset %1").replace("%1", said(self.address.property.label)), document)
 
     def toggle_key(self) -> None:
         """Set a key at the frame looked at, or take it away."""
@@ -100,22 +100,22 @@ class PropertyRow(QObject):
         name = said(self.address.property.label)
         if track.key_at(frame) is None:
             keyed = set_key(document, self.address, frame, track.value_at(frame))
-            self._bridge.session.edit(self.tr("Key %s").replace("%s", name), keyed)
+            self._bridge.session.edit(self.tr("Key %1").replace("%1", name), keyed)
         else:
             unkeyed = remove_key(document, self.address, frame)
-            self._bridge.session.edit(self.tr("Remove key of %s").replace("%s", name), unkeyed)
+            self._bridge.session.edit(self.tr("Remove key of %1").replace("%1", name), unkeyed)
 
     def remove_all_keys(self) -> None:
         """Keep the value seen now for the whole cut."""
         track = track_of(self._bridge.document, self.address)
         still = set_constant(self._bridge.document, self.address, track.value_at(self._bridge.frame))
         self._bridge.session.edit(
-            self.tr("Remove all keys of %s").replace("%s", said(self.address.property.label)), still
+            self.tr("Remove all keys of %1").replace("%1", said(self.address.property.label)), still
         )
 
     @property
     def _step_name(self) -> str:
-        return self.tr("Change %s").replace("%s", said(self.address.property.label))
+        return self.tr("Change %1").replace("%1", said(self.address.property.label))
 
     def _begin(self) -> None:
         self._gesture = self._bridge.session.begin(self._step_name)

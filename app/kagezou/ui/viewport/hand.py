@@ -107,7 +107,7 @@ class Hand(QObject):
         self.selected_id = handle.id if handle else None
         if handle is not None:
             session, view = self._bridge.session, self._viewpoint.view
-            gesture = session.begin(QCoreApplication.translate("Hand", "Move %s").replace("%s", said(handle.label)))
+            gesture = session.begin(QCoreApplication.translate("Hand", "Move %1").replace("%1", said(handle.label)))
             drag = drag_of(handle, gesture.start, self._bridge.frame, view)
             drag.send(report.pointer(view))
             self._held = _Held(handle, drag, gesture, self._bridge.frame)
@@ -152,7 +152,7 @@ class Hand(QObject):
             return False
         if self._nudging is None or self._nudging[0].id != handle.id:
             self.end_nudge()
-            name = QCoreApplication.translate("Hand", "Nudge %s").replace("%s", said(handle.label))
+            name = QCoreApplication.translate("Hand", "Nudge %1").replace("%1", said(handle.label))
             self._nudging = (handle, self._bridge.session.begin(name))
         view, frame = self._viewpoint.view, self._bridge.frame
         self._nudging[1].show(nudge(handle, self._bridge.document, frame, dx, dy, view))

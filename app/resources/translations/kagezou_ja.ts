@@ -1,0 +1,853 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja" sourcelanguage="en">
+<context>
+    <name>Choice</name>
+    <message>
+        <source>Lamp</source>
+        <translation>ランプ</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>太陽</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>ソリッド</translation>
+    </message>
+    <message>
+        <source>Translucent</source>
+        <translation>半透明</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>乗算</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>通常</translation>
+    </message>
+</context>
+<context>
+    <name>ColorField</name>
+    <message>
+        <source>Colour code</source>
+        <translation>カラーコード</translation>
+    </message>
+    <message>
+        <source>Shadow colour</source>
+        <translation>影の色</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>&amp;New from Cels…</source>
+        <translation>セルから新規作成(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>名前を付けて保存(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Import Character…</source>
+        <translation>キャラクターを読み込み(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Import &amp;Pictures…</source>
+        <translation>画像を読み込み(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Set &amp;Background…</source>
+        <translation>背景を設定(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Remove Background</source>
+        <translation>背景を外す</translation>
+    </message>
+    <message>
+        <source>&amp;Export Shadow Layers…</source>
+        <translation>影レイヤーを書き出し(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>削除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Re&amp;name Layer</source>
+        <translation>レイヤー名を変更(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Fit in Window</source>
+        <translation>ウィンドウに全体を表示(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Actual Pixels (100 %)</source>
+        <translation>ピクセル等倍 100 %(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>拡大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>縮小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Handles</source>
+        <translation>ハンドル(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Play / Stop</source>
+        <translation>再生／停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>ループ再生(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Play &amp;Every Frame</source>
+        <translation>全フレームを再生(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;First Frame</source>
+        <translation>最初のフレーム(&amp;F)</translation>
+    </message>
+    <message>
+        <source>10 Frames Back</source>
+        <translation>10フレーム戻る</translation>
+    </message>
+    <message>
+        <source>P&amp;revious Frame</source>
+        <translation>前のフレーム(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Next Frame</source>
+        <translation>次のフレーム(&amp;N)</translation>
+    </message>
+    <message>
+        <source>10 Frames On</source>
+        <translation>10フレーム進む</translation>
+    </message>
+    <message>
+        <source>La&amp;st Frame</source>
+        <translation>最後のフレーム(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Key</source>
+        <translation>前のキー(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Next Ke&amp;y</source>
+        <translation>次のキー(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts</source>
+        <translation>キーボードショートカット(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Kagezou</source>
+        <translation>Kagezou について(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>DemoOpener</name>
+    <message>
+        <source>Drawing the demo: %1 of %2</source>
+        <translation>デモを作画中：%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>Desk</name>
+    <message>
+        <source>New from cels</source>
+        <translation>セルから新規作成</translation>
+    </message>
+    <message>
+        <source>Import character</source>
+        <translation>キャラクターを読み込み</translation>
+    </message>
+    <message>
+        <source>Set background</source>
+        <translation>背景を設定</translation>
+    </message>
+</context>
+<context>
+    <name>Dialogs</name>
+    <message>
+        <source>Open Project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Save Project As</source>
+        <translation>プロジェクトを名前を付けて保存</translation>
+    </message>
+    <message>
+        <source>Choose a Folder of Cels</source>
+        <translation>セルのフォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Choose Cels</source>
+        <translation>セルを選択</translation>
+    </message>
+    <message>
+        <source>Choose a Background</source>
+        <translation>背景を選択</translation>
+    </message>
+    <message>
+        <source>Export Shadow Layers To</source>
+        <translation>影レイヤーの書き出し先</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>「%1」への変更を保存しますか？</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them.</source>
+        <translation>保存しないと変更は失われます。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Don&apos;t Save</source>
+        <translation>保存しない</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Kagezou projects</source>
+        <translation>Kagezou プロジェクト</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>画像</translation>
+    </message>
+</context>
+<context>
+    <name>Dock</name>
+    <message>
+        <source>Float or dock</source>
+        <translation>切り離す／戻す</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>Exporting</name>
+    <message>
+        <source>Exporting</source>
+        <translation>書き出し中</translation>
+    </message>
+    <message>
+        <source>Cancel the export</source>
+        <translation>書き出しを中止</translation>
+    </message>
+    <message>
+        <source>An export is still running.</source>
+        <translation>書き出しはまだ実行中です。</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>停止中</translation>
+    </message>
+    <message numerus="yes">
+        <source>Export stopped; %n file(s) are written and whole.</source>
+        <translation>
+            <numerusform>書き出しを中止しました。%n 個のファイルは完全に書き込まれています。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n file(s) to %1</source>
+        <translation>
+            <numerusform>%n 個のファイルを %1 に書き出しました</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>FrameField</name>
+    <message>
+        <source>Frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Frame; type 84, 3+12 (seconds + frames) or +6</source>
+        <translation>フレーム：84、3+12（秒＋コマ）、+6 のように入力</translation>
+    </message>
+</context>
+<context>
+    <name>Hand</name>
+    <message>
+        <source>Move %1</source>
+        <translation>%1を移動</translation>
+    </message>
+    <message>
+        <source>Nudge %1</source>
+        <translation>%1を微調整</translation>
+    </message>
+    <message>
+        <source>Add grounding point</source>
+        <translation>接地点を追加</translation>
+    </message>
+    <message>
+        <source>Remove grounding point</source>
+        <translation>接地点を削除</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>About Kagezou</source>
+        <translation>Kagezou について</translation>
+    </message>
+    <message>
+        <source>Cast-shadow layers for 2D animation, from the alpha of the character drawings.</source>
+        <translation>キャラクター作画のアルファから、2Dアニメーションの落ち影レイヤーを作ります。</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>バージョン %1</translation>
+    </message>
+    <message>
+        <source>Graphics: %1</source>
+        <translation>グラフィックス：%1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>Play / stop</source>
+        <translation>再生／停止</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>スペース</translation>
+    </message>
+    <message>
+        <source>Move the picture</source>
+        <translation>画面の移動</translation>
+    </message>
+    <message>
+        <source>Space + drag, middle mouse button</source>
+        <translation>スペース＋ドラッグ、中ボタン</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>ポインター位置で拡大・縮小</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>Add a grounding point</source>
+        <translation>接地点を追加</translation>
+    </message>
+    <message>
+        <source>Double click on the character</source>
+        <translation>キャラクターをダブルクリック</translation>
+    </message>
+    <message>
+        <source>Keep to one axis, or to steps of 15°</source>
+        <translation>一方向に固定／15°刻み</translation>
+    </message>
+    <message>
+        <source>Shift while dragging</source>
+        <translation>ドラッグ中に Shift</translation>
+    </message>
+    <message>
+        <source>Move the counterpart the opposite way</source>
+        <translation>対になる点を逆方向に動かす</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>ドラッグ中に Alt</translation>
+    </message>
+    <message>
+        <source>Drag at a tenth of the speed</source>
+        <translation>10分の1の速さで動かす</translation>
+    </message>
+    <message>
+        <source>Shift + Alt while dragging</source>
+        <translation>ドラッグ中に Shift + Alt</translation>
+    </message>
+    <message>
+        <source>Do not snap</source>
+        <translation>スナップしない</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging</source>
+        <translation>ドラッグ中に Ctrl</translation>
+    </message>
+    <message>
+        <source>Take a drag back</source>
+        <translation>ドラッグを取り消す</translation>
+    </message>
+    <message>
+        <source>Esc, right mouse button</source>
+        <translation>Esc、右ボタン</translation>
+    </message>
+    <message>
+        <source>Select the next handle</source>
+        <translation>次のハンドルを選択</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Nudge the selected handle, by 1 or 10 px</source>
+        <translation>選択中のハンドルを 1 px／10 px 動かす</translation>
+    </message>
+    <message>
+        <source>Arrow keys, with Shift</source>
+        <translation>矢印キー、Shift で10倍</translation>
+    </message>
+    <message>
+        <source>Change a number faster or slower</source>
+        <translation>数値を速く／ゆっくり変える</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl while dragging it</source>
+        <translation>ドラッグ中に Shift／Ctrl</translation>
+    </message>
+    <message>
+        <source>Calculate in a number field</source>
+        <translation>数値欄で計算する</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>Incidents</name>
+    <message>
+        <source>Something went wrong inside the program (%1). Save your project. Details: %2</source>
+        <translation>プログラム内部で問題が起きました（%1）。プロジェクトを保存してください。詳細：%2</translation>
+    </message>
+    <message>
+        <source>no log could be written</source>
+        <translation>ログを書き込めませんでした</translation>
+    </message>
+</context>
+<context>
+    <name>Inspector</name>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>影</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>キャラクター</translation>
+    </message>
+</context>
+<context>
+    <name>KeyButton</name>
+    <message>
+        <source>No keys. Click to set a key on this frame</source>
+        <translation>キーなし。クリックでこのフレームにキーを設定</translation>
+    </message>
+    <message>
+        <source>Keyed on other frames. Click to set a key on this frame</source>
+        <translation>他のフレームにキーあり。クリックでこのフレームにキーを設定</translation>
+    </message>
+    <message>
+        <source>Keyed on this frame. Click to remove the key</source>
+        <translation>このフレームにキーあり。クリックでキーを削除</translation>
+    </message>
+</context>
+<context>
+    <name>Language</name>
+    <message>
+        <source>en</source>
+        <comment>the code of the language translated to</comment>
+        <translation>ja</translation>
+    </message>
+</context>
+<context>
+    <name>LayerDelegate</name>
+    <message>
+        <source>Layer name</source>
+        <translation>レイヤー名</translation>
+    </message>
+</context>
+<context>
+    <name>LayerList</name>
+    <message>
+        <source>Remove layer</source>
+        <translation>レイヤーを削除</translation>
+    </message>
+    <message>
+        <source>No layers yet.
+Drop a folder of cels here.</source>
+        <translation>レイヤーがありません。
+セルのフォルダーをここにドロップ。</translation>
+    </message>
+    <message>
+        <source>Add cels as a new layer</source>
+        <translation>セルを新しいレイヤーとして追加</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前を変更</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隠す</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上へ移動</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下へ移動</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+</context>
+<context>
+    <name>LayerModel</name>
+    <message numerus="yes">
+        <source>%n drawing(s)</source>
+        <translation>
+            <numerusform>セル %n 枚</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation>レイヤーを表示</translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation>レイヤーを隠す</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>レイヤー名を変更</translation>
+    </message>
+    <message>
+        <source>Reorder layers</source>
+        <translation>レイヤーの順序を変更</translation>
+    </message>
+</context>
+<context>
+    <name>LayerView</name>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>プロパティ</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近使ったプロジェクト(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Backdrop</source>
+        <translation>下地(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Background Picture</source>
+        <translation>背景画像</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>チェック柄</translation>
+    </message>
+    <message>
+        <source>Middle Grey</source>
+        <translation>中間グレー</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>言語(&amp;L)</translation>
+    </message>
+    <message>
+        <source>System Default</source>
+        <translation>システムの設定</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>下地</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>ファイル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Playback</source>
+        <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>MessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>閉じる</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>他 %n 件</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>PictureWidget</name>
+    <message>
+        <source>The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.</source>
+        <translation>グラフィックスドライバーは OpenGL %1 です。Kagezou には 3.3 が必要です。ドライバーを更新してください。</translation>
+    </message>
+</context>
+<context>
+    <name>PointsEditor</name>
+    <message>
+        <source>Double-click on the character in the picture to add a grounding point</source>
+        <translation>画面のキャラクターをダブルクリックすると接地点を追加できます</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>クリア</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n 点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectActions</name>
+    <message>
+        <source>%1: neither a project, a folder of cels nor a picture that can be read</source>
+        <translation>%1：プロジェクトでも、セルのフォルダーでも、読み込める画像でもありません</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>名称未設定</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 を保存しました</translation>
+    </message>
+    <message>
+        <source>Something went wrong</source>
+        <translation>問題が起きました</translation>
+    </message>
+</context>
+<context>
+    <name>PropertyRow</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1をリセット</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>%1にキーを設定</translation>
+    </message>
+    <message>
+        <source>Remove key of %1</source>
+        <translation>%1のキーを削除</translation>
+    </message>
+    <message>
+        <source>Remove all keys of %1</source>
+        <translation>%1のキーをすべて削除</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1を変更</translation>
+    </message>
+    <message>
+        <source>Reset to default</source>
+        <translation>デフォルトに戻す</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Set key</source>
+        <translation>キーを設定</translation>
+    </message>
+    <message>
+        <source>Remove all keys</source>
+        <translation>キーをすべて削除</translation>
+    </message>
+    <message>
+        <source>Copy name for scripts</source>
+        <translation>スクリプト用の名前をコピー</translation>
+    </message>
+</context>
+<context>
+    <name>Ruler</name>
+    <message>
+        <source>Frame ruler</source>
+        <translation>フレームルーラー</translation>
+    </message>
+</context>
+<context>
+    <name>Status</name>
+    <message>
+        <source>software rendering</source>
+        <translation>ソフトウェア描画</translation>
+    </message>
+    <message>
+        <source>Drag the lamp to move the shadow; double-click on the character to add a grounding point</source>
+        <translation>ランプをドラッグすると影が動きます。キャラクターをダブルクリックすると接地点を追加します</translation>
+    </message>
+</context>
+<context>
+    <name>Swatch</name>
+    <message>
+        <source>Pick a colour</source>
+        <translation>色を選択</translation>
+    </message>
+</context>
+<context>
+    <name>Transport</name>
+    <message>
+        <source>Frames a second</source>
+        <translation>フレームレート</translation>
+    </message>
+    <message>
+        <source>(slow)</source>
+        <translation>（遅れ）</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>Picture</source>
+        <translation>画面</translation>
+    </message>
+</context>
+<context>
+    <name>Welcome</name>
+    <message>
+        <source>Recent projects</source>
+        <translation>最近使ったプロジェクト</translation>
+    </message>
+    <message>
+        <source>Cast shadows for drawn animation</source>
+        <translation>手描きアニメーションのための落ち影</translation>
+    </message>
+    <message>
+        <source>Drop a folder of cels here</source>
+        <translation>セルのフォルダーをここにドロップ</translation>
+    </message>
+    <message>
+        <source>Numbered images with transparency, one folder a character; or a .kage project</source>
+        <translation>透明部分のある連番画像（キャラクターごとに1フォルダー）、または .kage プロジェクト</translation>
+    </message>
+    <message>
+        <source>Choose cels…</source>
+        <translation>セルを選択…</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>Open the demo</source>
+        <translation>デモを開く</translation>
+    </message>
+</context>
+</TS>
