@@ -103,7 +103,7 @@ def components_of(value: Value) -> tuple[float, ...] | None:
             return _color_components(value)
         case float():
             return (value,)
-        case tuple():
+        case _:
             flat: list[float] = []
             for part in value:
                 flat.extend(part) if isinstance(part, tuple) else flat.append(part)
