@@ -1,0 +1,111 @@
+"""What each operation of a person costs, from the edit of a document to finished pixels."""
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from statistics import median
+from typing import Final
+
+from kagezou.animation.track import Value
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.document.edits import set_constant
+from kagezou.document.model import Document
+from kagezou.render.renderer import Renderer
+from kagezou.scene.evaluate import evaluate
+
+ROUNDS: Final = 60
+_WARM_UP: Final = 4
+
+Change = Callable[[Document, int], tuple[Document, int]]
+"""Returns the document and the frame of a round; no two rounds of one change show the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """The cost of one operation; the ratio is to one plain copy of the whole picture."""
+
+    name: str
+    median_ms: float
+    ratio: float
+
+    @property
+    def fps(self) -> float:
+        """How many a second."""
+        return 1000.0 / self.median_ms
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What was measured on one canvas."""
+
+    copy_ms: float
+    operations: tuple[Operation, ...]
+
+
+def measured(document: Document, renderer: Renderer, rounds: int = ROUNDS) -> Measured:
+    """Measure every operation with the context that is current; copies are measured in between.
+
+    Parameters
+    ----------
+    document
+        With one character layer at least, whose drawings are already in memory.
+    """
+    changes = dict(_changes(document))
+    copies: list[float] = []
+    times: dict[str, float] = {}
+    for name, change in changes.items():
+        count = min(rounds, document.canvas.length_frames - _WARM_UP) if name == "frame step" else rounds
+        each = [_timed(document, change, renderer, number) for number in range(max(count, 1) + _WARM_UP)]
+        times[name] = median(each[_WARM_UP:])
+        copies += [_copy_timed(renderer) for _ in range(rounds // 4)]
+    copy_ms = median(copies)
+    return Measured(copy_ms, tuple(Operation(name, ms, ms / copy_ms) for name, ms in times.items()))
+
+
+def _timed(document: Document, change: Change, renderer: Renderer, number: int) -> float:
+    started = time.perf_counter()
+    changed, frame = change(document, number)
+    renderer.draw_picture(evaluate(changed, frame))
+    renderer.finish()
+    return (time.perf_counter() - started) * 1000
+
+
+def _copy_timed(renderer: Renderer) -> float:
+    started = time.perf_counter()
+    renderer.copy_picture()
+    renderer.finish()
+    return (time.perf_counter() - started) * 1000
+
+
+def _changes(document: Document) -> Iterator[tuple[str, Change]]:
+    layer = document.layers[-1]
+    height = layer.figure.height
+    foot = ((layer.figure.left + layer.figure.right) / 2, float(layer.figure.bottom))
+    light, ground = Address(properties.LIGHT_POSITION), Address(properties.GROUND_POSITION)
+    grounding, tilt = Address(properties.GROUNDING, layer.id), Address(properties.TILT, layer.id)
+    opacity = Address(properties.OPACITY, layer.id)
+    lamp, place = _numbers(value_of(document, light, 1)), _numbers(value_of(document, ground, 1))
+    yield "light", _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))
+    yield "ground position", _setting(ground, lambda n: (place[0], place[1] + _sweep(n, 0.05 * height)))
+    yield "declination", _setting(Address(properties.GROUND_DECLINATION), lambda n: 60.0 + _sweep(n, 12.0))
+    yield "roll", _setting(Address(properties.GROUND_ROLL), lambda n: _sweep(n, 6.0))
+    yield "tilt", _setting(tilt, lambda n: _sweep(n, 30.0))
+    yield "grounding point", _setting(grounding, lambda n: ((foot[0] + _sweep(n, 0.1 * height), foot[1]),))
+    yield "opacity", _setting(opacity, lambda n: 0.5 + _sweep(n, 0.4))
+    yield "frame step", lambda same, n: (same, 1 + n % same.canvas.length_frames)
+
+
+def _setting(address: Address, value: Callable[[int], Value]) -> Change:
+    return lambda document, number: (set_constant(document, address, value(number)), 1)
+
+
+def _sweep(number: int, reach: float) -> float:
+    """Return the value of a round within ±reach, near the one before and unlike every other."""
+    turn = (number * 0.0137 + 0.25) % 1.0
+    return reach * (4 * abs(turn - 0.5) - 1)
+
+
+def _numbers(value: Value) -> tuple[float, ...]:
+    assert isinstance(value, tuple)
+    return tuple(part for part in value if isinstance(part, float))

@@ -1,0 +1,97 @@
+"""``kagezou bench``: how fast this machine draws and exports."""
+
+import tempfile
+from argparse import Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kagezou.cli.arguments import Parser, size, whole_number
+from kagezou.cli.doors import Doors
+from kagezou.cli.processors import processors
+from kagezou.cli.terminal import Json, ProgressLine, give, give_json
+
+if TYPE_CHECKING:
+    from kagezou.document.model import Document
+
+DESCRIPTION = """\
+Measure each operation from the changed document to the finished picture, beside one plain copy of a whole picture,
+and an export beside the same files only read and written. Uses the demo's drawings unless others are given."""
+EXAMPLES = """\
+  kagezou bench
+  kagezou bench --json --size 1920x1080
+  kagezou bench --input drawings/hero
+"""
+DEFAULT_SIZE = (1000, 1000)
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("--input", type=Path, metavar="DIR", help="a folder of numbered drawings")
+    parser.add_argument(
+        "--size", type=size, metavar="WxH", help="the canvas in px (1000x1000, or that of the drawings)"
+    )
+    parser.add_argument("--workers", type=whole_number, metavar="N", help="threads of the export")
+    parser.add_argument("--json", action="store_true", help="print one object")
+
+
+def run(options: Namespace, doors: Doors) -> int:
+    """Measure and report."""
+    from kagezou.cli.bench import operations, throughput
+    from kagezou.io.cels import CelCache
+    from kagezou.render.renderer import Renderer
+
+    workers = options.workers or processors()
+    with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
+        document = _document(options, Path(folder), workers)
+        cels = CelCache()
+        for drawing in document.layers[0].cels.drawings:
+            cels.cel(drawing.path)
+        with doors.open_context() as context:
+            renderer = Renderer(cels)
+            name = context.info.renderer
+            drawn = operations.measured(document, renderer)
+            renderer.close()
+        cels.clear()
+        export = throughput.measured(document, Path(folder), workers, doors.open_context)
+    report: dict[str, Json] = {
+        "gl_renderer": name,
+        "size": [document.canvas.width_px, document.canvas.height_px],
+        "copy_ms": round(drawn.copy_ms, 4),
+        "operations": [
+            {
+                "name": each.name,
+                "median_ms": round(each.median_ms, 4),
+                "fps": round(each.fps, 1),
+                "ratio": round(each.ratio, 2),
+            }
+            for each in drawn.operations
+        ],
+        "export": {
+            "fps": round(export.fps, 2),
+            "floor_fps": round(export.floor_fps, 2),
+            "of_floor": round(export.of_floor, 3),
+            "workers": workers,
+        },
+    }
+    if options.json:
+        give_json(report)
+        return 0
+    give(f"{name}, {document.canvas.width_px} x {document.canvas.height_px} px")
+    give(f"one copy of a whole picture: {drawn.copy_ms:.2f} ms")
+    for each in drawn.operations:
+        give(f"  {each.name:<16} {each.median_ms:7.2f} ms {each.fps:8.0f} fps {each.ratio:6.1f} copies")
+    give(f"export {export.fps:.1f} frames/s; only reading and writing {export.floor_fps:.1f}: {export.of_floor:.0%}")
+    return 0
+
+
+def _document(options: Namespace, folder: Path, workers: int) -> "Document":
+    """Return the document to measure with: one layer of the drawings given, or of the demo's."""
+    from kagezou.cli.demo.stage import make_drawings
+    from kagezou.session.staging import CharacterSource, new_document
+
+    source, canvas = options.input, options.size
+    if source is None:
+        source, canvas = folder / "drawings", canvas or DEFAULT_SIZE
+        with ProgressLine("drawing") as line:
+            make_drawings(source, workers, line.update)
+    return new_document([CharacterSource("Character", source)], size=canvas).document
