@@ -1,0 +1,134 @@
+"""From document and frame to the numbers that are drawn."""
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from documents import documents
+from kagezou.document import edits
+from kagezou.document.address import Address
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.geometry.box import Box
+from kagezou.geometry.camera import Camera
+from kagezou.geometry.ground import ground_plane
+from kagezou.geometry.light import sun
+from kagezou.scene.evaluate import card_at, contact_of, evaluate, light_at
+from kagezou.scene.scene import ShadowLook
+
+CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0), Exposure(9, None)))
+
+
+def document_with(**values: object) -> Document:
+    """Return a one-layer document; keywords are property names with ``__`` for dots."""
+    document = edits.add_layer(Document(Canvas(400, 300)), "A", CELS, Box(100, 50, 200, 250))
+    for key, raw in values.items():
+        name = key.replace("__", ".")
+        address = Address(OF_DOCUMENT[name]) if name in OF_DOCUMENT else Address(OF_LAYER[name], "layer-1")
+        document = edits.set_constant(document, address, raw)
+    return document
+
+
+def test_defaults() -> None:
+    scene = evaluate(document_with(ground__position=[150, 250], light__position=[50, -100, 300]), 1)
+    (layer,) = scene.layers
+    assert scene.canvas == Box(0, 0, 400, 300)
+    assert scene.camera == Camera(400, 300, 0.0)
+    assert scene.ground == ground_plane((150.0, 250.0), 0.0, 60.0)
+    assert scene.background is None
+    assert (layer.id, layer.name, layer.drawing) == ("layer-1", "A", CELS.drawings[0])
+    assert layer.look == ShadowLook(color=(0x20, 0x20, 0x3A), opacity=0.6, multiply=True)
+    assert layer.cast is not None
+    assert layer.cast.lights == ((50.0, -100.0, 300.0, 1.0),)
+    assert layer.cast.receivers == (scene.ground,)
+    assert not layer.cast.translucent
+    assert layer.cast.card.pieces[0].slope == 0.0
+
+
+def test_values_that_were_set() -> None:
+    scene = evaluate(
+        document_with(
+            camera__fov=30,
+            ground__position=[150, 250],
+            ground__roll=5,
+            ground__declination=70,
+            shadow__matte="translucent",
+            shadow__color="#010203",
+            shadow__opacity=1,
+            shadow__blend="normal",
+            tilt=45,
+        ),
+        1,
+    )
+    (layer,) = scene.layers
+    assert scene.camera.fov_deg == 30.0
+    assert scene.ground == ground_plane((150.0, 250.0), 5.0, 70.0)
+    assert layer.look == ShadowLook(color=(1, 2, 3), opacity=1.0, multiply=False)
+    assert layer.cast is not None
+    assert layer.cast.translucent
+    assert layer.cast.card.pieces[0].slope == pytest.approx(1.0)
+
+
+def test_the_sun() -> None:
+    document = document_with(light__kind="sun", light__azimuth=20, light__elevation=40)
+    ground = evaluate(document, 1).ground
+    assert light_at(document, 1, ground) == sun(ground, 20.0, 40.0)
+    cast = evaluate(document, 1).layers[0].cast
+    assert cast is not None
+    assert cast.lights == (sun(ground, 20.0, 40.0),)
+    below = evaluate(document_with(light__kind="sun", light__elevation=-5), 1).layers[0].cast
+    assert below is not None
+    assert below.lights == ()
+
+
+def test_a_lamp_overhead_becomes_four() -> None:
+    values = {"ground__position": [150, 250], "light__position": [150, -400, 0], "light__overhead_radius": 50}
+    cast = evaluate(document_with(**values), 1).layers[0].cast
+    assert cast is not None
+    assert len(cast.lights) == 4
+    beside = evaluate(document_with(**{**values, "grounding": [[350, 250]]}), 1).layers[0].cast
+    assert beside is not None
+    assert len(beside.lights) == 1
+
+
+def test_the_contact_is_the_middle_of_the_grounding_points() -> None:
+    document = document_with(ground__position=[150, 250], grounding=[[120, 250], [200, 250]])
+    scene = evaluate(document, 1)
+    card = card_at(document.layers[0], 1, scene.camera, scene.ground)
+    assert contact_of(card, scene.ground) == pytest.approx((160.0, 250.0, 0.0))
+
+
+def test_keyed_values_move() -> None:
+    document = document_with()
+    address = Address(OF_LAYER["shadow.opacity"], "layer-1")
+    document = edits.set_key(edits.set_key(document, address, 1, 0), address, 5, 1)
+    assert [evaluate(document, frame).layers[0].look.opacity for frame in (1, 2, 5, 8)] == [0.0, 0.25, 1.0, 1.0]
+
+
+def test_hidden_layers_are_left_out_and_empty_cels_cast_nothing() -> None:
+    document = document_with()
+    visible = Address(OF_LAYER["visible"], "layer-1")
+    blinking = edits.set_key(edits.set_key(document, visible, 1, raw=True), visible, 3, raw=False)
+    assert len(evaluate(blinking, 2).layers) == 1
+    assert evaluate(blinking, 3).layers == ()
+    (empty,) = evaluate(document, 9).layers
+    assert empty.drawing is None
+    assert empty.cast is None
+
+
+def test_layers_stay_in_their_order() -> None:
+    document = edits.add_layer(document_with(), "B", CELS, Box(0, 0, 9, 9))
+    assert [layer.name for layer in evaluate(document, 1).layers] == ["A", "B"]
+
+
+@given(documents(), st.integers(1, 200))
+@settings(deadline=None)
+def test_every_sound_document_can_be_evaluated_and_equally_twice(document: Document, frame: int) -> None:
+    scene = evaluate(document, frame)
+    assert evaluate(document, frame) == scene
+    shown = {layer.id for layer in scene.layers}
+    for layer in document.layers:
+        track = layer.tracks.get("visible")
+        assert (layer.id in shown) == (track is None or track.value_at(frame))

@@ -1,0 +1,191 @@
+"""The session: one step a gesture, undo that shows what it undid, one callback."""
+
+from pathlib import Path
+
+import pytest
+
+from kagezou.document import edits
+from kagezou.document.address import Address
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
+from kagezou.document.properties import FOV, OPACITY
+from kagezou.geometry.box import Box
+from kagezou.session.session import MAX_STEPS, Session, State
+
+CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0),))
+
+
+def fov(document: Document, value: float) -> Document:
+    return edits.set_constant(document, Address(FOV), value)
+
+
+@pytest.fixture
+def document() -> Document:
+    two = edits.add_layer(Document(Canvas(100, 100, length_frames=20)), "A", CELS, Box(0, 0, 9, 9))
+    return edits.add_layer(two, "B", CELS, Box(0, 0, 9, 9))
+
+
+@pytest.fixture
+def session(document: Document) -> Session:
+    return Session(document)
+
+
+def watched(session: Session) -> list[tuple[State, State]]:
+    seen: list[tuple[State, State]] = []
+    session.listen(lambda before, after: seen.append((before, after)))
+    return seen
+
+
+def test_a_session_begins_saved_on_the_top_layer(session: Session, document: Document) -> None:
+    assert session.state == State(document, 1, "layer-2")
+    assert session.is_saved
+    assert (session.undo_name, session.redo_name) == (None, None)
+    assert Session(Document(Canvas(1, 1))).state.layer_id is None
+
+
+def test_an_edit_is_one_step(session: Session, document: Document) -> None:
+    changed = fov(document, 30.0)
+    session.edit("Set view", changed)
+    assert session.document is changed
+    assert session.undo_name == "Set view"
+    saved = [session.is_saved]
+    session.undo()
+    assert session.document is document
+    assert [*saved, session.is_saved] == [False, True]
+    assert (session.undo_name, session.redo_name) == (None, "Set view")
+    session.redo()
+    assert session.document is changed
+    session.redo()
+    assert session.document is changed
+
+
+def test_the_same_document_is_no_step(session: Session, document: Document) -> None:
+    seen = watched(session)
+    session.edit("Nothing", document)
+    assert session.undo_name is None
+    assert seen == []
+
+
+def test_a_gesture_is_one_step_however_long(session: Session, document: Document) -> None:
+    with session.gesture("Drag") as gesture:
+        for value in (1.0, 2.0, 3.0):
+            gesture.show(fov(gesture.start, value))
+            assert session.document.tracks["camera.fov"].constant == value
+    session.undo()
+    assert session.document is document
+
+
+def test_a_gesture_that_comes_back_is_no_step(session: Session, document: Document) -> None:
+    with session.gesture("Drag") as gesture:
+        gesture.show(fov(document, 1.0))
+        gesture.show(document)
+    assert session.undo_name is None
+
+
+def test_a_cancelled_gesture_restores(session: Session, document: Document) -> None:
+    gesture = session.begin("Drag")
+    gesture.show(fov(document, 1.0))
+    gesture.cancel()
+    gesture.show(fov(document, 2.0))
+    gesture.commit()
+    assert session.document is document
+    assert session.undo_name is None
+
+
+def test_an_exception_within_a_gesture_restores(session: Session, document: Document) -> None:
+    def fail() -> None:
+        with session.gesture("Drag") as gesture:
+            gesture.show(fov(document, 1.0))
+            raise RuntimeError("pen lost")
+
+    with pytest.raises(RuntimeError, match="pen lost"):
+        fail()
+    assert session.document is document
+
+
+def test_an_edit_within_a_gesture_joins_it(session: Session, document: Document) -> None:
+    with session.gesture("Outer"):
+        session.edit("Inner", fov(session.document, 1.0))
+        session.edit("Inner", fov(session.document, 2.0))
+    assert session.undo_name == "Outer"
+    session.undo()
+    assert session.document is document
+
+
+def test_beginning_or_undoing_ends_an_open_gesture(session: Session, document: Document) -> None:
+    session.begin("First").show(fov(document, 1.0))
+    session.begin("Second").show(fov(document, 2.0))
+    assert session.undo_name == "First"
+    session.undo()
+    assert session.document.tracks["camera.fov"].constant == 1.0
+    assert session.redo_name == "Second"
+    session.begin("Third").show(fov(document, 3.0))
+    session.redo()
+    assert session.document.tracks["camera.fov"].constant == 3.0
+
+
+def test_a_new_step_forgets_what_was_undone(session: Session, document: Document) -> None:
+    session.edit("One", fov(document, 1.0))
+    session.undo()
+    session.edit("Two", fov(document, 2.0))
+    assert session.redo_name is None
+
+
+def test_undo_shows_frame_and_selection_it_was_made_with(session: Session, document: Document) -> None:
+    session.go_to(7)
+    session.select("layer-1", (Address(OPACITY, "layer-1"),))
+    session.edit("Set view", fov(document, 1.0))
+    session.go_to(15)
+    session.select(None)
+    session.undo()
+    assert session.state == State(document, 7, "layer-1", (Address(OPACITY, "layer-1"),))
+
+
+def test_history_has_an_end(session: Session) -> None:
+    for value in range(MAX_STEPS + 10):
+        session.edit("Step", fov(session.document, value / 100))
+    count = 0
+    while session.undo_name is not None:
+        session.undo()
+        count += 1
+    assert count == MAX_STEPS
+
+
+def test_frames_stay_within_the_cut(session: Session, document: Document) -> None:
+    session.go_to(99)
+    assert session.state.frame == 20
+    session.go_to(-4)
+    assert session.state.frame == 1
+    session.go_to(20)
+    session.edit("Shorten", edits.set_canvas(document, Canvas(100, 100, length_frames=5)))
+    assert session.state.frame == 5
+
+
+def test_selection_stays_within_the_layers(session: Session, document: Document) -> None:
+    session.select("layer-2", (Address(OPACITY, "layer-2"), Address(FOV)))
+    session.edit("Remove", edits.remove_layer(document, "layer-2"))
+    assert (session.state.layer_id, session.state.selection) == ("layer-1", (Address(FOV),))
+    session.edit("Remove", edits.remove_layer(session.document, "layer-1"))
+    assert session.state.layer_id is None
+
+
+def test_every_change_is_told_once(session: Session, document: Document) -> None:
+    seen = watched(session)
+    session.go_to(5)
+    session.go_to(5)
+    session.select("layer-1")
+    assert len(seen) == 2
+    before, after = seen[0]
+    assert (before.frame, after.frame) == (1, 5)
+    session.edit("Set view", fov(document, 1.0))
+    assert seen[2][0].document is document
+    assert seen[2][1].document is session.document
+
+
+def test_saving_is_told(session: Session, document: Document) -> None:
+    session.edit("Set view", fov(document, 1.0))
+    seen = watched(session)
+    session.mark_saved()
+    assert session.is_saved
+    assert len(seen) == 1
+    session.undo()
+    assert not session.is_saved
