@@ -46,12 +46,13 @@ def test_an_edit_is_one_step(session: Session, document: Document) -> None:
     changed = fov(document, 30.0)
     session.edit("Set view", changed)
     assert session.document is changed
-    assert session.undo_name == "Set view"
+    names = [(session.undo_name, session.redo_name)]
     saved = [session.is_saved]
     session.undo()
     assert session.document is document
     assert [*saved, session.is_saved] == [False, True]
-    assert (session.undo_name, session.redo_name) == (None, "Set view")
+    names.append((session.undo_name, session.redo_name))
+    assert names == [("Set view", None), (None, "Set view")]
     session.redo()
     assert session.document is changed
     session.redo()
