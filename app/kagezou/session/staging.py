@@ -15,22 +15,24 @@ from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images import probe
 from kagezou.io.project_paths import absolute
+from kagezou.io.xdts import read_xdts
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.session.exposing import CharacterSource, NewCels, cels_of
 from kagezou.session.figures import Figure, Look, look_at
 from kagezou.session.first_light import first_light
+from kagezou.session.timing import timed
 
 STILL_LENGTH_FRAMES = 24
 """The cut of a project that has only stills."""
 
 MAX_SIDE_PX = 16384
 DEFAULT_SIZE_PX = (1920, 1080)
-__all__ = ["CharacterSource", "Staged", "new_document", "with_characters"]
+__all__ = ["CharacterSource", "Staged", "new_document", "with_characters", "with_timesheet"]
 
 
 @dataclass(frozen=True, slots=True)
 class Staged:
-    """A document with characters brought in.
+    """A document with something brought in.
 
     Parameters
     ----------
@@ -39,7 +41,7 @@ class Staged:
     notes
         What the user should know, one sentence each.
     layer_ids
-        The layers that came, from bottom to top.
+        The layers that came, or that a timesheet changed, from bottom to top.
     """
 
     document: Document
@@ -91,6 +93,19 @@ def with_characters(document: Document, sources: Sequence[CharacterSource]) -> S
     """
     arrivals, notes = _arrivals(sources)
     return _settled(document, arrivals, notes)
+
+
+def with_timesheet(document: Document, path: Path) -> Staged:
+    """Return the document exposed as the timesheet at ``path`` says, and as long.
+
+    Raises
+    ------
+    InputProblem
+        The timesheet cannot be read.
+    """
+    changed, notes = timed(document, read_xdts(path))
+    before = {layer.id: layer for layer in document.layers}
+    return Staged(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
 
 
 def _arrivals(sources: Sequence[CharacterSource]) -> tuple[list[NewCels], list[str]]:
