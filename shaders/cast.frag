@@ -2,6 +2,7 @@
 // The shadow of one card piece from one light on one flat receiver (paper 3.4, in closed form).
 // Writes the covered part of each pixel, 0 to 1. Switches:
 //   TRANSLUCENT   alpha casts as it is; else its 0.5 level is the edge
+//   CELLS_X, _Y   how many cells a pixel is split into, each way: about one a texel
 //   SQUEEZED      somewhere more texels fall on a pixel than cells can hold
 //   AT_A_LIMIT    the card's contact line or a fold may cross these pixels
 //   LAMP_IS_LOW   see grazing.glsl
@@ -9,10 +10,9 @@
 #include "edge.glsl"
 #include "grazing.glsl"
 
-uniform sampler2D u_matte;             // the drawing's alpha, four to a texel, with a rim of empty ones
+uniform sampler2D u_matte;             // alpha of the drawing, with a rim of empty texels
 uniform vec2 u_origin_px;              // canvas px around which the forms below are given, for precision
 uniform mat3 u_texel_from_pixel;       // canvas px - origin -> matte texels, texel centres at +0.5
-uniform int u_max_cells;               // most cells a pixel is split into, each way
 
 out float o_coverage;
 
@@ -21,8 +21,8 @@ uniform vec3 u_side;                   // signed distances in px, >= 0 on the sh
 uniform vec3 u_left_fold;              // ... and between the folds of the piece
 uniform vec3 u_right_fold;
 
-float within(vec3 edge, vec2 pixel) {
-    return cell_coverage(dot(edge, vec3(pixel, 1.0)), edge.xy);
+float within(vec3 edge, vec2 pixel, vec2 cell) {
+    return cell_coverage(dot(edge, vec3(pixel, 1.0)), edge.xy * cell);
 }
 #endif
 
@@ -37,13 +37,20 @@ float mean_alpha(vec2 texel, int level) {
 }
 #endif
 
-// Bilinear alpha and its slope per texel. Each texel holds the four alphas that meet at its lower right corner.
+float alpha_of(int x, int y) {
+    return texelFetch(u_matte, ivec2(x, y), 0).r;
+}
+
+// Bilinear alpha and its slope per texel.
 vec3 alpha_and_slope(vec2 texel) {
     vec2 place = texel - 0.5;
     vec2 corner = floor(place);
     vec2 f = place - corner;
-    // The rim is two empty texels wide, so clamping to it is the same as finding nothing outside.
-    vec4 a = texelFetch(u_matte, clamp(ivec2(corner), ivec2(0), textureSize(u_matte, 0) - 1), 0);
+    // The rim is empty, so clamping to it is the same as finding nothing outside.
+    ivec2 last = textureSize(u_matte, 0) - 1;
+    ivec2 low = clamp(ivec2(corner), ivec2(0), last);
+    ivec2 high = clamp(ivec2(corner) + 1, ivec2(0), last);
+    vec4 a = vec4(alpha_of(low.x, low.y), alpha_of(high.x, low.y), alpha_of(low.x, high.y), alpha_of(high.x, high.y));
     vec2 rows = mix(a.xz, a.yw, f.x);
     return vec3(mix(rows.x, rows.y, f.y), mix(a.y - a.x, a.w - a.z, f.y), rows.y - rows.x);
 }
@@ -54,18 +61,11 @@ float matte_coverage(vec2 pixel) {
     // Columns: how far one canvas px in x and in y goes over the matte.
     mat2 step_texel = mat2(u_texel_from_pixel[0].xy - texel * u_texel_from_pixel[0].z,
                            u_texel_from_pixel[1].xy - texel * u_texel_from_pixel[1].z) / h.z;
-    vec2 stretch = vec2(length(step_texel[0]), length(step_texel[1]));
-    // An edge is integrated over its cell, so cells of most of a texel do; plain alpha is only sampled there.
-#ifdef TRANSLUCENT
-    const float cells_a_texel = 3.0;
-#else
-    const float cells_a_texel = 1.5;
-#endif
-    ivec2 cells = ivec2(clamp(ceil(stretch * cells_a_texel), vec2(1.0), vec2(float(u_max_cells))));
-    vec2 cell = 1.0 / vec2(cells);
+    const ivec2 cells = ivec2(CELLS_X, CELLS_Y);
+    const vec2 cell = 1.0 / vec2(cells);
 #ifdef SQUEEZED
-    float left_over = max(stretch.x * cell.x, stretch.y * cell.y);
-    int level = left_over > 1.0 ? min(int(ceil(log2(left_over))), u_last_level) : 0;
+    vec2 left_over = vec2(length(step_texel[0]), length(step_texel[1])) * cell;
+    int level = clamp(int(ceil(log2(max(left_over.x, left_over.y)))), 0, u_last_level);
 #endif
     float sum = 0.0;
     for (int y = 0; y < cells.y; ++y) {
@@ -83,6 +83,11 @@ float matte_coverage(vec2 pixel) {
 #ifdef SQUEEZED
             covered = level > 0 ? mean_alpha(at, level) : covered;
 #endif
+#ifdef AT_A_LIMIT
+            vec2 here = pixel + inside;
+            covered = min(covered, within(u_side, here, cell));
+            covered *= within(u_left_fold, here, cell) * within(u_right_fold, here, cell);
+#endif
             sum += covered;
         }
     }
@@ -91,9 +96,5 @@ float matte_coverage(vec2 pixel) {
 
 void main() {
     vec2 pixel = gl_FragCoord.xy - u_origin_px;
-    float covered = matte_coverage(pixel);
-#ifdef AT_A_LIMIT
-    covered = min(covered, within(u_side, pixel)) * within(u_left_fold, pixel) * within(u_right_fold, pixel);
-#endif
-    o_coverage = covered * grazing_strength(pixel);
+    o_coverage = matte_coverage(pixel) * grazing_strength(pixel);
 }

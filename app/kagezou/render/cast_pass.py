@@ -8,13 +8,19 @@ from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.shadow import cast_card
 from kagezou.geometry.vectors import Vector4
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_uniforms import AT_A_LIMIT, SQUEEZED, Edges, Frame, Grazing
+from kagezou.render.cast_uniforms import TRANSLUCENT, Edges, Frame, Grazing
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.targets import Target
 from kagezou.render.tiles import Tiling, tiled
 from kagezou.scene.scene import ShadowCast
+
+CELLS_A_TEXEL = 1.0
+"""An edge is integrated exactly over its cell, so one cell a texel does."""
+
+CELLS_A_TEXEL_SAMPLED = 3.0
+"""Plain alpha is only sampled in its cells, and wants more of them."""
 
 
 class CastPass:
@@ -60,11 +66,12 @@ class CastPass:
     ) -> Box | None:
         """Draw what one light casts on one receiver; return the box that may hold it."""
         grazing = Grazing.of(receiver, light)
+        cells_a_texel = CELLS_A_TEXEL_SAMPLED if cast.translucent else CELLS_A_TEXEL
         drawn: Box | None = None
         for each in cast_card(cast.camera, receiver, cast.card, light):
             frame = Frame(each.region(target.box, matte.box))
             around = bounding_box(frame.region)
-            tiling = around and tiled(each, around, (matte.occupancy, matte.box), target.box)
+            tiling = around and tiled(each, around, matte, target.box, cells_a_texel)
             if not tiling or tiling.box is None:
                 continue
             target.bind()
@@ -77,23 +84,21 @@ class CastPass:
             if len(tiling.full):
                 self._full[grazing_switches].use(uniforms)
                 self._boxes.draw(tiling.full)
-            edges = Edges(each, matte, frame)
-            switches = grazing_switches | edges.switches(translucent=cast.translucent)
-            self._draw_edges(tiling, edges, switches, uniforms)
+            if cast.translucent:
+                grazing_switches |= TRANSLUCENT
+            self._draw_edges(tiling, Edges(each, matte, frame), grazing_switches, uniforms)
             drawn = tiling.box if drawn is None else drawn.union(tiling.box)
         return drawn
 
     def _draw_edges(self, tiling: Tiling, edges: Edges, switches: frozenset[str], uniforms: dict[str, Uniform]) -> None:
-        if switches >= SQUEEZED:
+        if any(kind.is_squeezed for kind in tiling.edges):
             edges.matte.texture.make_mipmaps()
         edges.matte.texture.bind(0)
         uniforms = uniforms | edges.uniforms()
-        if len(tiling.edge):
-            self._edge[switches].use(uniforms)
-            self._boxes.draw(tiling.edge)
-        if len(tiling.edge_at_limit):
-            self._edge[switches | AT_A_LIMIT].use(uniforms | edges.limits())
-            self._boxes.draw(tiling.edge_at_limit)
+        limits = edges.limits()
+        for kind, boxes in tiling.edges.items():
+            self._edge[switches | kind.switches].use(uniforms | limits if kind.is_at_limit else uniforms)
+            self._boxes.draw(boxes)
 
     def _scratch_like(self, target: Target) -> Target:
         if self._scratch is not None and self._scratch.box != target.box:

@@ -13,15 +13,9 @@ from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Uniform
 from kagezou.render.targets import LAST_LEVEL
 
-MAX_CELLS = 32
-"""A pixel is split into at most this many cells each way; a matte squeezed further is read from its mipmaps."""
-
-
 NO_SWITCHES: frozenset[str] = frozenset()
 LAMP_IS_LOW = frozenset({"LAMP_IS_LOW"})
 TRANSLUCENT = frozenset({"TRANSLUCENT"})
-SQUEEZED = frozenset({"SQUEEZED"})
-AT_A_LIMIT = frozenset({"AT_A_LIMIT"})
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,17 +88,11 @@ class Edges:
         texel_from_canvas = np.array([[1.0, 0.0, -box.left], [0.0, 1.0, -box.top], [0.0, 0.0, 1.0]])
         return _balanced(texel_from_canvas @ self.cast.art_from_canvas @ self.frame.canvas_from_pixel)
 
-    def switches(self, *, translucent: bool) -> frozenset[str]:
-        """Return the switches that hold for the whole cast."""
-        squeezed = _may_need_mipmaps(self._texel_from_pixel, self.frame.region - self.frame.origin)
-        return (TRANSLUCENT if translucent else NO_SWITCHES) | (SQUEEZED if squeezed else NO_SWITCHES)
-
     def uniforms(self) -> dict[str, Uniform]:
         """Return the uniforms that every variant has, for a matte on unit 0."""
         return {
             "u_matte": 0,
             "u_texel_from_pixel": self._texel_from_pixel,
-            "u_max_cells": MAX_CELLS,
             "u_last_level": LAST_LEVEL,
         }
 
@@ -121,15 +109,3 @@ class Edges:
 def _balanced(matrix: Matrix) -> Matrix:
     """Scale a homography so that w = ±1 at its origin, which keeps its float32 copy precise there."""
     return np.asarray(matrix / max(abs(float(matrix[2, 2])), 1e-12 * float(np.abs(matrix).max())))
-
-
-def _may_need_mipmaps(texel_from_pixel: Matrix, corners: Matrix) -> bool:
-    """Whether the drawing may be squeezed by more than MAX_CELLS texels a pixel somewhere in the region."""
-    points = np.column_stack([corners, np.ones(len(corners))]) @ texel_from_pixel.T
-    w = np.maximum(points[:, 2:], 1e-12)
-    texels = points[:, :2] / w
-    for axis in (0, 1):
-        steps = (texel_from_pixel[:2, axis] - texels * texel_from_pixel[2, axis]) / w
-        if float(np.hypot(steps[:, 0], steps[:, 1]).max()) > MAX_CELLS:
-            return True
-    return False

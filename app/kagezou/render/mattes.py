@@ -17,13 +17,13 @@ from kagezou.render.targets import LAST_LEVEL, Format, Target, Texture
 HARD_EDGE_SIGMA_PX = 1.0
 """Paint data without anti-aliasing is smoothed by this Gaussian before its 0.5 level is taken as the edge."""
 
-_RIM_PX = 2
+_RIM_PX = 1
 _SMOOTHING_REACH_PX = ceil(3 * HARD_EDGE_SIGMA_PX)
 
 
 @dataclass(frozen=True, slots=True)
 class MatteOnCard:
-    """A matte as a texture with an empty rim, four alphas to a texel, and where it is empty or full."""
+    """A matte as a texture with an empty rim, and where it is empty or full."""
 
     texture: Texture
     occupancy: Occupancy
@@ -53,7 +53,6 @@ class Mattes:
     def __init__(self, boxes: Boxes, budget_bytes: int) -> None:
         self._boxes = boxes
         self._smooth = Program("box.vert", "smooth.frag")
-        self._pack = Program("box.vert", "pack.frag")
         self._shelf: Shelf[MatteOnCard] = Shelf(budget_bytes)
 
     def placed(self, matte: Matte, canvas: Box) -> PlacedMatte | None:
@@ -73,7 +72,6 @@ class Mattes:
         """Give the memory back."""
         self._shelf.close()
         self._smooth.close()
-        self._pack.close()
 
     def _put_on_card(self, matte: Matte, box: Box) -> MatteOnCard:
         margin = _margin(matte)
@@ -87,7 +85,7 @@ class Mattes:
         texture.upload(padded)
         if matte.hard_edged:
             texture = self._smoothed(texture)
-        return MatteOnCard(self._packed(texture), Occupancy(padded, _SMOOTHING_REACH_PX if matte.hard_edged else 0))
+        return MatteOnCard(texture, Occupancy(padded, _SMOOTHING_REACH_PX if matte.hard_edged else 0))
 
     def _smoothed(self, source: Texture) -> Texture:
         """Return the matte smoothed in x, then in y."""
@@ -95,10 +93,6 @@ class Mattes:
             uniforms: dict[str, Uniform] = {"u_axis": axis, "u_sigma_px": HARD_EDGE_SIGMA_PX}
             source = self._drawn(self._smooth, source, Format.ALPHA16, uniforms)
         return source
-
-    def _packed(self, source: Texture) -> Texture:
-        form = Format.RGBA8 if source.form is Format.ALPHA8 else Format.RGBA16
-        return self._drawn(self._pack, source, form, {})
 
     def _drawn(self, program: Program, source: Texture, form: Format, uniforms: dict[str, Uniform]) -> Texture:
         """Return what a program makes of a texture of the same size, instead of it."""

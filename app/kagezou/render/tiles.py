@@ -1,5 +1,6 @@
-"""Which tiles of the canvas a shadow covers wholly, which hold its edge, and which it does not touch."""
+"""Which tiles of the canvas a shadow covers wholly, which hold its edge and how finely, and which it does not touch."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,35 +9,60 @@ from numpy.typing import NDArray
 from kagezou.geometry.box import Box
 from kagezou.geometry.shadow import Cast
 from kagezou.geometry.vectors import Matrix
-from kagezou.render.occupancy import Flags, Occupancy
+from kagezou.render.mattes import PlacedMatte
+from kagezou.render.occupancy import Flags
 
 TILE_PX = 8
+
+CELLS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
+"""The numbers of cells, each way, that a pixel may be split into."""
+
+_UNTOUCHED, _FULL, _FIRST_EDGE = 0, 1, 2
 
 Boxes = NDArray[np.float64]
 """(N, 4): left, top, right, bottom in canvas px."""
 
+Codes = NDArray[np.int64]
+
 
 @dataclass(frozen=True, slots=True)
-class Tiling:
-    """The parts of a shadow, and the box around them all.
+class EdgeKind:
+    """How the pixels of some tiles are to be drawn.
 
     Parameters
     ----------
-    full
-        Wholly covered.
-    edge
-        Holding an edge of the drawing, and nothing else.
-    edge_at_limit
-        Holding an edge where the card's contact line or a fold may run through as well.
+    cells_x, cells_y
+        Into how many cells a pixel is split.
+    is_at_limit
+        Whether the card's contact line or a fold may run through.
+    is_squeezed
+        Whether more texels fall on a pixel than cells can hold.
     """
 
+    cells_x: int
+    cells_y: int
+    is_at_limit: bool
+    is_squeezed: bool
+
+    @property
+    def switches(self) -> frozenset[str]:
+        """The switches of ``cast.frag``."""
+        flags = (("AT_A_LIMIT", self.is_at_limit), ("SQUEEZED", self.is_squeezed))
+        return frozenset(
+            {f"CELLS_X {self.cells_x}", f"CELLS_Y {self.cells_y}", *(name for name, is_set in flags if is_set)}
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Tiling:
+    """The parts of a shadow: what is wholly covered, the edges by their kind, and the box around it all."""
+
     full: Boxes
-    edge: Boxes
-    edge_at_limit: Boxes
+    edges: Mapping[EdgeKind, Boxes]
     box: Box | None
 
 
-def tiled(cast: Cast, region: Box, matte: tuple[Occupancy, Box], canvas: Box) -> Tiling:
+def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, cells_a_texel: float) -> Tiling:
     """Sort the tiles of a region by what the shadow does in them.
 
     Parameters
@@ -46,78 +72,104 @@ def tiled(cast: Cast, region: Box, matte: tuple[Occupancy, Box], canvas: Box) ->
     region
         Canvas box that can hold shadow.
     matte
-        Occupancy of the drawing and the canvas box its texels cover.
+        The drawing.
     canvas
         Boxes are cut to it.
+    cells_a_texel
+        How many cells there are to be for each texel that falls on a pixel.
     """
     columns = np.arange(region.left // TILE_PX, -(-region.right // TILE_PX))
     rows = np.arange(region.top // TILE_PX, -(-region.bottom // TILE_PX))
-    left, top = (axis.ravel() * float(TILE_PX) for axis in np.meshgrid(columns, rows))
-    # One px of margin: a pixel's own area and everything its sampling may touch lies within its tile's corners.
-    corners = np.array(
-        [
-            (left - 1, top - 1, np.ones_like(left)),
-            (left + TILE_PX + 1, top - 1, np.ones_like(left)),
-            (left + TILE_PX + 1, top + TILE_PX + 1, np.ones_like(left)),
-            (left - 1, top + TILE_PX + 1, np.ones_like(left)),
-        ]
-    )
+    corners = _corners(columns, rows)
     outside, inside = _limits(cast, corners)
-    empty, full = _occupied(cast, corners, matte)
-    shape = (len(rows), len(columns))
-    shape = (len(rows), len(columns))
-    origin = (region.left // TILE_PX, region.top // TILE_PX)
-    is_full = full & inside
-    is_edge = ~(empty | outside | is_full)
-    parts = (is_full, is_edge & inside, is_edge & ~inside)
-    full_boxes, edge_boxes, limit_boxes = (_runs(part.reshape(shape), origin, canvas) for part in parts)
-    around = _around((is_full | is_edge).reshape(shape), origin, canvas)
-    return Tiling(full_boxes, edge_boxes, limit_boxes, around)
+    texels, w = _seen(cast, corners, matte.box)
+    empty, full = matte.occupancy.states(texels.min(axis=0).T, texels.max(axis=0).T)
+    # A tile across the horizon or the eye has no bounded picture on the drawing: it may be anything.
+    bounded = w.min(axis=0) > 1e-9 * np.abs(cast.art_from_canvas[2]).max()
+    codes = np.full(len(outside), _UNTOUCHED)
+    is_full = full & inside & bounded
+    codes[is_full] = _FULL
+    is_edge = ~((empty & bounded) | outside | is_full)
+    stretch = _stretch(cast, texels[..., is_edge] + _corner_of(matte.box), w[:, is_edge]) * cells_a_texel
+    stretch[:, ~bounded[is_edge]] = np.inf
+    codes[is_edge] = _FIRST_EDGE + _edge_codes(stretch, ~inside[is_edge])
+    grid = codes.reshape(len(rows), len(columns))
+    boxes, kinds = _runs(grid, (int(columns[0]), int(rows[0])), canvas)
+    edges = {_kind(code): boxes[kinds == code] for code in np.unique(kinds).tolist() if code >= _FIRST_EDGE}
+    return Tiling(boxes[kinds == _FULL], edges, _around(boxes))
+
+
+def _corners(columns: Codes, rows: Codes) -> Matrix:
+    """Return the corners (4, 3, N) of tiles as homogeneous canvas points.
+
+    One px of margin: a pixel's own area and all that its sampling may touch lies within its tile's corners.
+    """
+    left, top = (axis.ravel() * float(TILE_PX) for axis in np.meshgrid(columns, rows))
+    near, far = -1, TILE_PX + 1
+    ones = np.ones_like(left)
+    around = ((near, near), (far, near), (far, far), (near, far))
+    return np.array([(left + dx, top + dy, ones) for dx, dy in around])
+
+
+def _corner_of(box: Box) -> Matrix:
+    return np.array([box.left, box.top], dtype=np.float64)[np.newaxis, :, np.newaxis]
 
 
 def _limits(cast: Cast, corners: Matrix) -> tuple[Flags, Flags]:
     """Return which tiles lie wholly beyond a limit of the cast, and which wholly within all of them."""
-    outside = np.zeros(corners.shape[2], dtype=np.bool_)
-    inside = np.ones(corners.shape[2], dtype=np.bool_)
-    for form in (cast.side, cast.horizon, cast.left_fold, cast.right_fold):
-        distance = np.einsum("k,ckn->cn", form, corners)
-        outside |= distance.max(axis=0) < 0
-        inside &= distance.min(axis=0) >= 0
-    return outside, inside
+    forms = np.array([cast.side, cast.horizon, cast.left_fold, cast.right_fold])
+    distances = np.matmul(forms, corners)
+    return (distances.max(axis=0) < 0).any(axis=0), (distances.min(axis=0) >= 0).all(axis=0)
 
 
-def _occupied(cast: Cast, corners: Matrix, matte: tuple[Occupancy, Box]) -> tuple[Flags, Flags]:
-    """Return which tiles see nothing of the drawing, and which only its inside."""
-    occupancy, box = matte
-    seen = np.einsum("ik,ckn->cin", cast.art_from_canvas, corners)
+def _seen(cast: Cast, corners: Matrix, box: Box) -> tuple[Matrix, Matrix]:
+    """Return which texels (4, 2, N) of the drawing tiles' corners see, and the w (4, N) of the projection."""
+    seen = np.matmul(cast.art_from_canvas, corners)
     w = seen[:, 2]
-    # A tile across the horizon or the eye has no bounded picture on the drawing: it may be anything.
-    unbounded = w.min(axis=0) <= 1e-9 * np.abs(cast.art_from_canvas[2]).max()
-    texels = seen[:, :2] / np.where(unbounded, 1.0, w)[:, np.newaxis]
-    texels -= np.array([box.left, box.top])[np.newaxis, :, np.newaxis]
-    empty, full = occupancy.states(texels.min(axis=0).T, texels.max(axis=0).T)
-    return empty & ~unbounded, full & ~unbounded
+    safe = np.where(w > 0, w, 1.0)[:, np.newaxis]
+    return seen[:, :2] / safe - _corner_of(box), w
 
 
-def _runs(flags: Flags, origin: tuple[int, int], canvas: Box) -> Boxes:
-    """Return the boxes of neighbouring tiles in a row that are set, cut to the canvas."""
-    steps = np.diff(np.pad(flags.astype(np.int8), ((0, 0), (1, 1))), axis=1)
-    row, start = np.nonzero(steps == 1)
-    _, stop = np.nonzero(steps == -1)
-    boxes = np.stack([start + origin[0], row + origin[1], stop + origin[0], row + origin[1] + 1], axis=1) * TILE_PX
-    low = np.array([canvas.left, canvas.top] * 2)
-    high = np.array([canvas.right, canvas.bottom] * 2)
-    return np.clip(boxes, low, high).astype(np.float64)
+def _stretch(cast: Cast, art: Matrix, w: Matrix) -> Matrix:
+    """Return how many texels one canvas px covers at most in each tile, (2, N): along x and along y."""
+    safe = np.where(w > 0, w, 1.0)
+    x_row, y_row, w_row = cast.art_from_canvas
+    steps = [np.hypot(x_row[k] - art[:, 0] * w_row[k], y_row[k] - art[:, 1] * w_row[k]) / safe for k in (0, 1)]
+    return np.array([step.max(axis=0) for step in steps])
 
 
-def _around(flags: Flags, origin: tuple[int, int], canvas: Box) -> Box | None:
-    rows, columns = np.nonzero(flags.any(axis=1))[0], np.nonzero(flags.any(axis=0))[0]
-    if len(rows) == 0:
+def _edge_codes(cells: Matrix, at_limit: Flags) -> Codes:
+    """Return a number for each tile's kind of edge; :func:`_kind` is its inverse."""
+    last = len(CELLS) - 1
+    steps = np.searchsorted(CELLS, np.minimum(cells, CELLS[last]))
+    squeezed = (cells > CELLS[last]).any(axis=0)
+    return np.asarray(((steps[0] * len(CELLS) + steps[1]) * 2 + at_limit) * 2 + squeezed)
+
+
+def _kind(code: int) -> EdgeKind:
+    rest, squeezed = divmod(code - _FIRST_EDGE, 2)
+    rest, at_limit = divmod(rest, 2)
+    across, down = divmod(rest, len(CELLS))
+    return EdgeKind(CELLS[across], CELLS[down], bool(at_limit), bool(squeezed))
+
+
+def _runs(codes: Codes, origin: tuple[int, int], canvas: Box) -> tuple[Boxes, Codes]:
+    """Return the boxes of neighbouring tiles in a row that have one code, cut to the canvas, and their codes."""
+    framed = np.pad(codes, ((0, 0), (1, 1)))
+    row, start = np.nonzero(framed[:, 1:] != framed[:, :-1])
+    # Each change begins a run that ends at the next; the one that begins a row's empty end is dropped as untouched.
+    kinds = framed[row, start + 1]
+    stop = np.roll(start, -1)
+    touched = kinds != _UNTOUCHED
+    row, start, stop = row[touched], start[touched], stop[touched]
+    tiles = np.stack([start + origin[0], row + origin[1], stop + origin[0], row + origin[1] + 1], axis=1) * TILE_PX
+    low, high = [canvas.left, canvas.top] * 2, [canvas.right, canvas.bottom] * 2
+    return np.clip(tiles, low, high).astype(np.float64), kinds[touched]
+
+
+def _around(boxes: Boxes) -> Box | None:
+    if len(boxes) == 0:
         return None
-    box = Box(
-        int(columns[0] + origin[0]) * TILE_PX,
-        int(rows[0] + origin[1]) * TILE_PX,
-        int(columns[-1] + origin[0] + 1) * TILE_PX,
-        int(rows[-1] + origin[1] + 1) * TILE_PX,
-    )
-    return box.intersection(canvas)
+    left, top = boxes[:, :2].min(axis=0)
+    right, bottom = boxes[:, 2:].max(axis=0)
+    return Box(int(left), int(top), int(right), int(bottom))
