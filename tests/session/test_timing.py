@@ -91,7 +91,7 @@ def test_what_does_not_match_is_told() -> None:
     exposures, notes = exposed(document, *tracks)
     assert exposures == [(), (Exposure(1, 0),), (Exposure(1, 0),)]
     assert notes == [
-        "the timesheet's column 'C' has no layer of that name",
+        "no layer of that name is left for the timesheet's column 'C'",
         "Hero C: the timesheet has no column for it; it keeps its timing",
         "Prop C: the timesheet has no column for it; it keeps its timing",
     ]

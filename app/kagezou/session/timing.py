@@ -24,7 +24,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[str]]:
         layer = _layer_for(track.name, free)
         if layer is None:
             if track.entries:
-                notes.append(f"the timesheet's column {track.name!r} has no layer of that name")
+                notes.append(f"no layer of that name is left for the timesheet's column {track.name!r}")
             continue
         free.remove(layer)
         exposures, missing = _exposed(layer, track)
