@@ -20,6 +20,7 @@ out float o_coverage;
 uniform vec3 u_side;                   // signed distances in px, >= 0 on the shadow's side of the card ...
 uniform vec3 u_left_fold;              // ... and between the folds of the piece
 uniform vec3 u_right_fold;
+uniform vec3 u_horizon;                // >= 0 where the receiver is seen at all
 
 float within(vec3 edge, vec2 pixel, vec2 cell) {
     return cell_coverage(dot(edge, vec3(pixel, 1.0)), edge.xy * cell);
@@ -82,11 +83,14 @@ float matte_coverage(vec2 pixel) {
 #endif
 #ifdef SQUEEZED
             covered = level > 0 ? mean_alpha(at, level) : covered;
+            // What lies behind the eye is not part of the drawing, wherever its projection falls.
+            covered *= step(0.0, place.z);
 #endif
 #ifdef AT_A_LIMIT
             vec2 here = pixel + inside;
             covered = min(covered, within(u_side, here, cell));
             covered *= within(u_left_fold, here, cell) * within(u_right_fold, here, cell);
+            covered *= step(0.0, dot(u_horizon, vec3(here, 1.0)));
 #endif
             sum += covered;
         }

@@ -103,6 +103,7 @@ class Edges:
             "u_side": self.cast.side @ canvas_from_pixel,
             "u_left_fold": self.cast.left_fold @ canvas_from_pixel,
             "u_right_fold": self.cast.right_fold @ canvas_from_pixel,
+            "u_horizon": self.cast.horizon @ canvas_from_pixel,
         }
 
 
