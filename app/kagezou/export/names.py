@@ -9,7 +9,6 @@ MIN_DIGITS: Final = 4
 _MAX_BYTES: Final = 120
 _REPLACEMENT: Final = "_"
 _FORBIDDEN: Final = re.compile(r'[<>:"/\\|?*]')
-_NO_PART_OF_A_NAME: Final = ("C", "Zl", "Zp")
 _DEVICES: Final = frozenset(
     ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"]
     + [f"{device}{digit}" for device in ("COM", "LPT") for digit in "0123456789¹²³"]
@@ -49,7 +48,7 @@ def digits_for(last_frame: int) -> int:
 
 def _cleaned(name: str) -> str:
     """Return a name without what some file system refuses, hides or cuts off."""
-    text = "".join(_REPLACEMENT if unicodedata.category(sign).startswith(_NO_PART_OF_A_NAME) else sign for sign in name)
+    text = "".join(sign if sign.isprintable() else _REPLACEMENT for sign in name)
     text = _FORBIDDEN.sub(_REPLACEMENT, text).strip(" ")
     text = re.sub(r"^\.+|[. ]+$", _REPLACEMENT, text)
     if text.split(".")[0].rstrip().upper() in _DEVICES:

@@ -1,0 +1,134 @@
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from small_cuts import cut
+
+from kagezou.errors import DiskFullProblem, InputProblem
+from kagezou.export.jobs import Job, planned
+from kagezou.export.pipeline import Image, Stages, flow, window_for
+from kagezou.export.request import ExportRequest
+
+
+@pytest.fixture
+def jobs(tmp_path: Path) -> tuple[Job, ...]:
+    return planned(cut(tmp_path, count=20), ExportRequest(tmp_path)).jobs
+
+
+def nothing(_job: Job) -> None:
+    """Decode nothing."""
+
+
+def picture(_job: Job) -> Image:
+    return np.zeros((1, 1, 4), np.uint8)
+
+
+def number(job: Job) -> int:
+    return job.targets[0].frame
+
+
+def written(job: Job, _image: Image) -> str:
+    return str(number(job))
+
+
+def never() -> bool:
+    return False
+
+
+def test_outcomes_come_in_order_whatever_the_workers_do(jobs: tuple[Job, ...]) -> None:
+    def slow(job: Job, image: Image) -> str:
+        time.sleep(0.002 * (number(job) % 3))
+        return written(job, image)
+
+    outcomes = list(flow(jobs, Stages(nothing, picture, slow), 4, 8, never))
+    assert [outcome.written for outcome in outcomes] == [str(n) for n in range(1, 21)]
+
+
+def test_no_more_is_decoded_or_waits_than_the_window_holds(jobs: tuple[Job, ...]) -> None:
+    lock = threading.Lock()
+    alive = {"decoded": 0, "drawn": 0}
+    most = dict(alive)
+
+    def count(name: str, step: int) -> None:
+        with lock:
+            alive[name] += step
+            most[name] = max(most[name], alive[name])
+
+    def draw(job: Job) -> Image:
+        count("decoded", -1)
+        count("drawn", 1)
+        return picture(job)
+
+    def write(job: Job, image: Image) -> str:
+        time.sleep(0.003)
+        count("drawn", -1)
+        return written(job, image)
+
+    list(flow(jobs, Stages(lambda _: count("decoded", 1), draw, write), 2, 3, never))
+    assert most["decoded"] <= 3
+    assert most["drawn"] <= 4
+
+
+def test_drawing_happens_on_the_calling_thread(jobs: tuple[Job, ...]) -> None:
+    threads: set[str] = set()
+
+    def draw(job: Job) -> Image:
+        threads.add(threading.current_thread().name)
+        return picture(job)
+
+    list(flow(jobs, Stages(nothing, draw, written), 2, 4, never))
+    assert threads == {threading.current_thread().name}
+
+
+def failing_on(frame: int, problem: Exception) -> Callable[[Job], None]:
+    def decode(job: Job) -> None:
+        if number(job) == frame:
+            raise problem
+
+    return decode
+
+
+def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[Job, ...]) -> None:
+    stages = Stages(failing_on(7, InputProblem("broken")), picture, written)
+    outcomes = list(flow(jobs, stages, 2, 4, never))
+    assert [number(outcome.job) for outcome in outcomes if outcome.problem] == [7]
+    assert len(outcomes) == 20
+
+
+def test_a_full_disk_ends_everything_and_leaves_no_worker(jobs: tuple[Job, ...]) -> None:
+    def write(job: Job, image: Image) -> str:
+        if number(job) == 5:
+            raise DiskFullProblem("full")
+        return written(job, image)
+
+    with pytest.raises(DiskFullProblem):
+        list(flow(jobs, Stages(nothing, picture, write), 2, 4, never))
+    assert not [thread for thread in threading.enumerate() if thread.name.startswith("frames")]
+
+
+def test_when_asked_to_stop_what_is_drawn_is_still_written(jobs: tuple[Job, ...]) -> None:
+    drawn: list[int] = []
+
+    def draw(job: Job) -> Image:
+        drawn.append(number(job))
+        return picture(job)
+
+    outcomes = list(flow(jobs, Stages(nothing, draw, written), 2, 4, lambda: len(drawn) >= 6))
+    assert [number(outcome.job) for outcome in outcomes] == drawn == [1, 2, 3, 4, 5, 6]
+
+
+def test_an_iterator_that_is_left_leaves_no_worker(jobs: tuple[Job, ...]) -> None:
+    outcomes = flow(jobs, Stages(nothing, picture, written), 2, 4, never)
+    next(outcomes)
+    outcomes.close()
+    assert not [thread for thread in threading.enumerate() if thread.name.startswith("frames")]
+
+
+@pytest.mark.parametrize(
+    ("size", "workers", "window"), [((1000, 1000), 2, 4), ((1920, 1080), 8, 12), ((16384, 16384), 4, 1)]
+)
+def test_large_canvases_have_small_windows(size: tuple[int, int], workers: int, window: int) -> None:
+    assert window_for(*size, workers) == window
