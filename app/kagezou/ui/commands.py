@@ -137,6 +137,8 @@ def _action(command: Command, owner: QWidget) -> QAction:
     action.setCheckable(command.checkable)
     if command.icon:
         action.setIcon(icon(command.icon))
+        # A menu shows the tick of a switch in the icon's place.
+        action.setIconVisibleInMenu(not command.checkable)
     words = plain(command.text)
     action.setToolTip(f"{words}  ({action.shortcut().toString()})" if command.keys else words)
     owner.addAction(action)

@@ -18,6 +18,7 @@ from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
+from kagezou.ui.prefetch import Prefetch
 from kagezou.ui.project_actions import ProjectActions
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
@@ -99,6 +100,7 @@ class MainWindow(QMainWindow):
         if self.demo is not None:
             self.demo.finish()
         self.thumbnails.wait()
+        self.prefetch.finish()
         self.settings.set_layout("geometry", self.saveGeometry())
         self.settings.set_layout("state", self.saveState())
         event.accept()
@@ -135,6 +137,7 @@ class MainWindow(QMainWindow):
         self.actions_of = Actions(self)
         self.bar = MessageBar()
         self.player = Player(bridge)
+        self.prefetch = Prefetch(bridge, self.player, self.desk.cels)
         self.space = SpaceBar()
         self.thumbnails = Thumbnails()
         self.welcome = Welcome()

@@ -40,9 +40,13 @@ class Status(QStatusBar):
         self._device.setToolTip(name)
 
     def _show_document(self) -> None:
-        canvas = self._bridge.document.canvas
+        document = self._bridge.document
+        canvas = document.canvas
         self._canvas.setText(f"{canvas.width_px} × {canvas.height_px}")
-        if not self._bridge.document.layers:
+        is_blank = not document.layers and document.background is None
+        for label in (self._canvas, self._zoom, self._device):
+            label.setVisible(not is_blank)
+        if not document.layers:
             self._hint.setText("")
         else:
             self._hint.setText(

@@ -17,7 +17,7 @@ HOVER_GROWS_PX = 2.0
 _FILL = QColor("#ffffff")
 _DARK = QColor(20, 20, 20, 235)
 _OUTER = QColor(255, 255, 255, 150)
-_SHADE = QColor(0, 0, 0, 120)
+_SHADE = QColor(0, 0, 0, 100)
 _FAINT, _CLEAR, _STRONG = 90, 165, 220
 
 _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
@@ -112,7 +112,7 @@ def paint_guide(painter: QPainter, guide: Guide, view: View, area: QRectF) -> No
     room = area.adjusted(-8, -8, 8, 8)
     # Guides may run far beyond the screen, where dashing them would take for ever.
     lines = [line for a, b in zip(points, ends, strict=False) if (line := clipped(a, b, room))]
-    for pen in (QPen(_SHADE, 3.0), QPen(QColor(255, 255, 255, alpha), 1.0, style)):
+    for pen in (QPen(_SHADE, 2.6), QPen(QColor(255, 255, 255, alpha), 1.0, style)):
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         painter.setPen(pen)
         for a, b in lines:

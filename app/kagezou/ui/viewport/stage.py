@@ -6,6 +6,7 @@ from pathlib import Path
 from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.io.cels import CelCache
+from kagezou.io.images import Steps
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.render.renderer import Renderer
@@ -67,6 +68,10 @@ class Stage:
     def present(self, view: WindowView) -> None:
         """Place the picture in the window."""
         self._renderer.present(view)
+
+    def read_picture(self) -> Steps:
+        """Return the picture drawn last, (H, W, 4) straight sRGB, as the command line would write it."""
+        return self._renderer.read_picture()
 
     def close(self) -> None:
         """Give the memory back; the context must be current."""

@@ -103,7 +103,9 @@ class Viewport(PictureWidget):
             self._panned_from = event.position()
             self.viewpoint.pan(way.x(), way.y())
         elif self.hand.is_busy:
-            self.hand.move(report_of(event))
+            # A move without the button comes from elsewhere, such as a window that just opened under the pointer.
+            if event.buttons() & Qt.MouseButton.LeftButton:
+                self.hand.move(report_of(event))
         elif self.overlay.shows_handles:
             self.hand.hover(report_of(event))
         self._show_cursor()

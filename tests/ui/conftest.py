@@ -1,0 +1,103 @@
+"""What the tests of the window share: an application as the program makes it, settings of their own, small cels."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QSettings
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from kagezou.io.encode import write_rgba
+from kagezou.session.staging import CharacterSource
+from kagezou.ui.application import make_application
+from kagezou.ui.desk import Desk
+from kagezou.ui.language import Language
+from kagezou.ui.main_window import MainWindow
+from kagezou.ui.settings import Settings
+
+FRAMES = 6
+
+if os.name == "posix" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+    # Without a screen Qt would end the whole test run; the tests that need OpenGL say so themselves.
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+
+@pytest.fixture(scope="session")
+def qapp() -> QApplication:
+    """The application with the program's own surface format, palette and style."""
+    application = QApplication.instance()
+    return application if isinstance(application, QApplication) else make_application()
+
+
+@pytest.fixture(autouse=True)
+def english(qapp: QApplication) -> Language:
+    language = Language(qapp)
+    language.speak("en")
+    return language
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    return Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+
+
+@pytest.fixture
+def cels(tmp_path: Path) -> Path:
+    """A folder with a short walk: a figure of a head, a body and two legs on 240 × 200 px."""
+    folder = tmp_path / "walker"
+    folder.mkdir()
+    for frame in range(1, FRAMES + 1):
+        write_rgba(folder / f"walk_{frame:04d}.png", figure_rgba(frame))
+    return folder
+
+
+@pytest.fixture
+def desk(qapp: QApplication) -> Desk:  # noqa: ARG001 - Qt objects need the application
+    return Desk()
+
+
+@pytest.fixture
+def filled(desk: Desk, cels: Path) -> Desk:
+    """A desk with one character, taken for saved."""
+    desk.bring((CharacterSource("Walker", cels),))
+    desk.bridge.session.mark_saved()
+    return desk
+
+
+@pytest.fixture
+def window(qtbot: QtBot, desk: Desk, settings: Settings) -> Iterator[MainWindow]:
+    """The whole window on a screen that can show OpenGL."""
+    if QGuiApplication.platformName() == "offscreen":
+        pytest.skip("no display that can show OpenGL; run under Xvfb")
+    made = MainWindow(desk, settings)
+    made.resize(1100, 760)
+    made.show()
+    qtbot.waitExposed(made)
+    yield made
+    made.close_unasked()
+    made.deleteLater()
+    QApplication.processEvents()
+
+
+@pytest.fixture
+def walking(qtbot: QtBot, window: MainWindow, cels: Path) -> MainWindow:
+    """The window with one character, its first picture on screen."""
+    window.project.bring([cels])
+    window.desk.bridge.session.mark_saved()
+    qtbot.waitUntil(lambda: window.viewport.stage is not None and window.viewport.stage.pictures_drawn > 0)
+    return window
+
+
+def figure_rgba(frame: int) -> np.ndarray[tuple[int, int, int], np.dtype[np.uint8]]:
+    rgba = np.zeros((200, 240, 4), np.uint8)
+    y, x = np.mgrid[0:200, 0:240]
+    rgba[(x - 120) ** 2 + (y - 60) ** 2 < 22**2] = (230, 190, 150, 255)
+    rgba[80:130, 105:135] = (60, 110, 190, 255)
+    stride = 3 * (frame % 4)
+    rgba[130:170, 106 - stride : 116 - stride] = (70, 60, 50, 255)
+    rgba[130:170, 124 + stride : 134 + stride] = (70, 60, 50, 255)
+    return rgba

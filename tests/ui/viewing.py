@@ -1,0 +1,56 @@
+"""Looking at the viewport and touching it, for the tests."""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from kagezou.tools.handle import place_in_view
+from kagezou.ui.main_window import MainWindow
+from kagezou.ui.viewport.viewport import Viewport
+
+
+def place_of(viewport: Viewport, handle_id: str) -> QPoint:
+    handle = viewport.hand.handles.find(handle_id)
+    assert handle is not None, f"no handle {handle_id}"
+    (x, y), _ = place_in_view(handle, viewport.viewpoint.view, viewport.viewpoint.size)
+    return QPoint(round(x), round(y))
+
+
+def picture(viewport: Viewport) -> NDArray[np.uint8]:
+    """The picture the renderer drew last, after everything that waits to be painted."""
+    QApplication.processEvents()
+    viewport.grab()
+    stage = viewport.stage
+    assert stage is not None
+    viewport.makeCurrent()
+    pixels = np.asarray(stage.read_picture(), np.uint8)
+    viewport.doneCurrent()
+    return pixels
+
+
+def drag(qtbot: QtBot, viewport: Viewport, handle_id: str, way: QPoint, *, let_go: bool = True) -> None:
+    start = place_of(viewport, handle_id)
+    qtbot.mouseMove(viewport, start)
+    qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=start)
+    assert viewport.hand.held is not None, f"{handle_id} cannot be taken hold of"
+    assert viewport.hand.held.id == handle_id
+    for part in (1, 2, 3):
+        qtbot.mouseMove(viewport, start + QPoint(way.x() * part // 3, way.y() * part // 3))
+    if let_go:
+        qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=start + way)
+
+
+def shadow_is_on_canvas(window: MainWindow) -> bool:
+    """Whether something darker than the paper is seen, and none of it touches the canvas' edge but the ground."""
+    grey = picture(window.viewport)[..., :3].min(axis=2)
+    dark = grey < 200
+    edges = np.concatenate([dark[0], dark[:, 0], dark[:, -1], dark[-1]])
+    return bool(dark.any() and not edges.any())
+
+
+def write_garbage(path: Path) -> None:
+    path.write_bytes(b"\x89PNG\r\n\x1a\n this is no picture")
