@@ -58,7 +58,7 @@ def measured(document: Document, renderer: Renderer, rounds: int = ROUNDS) -> Me
         count = min(rounds, document.canvas.length_frames - _WARM_UP) if name == "frame step" else rounds
         each = [_timed(document, change, renderer, number) for number in range(max(count, 1) + _WARM_UP)]
         times[name] = median(each[_WARM_UP:])
-        copies += [_copy_timed(renderer) for _ in range(rounds // 4)]
+        copies += [_copy_timed(renderer) for _ in range(max(rounds // 4, 1))]
     copy_ms = median(copies)
     return Measured(copy_ms, tuple(Operation(name, ms, ms / copy_ms) for name, ms in times.items()))
 

@@ -1,4 +1,4 @@
-"""Frames a second of a real export, beside the floor: the same files read and written by the same threads, not drawn."""
+"""Frames a second of an export, beside the floor: the same files read and written by the same threads, not drawn."""
 
 import time
 from concurrent.futures import ThreadPoolExecutor

@@ -108,7 +108,9 @@ def body_at(time: float) -> Point:
     if time < _WALK_END:
         x = _START_X + _STEP * time / _FRAMES_A_STEP
     else:
-        x = end + 34 * _eased(time, _WALK_END - 4, _CROUCH_END) + 168 * _line(time, _CROUCH_END, _LAND)
+        # Braking takes up the pace of the walk.
+        braking = 1 - (1 - _line(time, _WALK_END, _CROUCH_END)) ** 2
+        x = end + 28 * braking + 174 * _line(time, _CROUCH_END, _LAND)
     walking = 1.0 - _eased(time, _WALK_END - 2, _WALK_END + 2)
     bob = 7.0 * cos(tau * (time - 1.5) / _FRAMES_A_STEP) * walking
     rise = 118.0 * _airborne(time)
