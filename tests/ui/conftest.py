@@ -34,10 +34,11 @@ def qapp() -> QApplication:
 
 
 @pytest.fixture(autouse=True)
-def english(qapp: QApplication) -> Language:
+def english(qapp: QApplication) -> Iterator[Language]:
     language = Language(qapp)
     language.speak("en")
-    return language
+    yield language
+    language.fall_silent()
 
 
 @pytest.fixture

@@ -123,20 +123,22 @@ def test_the_label_drags_and_a_double_click_resets(qtbot: QtBot, inspector: Insp
 
 def test_the_diamond_sets_and_removes_keys(qtbot: QtBot, inspector: Inspector, filled: Desk) -> None:
     row, session = inspector.row("ground.declination"), filled.bridge.session
-    assert row.key.state is KeyState.NONE
+    states = [row.key.state]
     qtbot.mouseClick(row.key, Qt.MouseButton.LeftButton)
-    assert row.key.state is KeyState.HERE
+    states.append(row.key.state)
     session.go_to(3)
-    assert row.key.state is KeyState.KEYED
+    states.append(row.key.state)
+    assert states == [KeyState.NONE, KeyState.HERE, KeyState.KEYED]
     row.enter(20.0)
     assert [key.frame for key in track_of(session.document, DECLINATION).keys] == [1, 3]
     session.go_to(2)
     assert field_of(inspector, "ground.declination").value == 40.0
     session.go_to(3)
     qtbot.mouseClick(row.key, Qt.MouseButton.LeftButton)
-    assert row.key.state is KeyState.KEYED
+    states = [row.key.state]
     row.remove_all_keys()
-    assert row.key.state is KeyState.NONE
+    states.append(row.key.state)
+    assert states == [KeyState.KEYED, KeyState.NONE]
 
 
 def test_only_the_properties_of_the_light_there_is_are_shown(inspector: Inspector) -> None:
@@ -228,7 +230,8 @@ def test_the_ruler_and_the_field_set_the_frame(qtbot: QtBot, filled: Desk) -> No
 
 def test_playback_follows_the_clock_and_drops_no_frame_unless_asked(filled: Desk) -> None:
     now = [0.0]
-    player, seen = Player(filled.bridge, clock=lambda: now[0]), []
+    player = Player(filled.bridge, clock=lambda: now[0])
+    seen: list[int] = []
     filled.bridge.frame_changed.connect(seen.append)
     filled.bridge.frame_changed.connect(player.picture_shown)
     player.start()
@@ -252,7 +255,8 @@ def test_playback_follows_the_clock_and_drops_no_frame_unless_asked(filled: Desk
 
 def test_the_rate_shown_is_the_rate_seen(qtbot: QtBot, filled: Desk) -> None:
     now = [0.0]
-    player, rates = Player(filled.bridge, clock=lambda: now[0]), []
+    player = Player(filled.bridge, clock=lambda: now[0])
+    rates: list[float] = []
     transport = Transport(filled.bridge, player, [QAction("Play", filled), None])
     qtbot.addWidget(transport)
     player.rate_measured.connect(rates.append)

@@ -95,6 +95,7 @@ class Program:
         self.window.close_unasked()
         self.window.deleteLater()
         QCoreApplication.sendPostedEvents(self.window, QEvent.Type.DeferredDelete)
+        self._language.fall_silent()
 
     def speak(self, code: str) -> None:
         """Change the language: the window is made anew, what is on the desk stays."""

@@ -24,13 +24,17 @@ class Language:
 
     def speak(self, chosen: str) -> None:
         """Speak a language by its code; an empty one means the system's, and English where we do not speak that."""
-        for translator in self._installed:
-            self._application.removeTranslator(translator)
-        self._installed.clear()
+        self.fall_silent()
         self.code = chosen if chosen in LANGUAGES else system_language()
         # English is loaded too: it holds the plural forms.
         self._install(f"qtbase_{self.code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))
         self._install(f"kagezou_{self.code}", str(resource_folder() / "translations"))
+
+    def fall_silent(self) -> None:
+        """Take the translators away again."""
+        for translator in self._installed:
+            self._application.removeTranslator(translator)
+        self._installed.clear()
 
     def _install(self, name: str, folder: str) -> None:
         translator = QTranslator(self._application)
