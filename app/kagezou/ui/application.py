@@ -99,15 +99,19 @@ class Program:
 
     def speak(self, code: str) -> None:
         """Change the language: the window is made anew, what is on the desk stays."""
+        if self.window.exporting.is_running:
+            self.window.exporting.say_running()
+            return
         self._settings.language = code
         self._language.speak(code)
-        old, self.window = self.window, self._make_window_after(self.window)
-        self.window.show()
-        old.deleteLater()
-
-    def _make_window_after(self, old: MainWindow) -> MainWindow:
+        old = self.window
+        # For a moment there is no window, which must not end the program; closing is what remembers the layout.
+        QGuiApplication.setQuitOnLastWindowClosed(False)
         old.close_unasked()
-        return self._make_window()
+        self.window = self._make_window()
+        self.window.show()
+        QGuiApplication.setQuitOnLastWindowClosed(True)
+        old.deleteLater()
 
     def _make_window(self) -> MainWindow:
         window = MainWindow(self.desk, self._settings, self._make_demo)

@@ -92,7 +92,7 @@ class Exporting(QWidget):
     def start(self, document: Document, folder: Path) -> None:
         """Export every layer's shadow of the whole cut."""
         if self._job is not None:
-            self._bar.say(_KEY, self.tr("An export is still running."), Severity.NOTE)
+            self.say_running()
             return
         # One core is left to the window.
         workers = max((os.cpu_count() or 2) - 1, 1)
@@ -106,6 +106,10 @@ class Exporting(QWidget):
         self._words.setText(self.tr("Exporting"))
         self.show()
         job.start(QThread.Priority.LowPriority)
+
+    def say_running(self) -> None:
+        """Say that something has to wait for the export."""
+        self._bar.say(_KEY, self.tr("An export is still running."), Severity.NOTE)
 
     def cancel(self) -> None:
         """Stop soon."""

@@ -12,7 +12,7 @@ NOTE_SHOWN_MS = 6000
 
 
 class Severity(StrEnum):
-    """How much a message weighs."""
+    """How much a message weighs, the lightest first."""
 
     NOTE = "note"
     """Goes by itself."""
@@ -27,7 +27,7 @@ class _Message:
 
 
 class MessageBar(QWidget):
-    """Shows the latest of the messages that stand; hidden while there is none."""
+    """Shows the latest of the gravest messages that stand; hidden while there is none."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -49,7 +49,7 @@ class MessageBar(QWidget):
     @property
     def text(self) -> str:
         """What is shown now, empty if nothing is."""
-        return next(reversed(self._messages.values())).text if self._messages else ""
+        return self._messages[self._foremost].text if self._messages else ""
 
     def say(self, key: str, text: str, severity: Severity = Severity.ERROR) -> None:
         """Show a message; it takes the place of the one with the same key."""
@@ -57,17 +57,23 @@ class MessageBar(QWidget):
         self._messages[key] = _Message(text, severity)
         if severity is Severity.NOTE:
             self._going.start(NOTE_SHOWN_MS)
-        self._show_latest()
+        self._show_foremost()
 
     def withdraw(self, key: str) -> None:
         """Take a message away because its cause is gone."""
         if self._messages.pop(key, None) is not None:
-            self._show_latest()
+            self._show_foremost()
 
     def clear(self) -> None:
         """Take every message away."""
         self._messages.clear()
-        self._show_latest()
+        self._show_foremost()
+
+    @property
+    def _foremost(self) -> str:
+        """The key of the latest among the gravest messages."""
+        weights = list(Severity)
+        return max(reversed(self._messages), key=lambda key: weights.index(self._messages[key].severity))
 
     def _lay_out(self) -> None:
         sign = QLabel()
@@ -88,20 +94,20 @@ class MessageBar(QWidget):
 
     def _dismiss(self) -> None:
         if self._messages:
-            self._messages.popitem()
-        self._show_latest()
+            del self._messages[self._foremost]
+        self._show_foremost()
 
     def _drop_notes(self) -> None:
         self._messages = {key: m for key, m in self._messages.items() if m.severity is not Severity.NOTE}
-        self._show_latest()
+        self._show_foremost()
 
-    def _show_latest(self) -> None:
+    def _show_foremost(self) -> None:
         if self._messages:
-            latest = next(reversed(self._messages.values()))
-            self._text.setText(latest.text)
+            foremost = self._messages[self._foremost]
+            self._text.setText(foremost.text)
             more = len(self._messages) - 1
             self._count.setText(self.tr("and %n more", "", more) if more else "")
-            self.setProperty("severity", latest.severity.value)
+            self.setProperty("severity", foremost.severity.value)
             self.style().unpolish(self)
             self.style().polish(self)
         self.setVisible(bool(self._messages))

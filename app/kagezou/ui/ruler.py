@@ -12,7 +12,7 @@ from kagezou.ui.timecode import frames_per_second, sheet_text
 _LABEL_STEPS = (1, 2, 4, 6, 12, 24, 48, 72, 144, 240, 480, 720, 1440, 2880, 7200, 14400)
 _MIN_LABEL_PX = 34
 _MIN_TICK_PX = 4
-_KEY_RADIUS_PX = 3.5
+_KEY_RADIUS_PX = 4.0
 _MARGIN_PX = 10
 
 
