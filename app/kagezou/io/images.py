@@ -22,7 +22,7 @@ _ALL_FULL: Final = "alpha is full everywhere: the whole frame would cast a shado
 _TURNED: Final = 5
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False, slots=True, weakref_slot=True)
 class Matte:
     """The alpha of a drawing.
 
@@ -46,7 +46,7 @@ class Matte:
         return self.alpha.nbytes
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False, slots=True, weakref_slot=True)
 class Cel:
     """A whole drawing.
 

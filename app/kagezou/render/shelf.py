@@ -3,6 +3,7 @@
 from collections import OrderedDict
 from collections.abc import Callable
 from typing import Generic, Protocol, TypeVar
+from weakref import ref
 
 
 class Kept(Protocol):
@@ -22,21 +23,27 @@ T = TypeVar("T", bound=Kept)
 
 
 class Shelf(Generic[T]):
-    """The things last used, each made of one object in memory; the least recently used go first."""
+    """The things last used, each made of one object in memory; the least recently used go first.
+
+    The object itself is not kept alive: it belongs to whoever decoded it and may take many times the memory of what
+    was made of it. What was made of an object that is gone cannot be asked for again and goes at the next making.
+    """
 
     def __init__(self, budget_bytes: int) -> None:
         self._budget = budget_bytes
-        self._kept: OrderedDict[int, tuple[object, T]] = OrderedDict()
+        self._kept: OrderedDict[int, tuple[ref[object], T]] = OrderedDict()
 
     def made_of(self, source: object, make: Callable[[], T]) -> T:
         """Return what was made of ``source``, which is told by identity; made now if it is not there."""
         key = id(source)
-        if key in self._kept:
+        known = self._kept.get(key)
+        # The id of an object that is gone may have passed to another.
+        if known is not None and known[0]() is source:
             self._kept.move_to_end(key)
-            return self._kept[key][1]
+            return known[1]
+        self._forget_gone()
         made = make()
-        # The source is kept beside what was made of it, so that its id cannot pass to another object.
-        self._kept[key] = (source, made)
+        self._kept[key] = (ref(source), made)
         self._forget_over_budget()
         return made
 
@@ -45,6 +52,10 @@ class Shelf(Generic[T]):
         for _, made in self._kept.values():
             made.close()
         self._kept.clear()
+
+    def _forget_gone(self) -> None:
+        for key in [key for key, (source, _) in self._kept.items() if source() is None]:
+            self._kept.pop(key)[1].close()
 
     def _forget_over_budget(self) -> None:
         total = sum(made.nbytes for _, made in self._kept.values())
