@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 from viewing import drag, picture, shadow_is_on_canvas, write_garbage
 
@@ -45,12 +45,12 @@ def reply(window: MainWindow, path: Path | None = None, answer: Answer = Answer.
     return replies
 
 
-def drop(window: MainWindow, *paths: Path) -> None:
+def drop(window: MainWindow, *paths: Path, over: QWidget | None = None) -> None:
     carried = QMimeData()
     carried.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
     copy, none, plain = Qt.DropAction.CopyAction, Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier
     enter = QDragEnterEvent(QPoint(300, 300), copy, carried, none, plain)
-    QApplication.sendEvent(window, enter)
+    QApplication.sendEvent(over or window, enter)
     assert enter.isAccepted()
     QApplication.sendEvent(window, QDropEvent(QPointF(300, 300), copy, carried, none, plain))
 
@@ -70,7 +70,7 @@ def test_a_folder_dropped_on_the_window_becomes_a_layer(qtbot: QtBot, window: Ma
     assert window.desk.bridge.document.canvas.length_frames == 6
     assert shadow_is_on_canvas(window)
     assert window.isWindowModified()
-    drop(window, cels)
+    drop(window, cels, over=window.layers.view.viewport())
     assert [layer.name for layer in window.desk.bridge.document.layers] == ["walker", "walker 2"]
     window.actions_of["undo"].trigger()
     window.actions_of["undo"].trigger()

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QToolButton, QWidget
 
-from kagezou.ui.icons import icon
+from kagezou.ui.icons import icon, icon_size
 
 
 class Dock(QDockWidget):
@@ -41,7 +41,7 @@ class Dock(QDockWidget):
 def _button(name: str, words: str, do: object) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
-    button.setIconSize(button.iconSize() * 0.75)
+    button.setIconSize(icon_size(button.fontMetrics(), small=True))
     button.setToolTip(words)
     button.setAccessibleName(words)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)

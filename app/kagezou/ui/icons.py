@@ -3,7 +3,7 @@
 from functools import cache
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtGui import QColor, QFontMetrics, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
 from kagezou.locations import resource_folder
@@ -24,6 +24,12 @@ def icon(name: str) -> QIcon:
         made.addPixmap(_drawn(text, OFF, size), QIcon.Mode.Disabled, QIcon.State.Off)
         made.addPixmap(_drawn(text, BRIGHT, size), QIcon.Mode.Normal, QIcon.State.On)
     return made
+
+
+def icon_size(metrics: QFontMetrics, *, small: bool = False) -> QSize:
+    """Return the size of icons beside text of a font, so that they grow with it."""
+    side = max(12 if small else 18, round(metrics.height() * (0.7 if small else 1.0)))
+    return QSize(side, side)
 
 
 def application_icon() -> QIcon:

@@ -4,13 +4,13 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSize, Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMainWindow, QMenu, QSizePolicy, QToolBar, QToolButton, QWidget
 
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.commands import Actions, plain
-from kagezou.ui.icons import icon
+from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.language import LANGUAGES
 
 _SEPARATOR = ""
@@ -79,7 +79,7 @@ class Menus(QObject):
         bar = QToolBar(self.tr("Tools"), self._window)
         bar.setObjectName("tools")
         bar.setMovable(False)
-        bar.setIconSize(QSize(18, 18))
+        bar.setIconSize(icon_size(bar.fontMetrics()))
         bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         self._fill(bar, ["new", "open", "save", _SEPARATOR, "undo", "redo", _SEPARATOR, "import"])
         spring = QWidget()
@@ -87,6 +87,7 @@ class Menus(QObject):
         bar.addWidget(spring)
         backdrop = QToolButton()
         backdrop.setIcon(icon("backdrop"))
+        backdrop.setIconSize(bar.iconSize())
         backdrop.setMenu(self.backdrops)
         backdrop.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         backdrop.setToolTip(self.tr("Backdrop"))

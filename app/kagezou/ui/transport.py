@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QToolButton, QVBox
 from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.commands import plain
+from kagezou.ui.icons import icon_size
 from kagezou.ui.playback import Player
 from kagezou.ui.ruler import Ruler
 from kagezou.ui.timecode import parse_frame, sheet_text
@@ -119,6 +120,7 @@ class Transport(QWidget):
 def _button(action: QAction) -> QToolButton:
     button = QToolButton()
     button.setDefaultAction(action)
+    button.setIconSize(icon_size(button.fontMetrics()))
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.setAccessibleName(plain(action.text()))
     return button

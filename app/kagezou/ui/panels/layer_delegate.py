@@ -19,7 +19,8 @@ class LayerDelegate(QStyledItemDelegate):
     """Paints rows and takes clicks on the eye."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        return QSize(160, _THUMBNAIL + 10)
+        two_lines = 2 * option.fontMetrics.height() + 8
+        return QSize(160, max(_THUMBNAIL + 10, two_lines))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         area = QRect(option.rect)
@@ -33,7 +34,7 @@ class LayerDelegate(QStyledItemDelegate):
         painter.drawLine(area.bottomLeft(), area.bottomRight())
         eye = QRect(area.left() + 7, area.center().y() - 8, 16, 16)
         icon("eye" if visible else "eye-off").paint(painter, eye)
-        frame = QRect(area.left() + _EYE_WIDTH, area.top() + 5, _THUMBNAIL, _THUMBNAIL)
+        frame = QRect(area.left() + _EYE_WIDTH, area.center().y() - _THUMBNAIL // 2, _THUMBNAIL, _THUMBNAIL)
         _paint_thumbnail(painter, frame, index.data(Role.THUMBNAIL), faded=not visible)
         self._paint_words(painter, option, index, name_tone=(BRIGHT if chosen else TEXT) if visible else OFF)
         painter.restore()

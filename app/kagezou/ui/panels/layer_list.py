@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from kagezou.document.edits import remove_layer
 from kagezou.ui.bridge import Bridge
-from kagezou.ui.icons import icon
+from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.panels.layer_delegate import LayerDelegate
 from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.panels.thumbnails import Thumbnails
@@ -136,6 +136,7 @@ class LayerList(QWidget):
 def _tool(name: str, words: str, do: object) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
+    button.setIconSize(icon_size(button.fontMetrics()))
     button.setToolTip(words)
     button.setAccessibleName(words)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
