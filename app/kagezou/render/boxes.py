@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
-from kagezou.render.gl import GL
+from kagezou.render.gl import GL, deleted, made
 
 _CORNERS = (0, 1, 2, 1, 2, 3, 0, 1, 2, 3, 0, 3)
 """Two triangles of a box (left, top, right, bottom), as pairs (x, y)."""
@@ -16,8 +16,8 @@ class Boxes:
     """One small vertex buffer that every pass draws from."""
 
     def __init__(self) -> None:
-        self._array = int(GL.glGenVertexArrays(1))
-        self._buffer = int(GL.glGenBuffers(1))
+        self._array = made(GL.glGenVertexArrays)
+        self._buffer = made(GL.glGenBuffers)
         GL.glBindVertexArray(self._array)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
         GL.glEnableVertexAttribArray(0)
@@ -28,7 +28,7 @@ class Boxes:
         points = np.ascontiguousarray(boxes[:, _CORNERS], dtype=np.float32)
         GL.glBindVertexArray(self._array)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
-        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, points, GL.GL_STREAM_DRAW)
+        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
         GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
 
     def draw_one(self, box: Box) -> None:
@@ -37,5 +37,5 @@ class Boxes:
 
     def close(self) -> None:
         """Give the memory back."""
-        GL.glDeleteBuffers(1, [self._buffer])
-        GL.glDeleteVertexArrays(1, [self._array])
+        deleted(GL.glDeleteBuffers, self._buffer)
+        deleted(GL.glDeleteVertexArrays, self._array)

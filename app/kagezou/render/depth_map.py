@@ -15,7 +15,7 @@ from kagezou.geometry.card import CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.boxes import Boxes
-from kagezou.render.gl import GL
+from kagezou.render.gl import GL, deleted, made
 from kagezou.render.light_view import LightView
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Program
@@ -31,8 +31,8 @@ class DepthMapPass:
         self._map = DepthTarget(map_px)
         self._store = Program("depth_card.vert", "depth_card.frag")
         self._receive = Program("box.vert", "depth_receive.frag")
-        self._array = int(GL.glGenVertexArrays(1))
-        self._buffer = int(GL.glGenBuffers(1))
+        self._array = made(GL.glGenVertexArrays)
+        self._buffer = made(GL.glGenBuffers)
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte, target: Target) -> None:
         """Draw into ``target``: 1 in shadow, 0 elsewhere, no anti-aliasing; the whole target is drawn anew."""
@@ -48,8 +48,8 @@ class DepthMapPass:
         self._map.close()
         self._store.close()
         self._receive.close()
-        GL.glDeleteBuffers(1, [self._buffer])
-        GL.glDeleteVertexArrays(1, [self._array])
+        deleted(GL.glDeleteBuffers, self._buffer)
+        deleted(GL.glDeleteVertexArrays, self._array)
 
     def _store_card(self, cast: ShadowCast, corners: list[Matrix], view: LightView, matte: PlacedMatte) -> None:
         self._map.begin()
@@ -73,7 +73,7 @@ class DepthMapPass:
         points = np.ascontiguousarray(np.hstack([view.seen(quad), quad]), dtype=np.float32)
         GL.glBindVertexArray(self._array)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
-        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, points, GL.GL_STREAM_DRAW)
+        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
         for place, offset in ((0, 0), (1, 12)):
             GL.glEnableVertexAttribArray(place)
             GL.glVertexAttribPointer(place, 3, GL.GL_FLOAT, False, 24, c_void_p(offset))  # noqa: FBT003 - GL's order

@@ -1,12 +1,16 @@
-"""The one door to PyOpenGL, opened with the settings that make it fast and usable without a display.
+"""The one door to OpenGL: PyOpenGL's raw functions of version 3.3, and what Python needs around them.
 
-PyOpenGL is untyped and builds its functions when it is imported; ``GL`` is therefore ``Any`` here, on purpose and once.
+PyOpenGL's friendly layer takes a tenth of a second to import and more time per call than the driver does; the raw
+functions are plain ctypes. They are built when they are imported, so ``GL`` is ``Any`` here, on purpose and once.
 """
 
+import ctypes
 import importlib
 import os
 import sys
-from typing import Any
+from ctypes import byref, c_char, c_char_p, c_int, c_uint
+from types import SimpleNamespace
+from typing import Any, Final
 
 import OpenGL
 
@@ -19,9 +23,17 @@ if sys.platform.startswith("linux"):
 OpenGL.ERROR_CHECKING = False
 OpenGL.ERROR_LOGGING = False
 
-GL: Any = importlib.import_module("OpenGL.GL")
-# PyOpenGL's own form of this one call asks which context is current, of EGL alone, and fails in a GLX window.
-GL.glVertexAttribPointer = importlib.import_module("OpenGL.raw.GL.VERSION.GL_2_0").glVertexAttribPointer
+_VERSIONS: Final = ("1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0", "3_1", "3_2", "3_3")
+
+
+def _everything() -> SimpleNamespace:
+    modules = (importlib.import_module(f"OpenGL.raw.GL.VERSION.GL_{version}") for version in _VERSIONS)
+    named = {name: value for module in modules for name, value in vars(module).items() if name[:2] in ("gl", "GL")}
+    # PyOpenGL's constants are numbers with a name; ctypes takes plain ones faster.
+    return SimpleNamespace(**{n: int(v) if isinstance(v, int) else v for n, v in named.items()})
+
+
+GL: Any = _everything()
 
 _NAMES = {
     0x0500: "invalid enum",
@@ -45,3 +57,48 @@ def check(doing: str) -> None:
         while GL.glGetError():
             pass
         raise GraphicsProblem(f"the graphics driver failed while {doing}: {_NAMES.get(error, hex(error))}")
+
+
+def made(make: Any) -> int:
+    """Return the name of one new object, made by a function such as ``GL.glGenTextures``."""
+    name = c_uint()
+    make(1, byref(name))
+    return name.value
+
+
+def deleted(delete: Any, name: int) -> None:
+    """Delete one object by a function such as ``GL.glDeleteTextures``."""
+    delete(1, byref(c_uint(name)))
+
+
+def integer(what: int) -> int:
+    """Return a number of the context, such as ``GL.GL_MAX_TEXTURE_SIZE``."""
+    value = c_int()
+    GL.glGetIntegerv(what, byref(value))
+    return value.value
+
+
+def text(what: int) -> str | None:
+    """Return a text of the context, such as ``GL.GL_VENDOR``; None without a context."""
+    words = ctypes.cast(GL.glGetString(what), c_char_p).value
+    return None if words is None else words.decode("utf-8", "replace")
+
+
+def status(get: Any, name: int, what: int) -> int:
+    """Return a number of a shader or program, by a function such as ``GL.glGetShaderiv``."""
+    value = c_int()
+    get(name, what, byref(value))
+    return value.value
+
+
+def log_of(get: Any, name: int, limit: int = 2000) -> str:
+    """Return what the driver says of a shader or program, by a function such as ``GL.glGetShaderInfoLog``."""
+    words = (c_char * limit)()
+    get(name, limit, None, words)
+    return " ".join(words.value.decode("utf-8", "replace").split())[:500]
+
+
+def set_source(shader: int, source: str) -> None:
+    """Give a shader its text."""
+    words = ctypes.create_string_buffer(source.encode("utf-8"))
+    GL.glShaderSource(shader, 1, byref(ctypes.cast(words, ctypes.POINTER(c_char))), None)

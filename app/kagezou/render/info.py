@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from kagezou.errors import GraphicsProblem
-from kagezou.render.gl import GL
+from kagezou.render.gl import GL, integer, text
 
 NEEDED = (3, 3)
 _SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "gdi generic")
@@ -33,13 +33,12 @@ class GraphicsInfo:
 
 def read_info() -> GraphicsInfo:
     """Return what the current context is; GraphicsProblem if none is current or it is too old."""
-    texts = [GL.glGetString(name) for name in (GL.GL_VENDOR, GL.GL_RENDERER, GL.GL_VERSION)]
-    if any(text is None for text in texts):
+    vendor, renderer, version = (text(what) for what in (GL.GL_VENDOR, GL.GL_RENDERER, GL.GL_VERSION))
+    if vendor is None or renderer is None or version is None:
         raise GraphicsProblem("there is no OpenGL context to draw with")
-    vendor, renderer, version = (text.decode("utf-8", "replace") for text in texts)
     numbers = version.split()[0].split(".")
     major, minor = (int(part) if part.isdigit() else 0 for part in (*numbers, "0")[:2])
-    info = GraphicsInfo(vendor, renderer, version, major, minor, int(GL.glGetIntegerv(GL.GL_MAX_TEXTURE_SIZE)))
+    info = GraphicsInfo(vendor, renderer, version, major, minor, integer(GL.GL_MAX_TEXTURE_SIZE))
     if not info.is_enough:
         raise GraphicsProblem(
             f"the graphics driver offers OpenGL {version} ({renderer}); Kagezou needs 3.3: update the driver"

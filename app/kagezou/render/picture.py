@@ -32,9 +32,10 @@ class Picture:
         self._boxes = boxes
         self._backdrop_program = Program("box.vert", "backdrop.frag")
         self._lay_program = Program("box.vert", "lay.frag")
+        self._copy_program = Program("box.vert", "copy.frag")
         self._target = Target(canvas.width, canvas.height, form)
         self._base_target = Target(canvas.width, canvas.height, form)
-        self._under = Texture(canvas.width, canvas.height, form)
+        self._under_target = Target(canvas.width, canvas.height, form)
         self._colors: Shelf[Texture] = Shelf(color_budget_bytes)
         self._base: _Base | None = None
         self._drawn_over: list[Box] = []
@@ -76,16 +77,20 @@ class Picture:
         self._lay_cel(self._target, cel)
 
     def copy_whole(self) -> None:
-        """Copy the whole picture once within the graphics card: the plain cost that others are measured by."""
-        self._copy_under(self._target, self._target.box)
+        """Draw the whole picture once into another target, one texel a pixel: the unit of cost of a benchmark."""
+        self._under_target.bind()
+        self._target.texture.bind(0)
+        self._copy_program.use({"u_target_size_px": self._target.size_px, "u_source": 0})
+        self._boxes.draw_one(self._target.box)
 
     def close(self) -> None:
         """Give the memory back."""
         self._colors.close()
-        self._under.close()
+        self._under_target.close()
         self._base_target.close()
         self._target.close()
         self._lay_program.close()
+        self._copy_program.close()
         self._backdrop_program.close()
 
     def _make_base(self, base: _Base) -> None:
@@ -130,7 +135,7 @@ class Picture:
     def _lay(self, target: Target, box: Box, source: Texture, uniforms: dict[str, Uniform]) -> None:
         self._copy_under(target, box)
         target.bind(box)
-        self._under.bind(0)
+        self._under_target.texture.bind(0)
         source.bind(1)
         self._lay_program.use({"u_target_size_px": self._target.size_px, "u_under": 0, "u_source": 1, **uniforms})
         self._boxes.draw_one(box)
@@ -139,7 +144,7 @@ class Picture:
 
     def _copy_under(self, target: Target, box: Box) -> None:
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, target.id)
-        self._under.bind(0)
+        self._under_target.texture.bind(0)
         GL.glCopyTexSubImage2D(GL.GL_TEXTURE_2D, 0, box.left, box.top, box.left, box.top, box.width, box.height)
 
     def _copy_base(self, box: Box) -> None:

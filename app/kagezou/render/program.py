@@ -1,5 +1,6 @@
 """Shader programs: read from files, joined by ``#include``, compiled, and fed uniforms by the document's words."""
 
+import ctypes
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -9,9 +10,11 @@ from numpy.typing import NDArray
 
 from kagezou.errors import GraphicsProblem
 from kagezou.locations import shader_folder
-from kagezou.render.gl import GL
+from kagezou.render.gl import GL, log_of, set_source, status
 
 _INCLUDE = re.compile(r'^#include "([\w.]+)"$', re.MULTILINE)
+
+_FLOATS = ctypes.POINTER(ctypes.c_float)
 
 Uniform = bool | int | float | Sequence[float] | NDArray[np.float64]
 """A (3, 3) matrix, a vector, a number or a switch."""
@@ -44,8 +47,10 @@ class Program:
             GL.glAttachShader(self.id, shader)
             GL.glDeleteShader(shader)
         GL.glLinkProgram(self.id)
-        if not GL.glGetProgramiv(self.id, GL.GL_LINK_STATUS):
-            raise GraphicsProblem(f"the graphics driver refuses {self._name}: {_log(GL.glGetProgramInfoLog(self.id))}")
+        if not status(GL.glGetProgramiv, self.id, GL.GL_LINK_STATUS):
+            raise GraphicsProblem(
+                f"the graphics driver refuses {self._name}: {log_of(GL.glGetProgramInfoLog, self.id)}"
+            )
         self._places: dict[str, int] = {}
 
     def use(self, uniforms: Mapping[str, Uniform]) -> None:
@@ -64,7 +69,7 @@ class Program:
             if not re.search(rf"\b{name};", self._source):
                 raise KeyError(f"{self._name} has no uniform {name}")
             # A driver may drop a uniform that does not matter; it is then at -1, where setting it does nothing.
-            place = self._places[name] = int(GL.glGetUniformLocation(self.id, name))
+            place = self._places[name] = int(GL.glGetUniformLocation(self.id, name.encode()))
         return place
 
     def _set(self, place: int, value: Uniform) -> None:
@@ -75,9 +80,10 @@ class Program:
         else:
             numbers = np.ascontiguousarray(value, dtype=np.float32)
             if numbers.shape == (3, 3):
-                GL.glUniformMatrix3fv(place, 1, True, numbers)  # noqa: FBT003 - rows first, as numpy keeps them
+                # Rows first, as numpy keeps them.
+                GL.glUniformMatrix3fv(place, 1, 1, numbers.ctypes.data_as(_FLOATS))
             else:
-                (GL.glUniform2fv, GL.glUniform3fv, GL.glUniform4fv)[len(numbers) - 2](place, 1, numbers)
+                (GL.glUniform2f, GL.glUniform3f, GL.glUniform4f)[len(numbers) - 2](place, *numbers.tolist())
 
 
 class Variants:
@@ -104,13 +110,8 @@ class Variants:
 def _compiled(name: str, kind: int, switches: Iterable[str]) -> int:
     version, rest = shader_source(name).split("\n", 1)
     shader = int(GL.glCreateShader(kind))
-    GL.glShaderSource(shader, "\n".join([version, *(f"#define {switch}" for switch in switches), rest]))
+    set_source(shader, "\n".join([version, *(f"#define {switch}" for switch in switches), rest]))
     GL.glCompileShader(shader)
-    if not GL.glGetShaderiv(shader, GL.GL_COMPILE_STATUS):
-        raise GraphicsProblem(f"the graphics driver refuses {name}: {_log(GL.glGetShaderInfoLog(shader))}")
+    if not status(GL.glGetShaderiv, shader, GL.GL_COMPILE_STATUS):
+        raise GraphicsProblem(f"the graphics driver refuses {name}: {log_of(GL.glGetShaderInfoLog, shader)}")
     return shader
-
-
-def _log(text: bytes | str) -> str:
-    words = text.decode("utf-8", "replace") if isinstance(text, bytes) else text
-    return " ".join(words.split())[:500]

@@ -136,7 +136,7 @@ class Renderer:
         check("showing the picture")
 
     def copy_picture(self) -> None:
-        """Copy the whole picture once within the graphics card: the plain cost that others are measured by."""
+        """Draw the whole picture once into another target, one texel a pixel: the unit of cost of a benchmark."""
         self._drawn().copy_whole()
 
     def finish(self) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images import Steps
-from kagezou.render.gl import GL
+from kagezou.render.gl import GL, deleted, integer, made
 
 LAST_LEVEL = 5
 """The coarsest mipmap; a texture whose sides are multiples of 2 to this power has exact means in every level."""
@@ -37,14 +37,14 @@ class Texture:
     """A 2-D texture whose first row is the top row of the picture."""
 
     def __init__(self, width_px: int, height_px: int, form: Format) -> None:
-        limit = int(GL.glGetIntegerv(GL.GL_MAX_TEXTURE_SIZE))
+        limit = integer(GL.GL_MAX_TEXTURE_SIZE)
         if max(width_px, height_px) > limit:
             raise GraphicsProblem(f"a picture of {width_px}x{height_px} px is over this graphics driver's {limit} px")
         self.width_px = width_px
         self.height_px = height_px
         self.form = form
         self.has_mipmaps = False
-        self.id = int(GL.glGenTextures(1))
+        self.id = made(GL.glGenTextures)
         internal, pixels, component = form.value
         self.bind(0)
         GL.glTexImage2D(GL.GL_TEXTURE_2D, 0, internal, width_px, height_px, 0, pixels, component, None)
@@ -101,7 +101,7 @@ class Texture:
 
     def close(self) -> None:
         """Give the memory back."""
-        GL.glDeleteTextures([self.id])
+        deleted(GL.glDeleteTextures, self.id)
 
 
 class Target:
@@ -109,7 +109,7 @@ class Target:
 
     def __init__(self, width_px: int, height_px: int, form: Format) -> None:
         self.texture = Texture(width_px, height_px, form)
-        self.id = int(GL.glGenFramebuffers(1))
+        self.id = made(GL.glGenFramebuffers)
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
         GL.glFramebufferTexture2D(GL.GL_FRAMEBUFFER, GL.GL_COLOR_ATTACHMENT0, GL.GL_TEXTURE_2D, self.texture.id, 0)
         if GL.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER) != GL.GL_FRAMEBUFFER_COMPLETE:
@@ -153,12 +153,12 @@ class Target:
         pixels: Steps = np.empty(shape, np.uint8) if self.texture.form.dtype is np.uint8 else np.empty(shape, np.uint16)
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
         GL.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1)
-        GL.glReadPixels(box.left, box.top, box.width, box.height, order, component, pixels)
+        GL.glReadPixels(box.left, box.top, box.width, box.height, order, component, c_void_p(pixels.ctypes.data))
         return pixels
 
     def texture_alone(self) -> Texture:
         """Give up drawing and return what was drawn."""
-        GL.glDeleteFramebuffers(1, [self.id])
+        deleted(GL.glDeleteFramebuffers, self.id)
         return self.texture
 
     def close(self) -> None:
@@ -171,14 +171,14 @@ class DepthTarget:
 
     def __init__(self, side_px: int) -> None:
         self._side = side_px
-        self._texture = int(GL.glGenTextures(1))
+        self._texture = made(GL.glGenTextures)
         self.bind_texture(0)
         GL.glTexImage2D(
             GL.GL_TEXTURE_2D, 0, GL.GL_DEPTH_COMPONENT32F, side_px, side_px, 0, GL.GL_DEPTH_COMPONENT, GL.GL_FLOAT, None
         )
         for name in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):
             GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_NEAREST)
-        self._framebuffer = int(GL.glGenFramebuffers(1))
+        self._framebuffer = made(GL.glGenFramebuffers)
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self._framebuffer)
         GL.glFramebufferTexture2D(GL.GL_FRAMEBUFFER, GL.GL_DEPTH_ATTACHMENT, GL.GL_TEXTURE_2D, self._texture, 0)
         GL.glDrawBuffer(GL.GL_NONE)
@@ -203,5 +203,5 @@ class DepthTarget:
 
     def close(self) -> None:
         """Give the memory back."""
-        GL.glDeleteFramebuffers(1, [self._framebuffer])
-        GL.glDeleteTextures([self._texture])
+        deleted(GL.glDeleteFramebuffers, self._framebuffer)
+        deleted(GL.glDeleteTextures, self._texture)
