@@ -16,8 +16,8 @@ from kagezou.render.targets import Target
 from kagezou.render.tiles import Tiling, tiled
 from kagezou.scene.scene import ShadowCast
 
-CELLS_A_TEXEL = 1.0
-"""An edge is integrated exactly over its cell, so one cell a texel does."""
+CELLS_A_TEXEL = 1.25
+"""An edge is integrated over its cell as if it were straight there, so little more than one cell a texel does."""
 
 CELLS_A_TEXEL_SAMPLED = 3.0
 """Plain alpha is only sampled in its cells, and wants more of them."""
