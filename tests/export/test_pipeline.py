@@ -1,6 +1,7 @@
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ from small_cuts import cut
 
 from kagezou.errors import DiskFullProblem, InputProblem
 from kagezou.export.jobs import Job, planned
-from kagezou.export.pipeline import Image, Stages, flow, window_for
+from kagezou.export.pipeline import Draw, Image, Stages, flow, window_for
 from kagezou.export.request import ExportRequest
 
 
@@ -34,6 +35,10 @@ def written(job: Job, _image: Image) -> str:
     return str(number(job))
 
 
+def stages(decode: Callable[[Job], None], draw: Draw, write: Callable[[Job, Image], str]) -> Stages:
+    return Stages(decode, lambda: nullcontext(draw), write)
+
+
 def never() -> bool:
     return False
 
@@ -43,7 +48,7 @@ def test_outcomes_come_in_order_whatever_the_workers_do(jobs: tuple[Job, ...]) -
         time.sleep(0.002 * (number(job) % 3))
         return written(job, image)
 
-    outcomes = list(flow(jobs, Stages(nothing, picture, slow), 4, 8, never))
+    outcomes = list(flow(jobs, stages(nothing, picture, slow), 4, 8, never))
     assert [outcome.written for outcome in outcomes] == [str(n) for n in range(1, 21)]
 
 
@@ -67,9 +72,22 @@ def test_no_more_is_decoded_or_waits_than_the_window_holds(jobs: tuple[Job, ...]
         count("drawn", -1)
         return written(job, image)
 
-    list(flow(jobs, Stages(lambda _: count("decoded", 1), draw, write), 2, 3, never))
-    assert most["decoded"] <= 3
+    list(flow(jobs, stages(lambda _: count("decoded", 1), draw, write), 2, 3, never))
+    assert most["decoded"] <= 4
     assert most["drawn"] <= 4
+
+
+def test_the_first_drawings_are_decoded_while_drawing_is_set_up(jobs: tuple[Job, ...]) -> None:
+    decoded: list[int] = []
+
+    @contextmanager
+    def drawing() -> Iterator[Draw]:
+        while len(decoded) < 3:
+            time.sleep(0.001)
+        yield picture
+
+    several = Stages(lambda job: decoded.append(number(job)), drawing, written)
+    assert len(list(flow(jobs, several, 2, 3, never))) == 20
 
 
 def test_drawing_happens_on_the_calling_thread(jobs: tuple[Job, ...]) -> None:
@@ -79,7 +97,7 @@ def test_drawing_happens_on_the_calling_thread(jobs: tuple[Job, ...]) -> None:
         threads.add(threading.current_thread().name)
         return picture(job)
 
-    list(flow(jobs, Stages(nothing, draw, written), 2, 4, never))
+    list(flow(jobs, stages(nothing, draw, written), 2, 4, never))
     assert threads == {threading.current_thread().name}
 
 
@@ -92,8 +110,8 @@ def failing_on(frame: int, problem: Exception) -> Callable[[Job], None]:
 
 
 def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[Job, ...]) -> None:
-    stages = Stages(failing_on(7, InputProblem("broken")), picture, written)
-    outcomes = list(flow(jobs, stages, 2, 4, never))
+    failing = stages(failing_on(7, InputProblem("broken")), picture, written)
+    outcomes = list(flow(jobs, failing, 2, 4, never))
     assert [number(outcome.job) for outcome in outcomes if outcome.problem] == [7]
     assert len(outcomes) == 20
 
@@ -105,7 +123,7 @@ def test_a_full_disk_ends_everything_and_leaves_no_worker(jobs: tuple[Job, ...])
         return written(job, image)
 
     with pytest.raises(DiskFullProblem):
-        list(flow(jobs, Stages(nothing, picture, write), 2, 4, never))
+        list(flow(jobs, stages(nothing, picture, write), 2, 4, never))
     assert not [thread for thread in threading.enumerate() if thread.name.startswith("frames")]
 
 
@@ -116,19 +134,19 @@ def test_when_asked_to_stop_what_is_drawn_is_still_written(jobs: tuple[Job, ...]
         drawn.append(number(job))
         return picture(job)
 
-    outcomes = list(flow(jobs, Stages(nothing, draw, written), 2, 4, lambda: len(drawn) >= 6))
+    outcomes = list(flow(jobs, stages(nothing, draw, written), 2, 4, lambda: len(drawn) >= 6))
     assert [number(outcome.job) for outcome in outcomes] == drawn == [1, 2, 3, 4, 5, 6]
 
 
 def test_an_iterator_that_is_left_leaves_no_worker(jobs: tuple[Job, ...]) -> None:
-    outcomes = flow(jobs, Stages(nothing, picture, written), 2, 4, never)
+    outcomes = flow(jobs, stages(nothing, picture, written), 2, 4, never)
     next(outcomes)
     outcomes.close()
     assert not [thread for thread in threading.enumerate() if thread.name.startswith("frames")]
 
 
 @pytest.mark.parametrize(
-    ("size", "workers", "window"), [((1000, 1000), 2, 4), ((1920, 1080), 8, 12), ((16384, 16384), 4, 1)]
+    ("size", "workers", "window"), [((1000, 1000), 2, 8), ((1920, 1080), 8, 12), ((16384, 16384), 4, 1)]
 )
 def test_large_canvases_have_small_windows(size: tuple[int, int], workers: int, window: int) -> None:
     assert window_for(*size, workers) == window

@@ -1,7 +1,8 @@
 """Exporting frames: from a document and a request to whole files and a summary."""
 
 import time
-from contextlib import closing
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Final
@@ -10,7 +11,7 @@ from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
 from kagezou.export.jobs import CompositeContent, Content, Job, Plan, planned
 from kagezou.export.ledger import Ledger, fingerprint
-from kagezou.export.pipeline import Image, Outcome, Stages, flow, window_for
+from kagezou.export.pipeline import Draw, Image, Outcome, Stages, flow, window_for
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
 from kagezou.export.writing import blank_image, write_all
 from kagezou.io.atomic import sweep_stale
@@ -51,28 +52,34 @@ def export_frames(
     run = _Run(plan, request, Ledger(request.folder), progress)
     jobs = run.outstanding()
     if jobs:
-        with open_context():
-            _draw(run, jobs, document, cancelled)
+        _make(run, jobs, document, open_context, cancelled)
     return run.summary(time.monotonic() - started)
 
 
-def _draw(run: "_Run", jobs: list[Job], document: Document, cancelled: Cancelled) -> None:
-    """Make the outstanding files with the context that is current."""
+def _make(run: "_Run", jobs: list[Job], document: Document, open_context: OpenContext, cancelled: Cancelled) -> None:
+    """Make the outstanding files."""
     request, canvas = run.request, document.canvas
     cels = CelCache(CEL_BUDGET_BYTES)
-    renderer = Renderer(cels)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
     stages = Stages(
         decode=partial(_decode, cels, in_color=request.composite),
-        draw=partial(_drawn, renderer, request.depth),
+        drawing=partial(_drawing, cels, request.depth, open_context),
         write=write_all,
     )
-    try:
-        with closing(flow(jobs, stages, request.workers, window, cancelled)) as outcomes:
-            for outcome in outcomes:
-                run.note(outcome)
-    finally:
-        renderer.close()
+    with closing(flow(jobs, stages, request.workers, window, cancelled)) as outcomes:
+        for outcome in outcomes:
+            run.note(outcome)
+
+
+@contextmanager
+def _drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[Draw]:
+    """Open OpenGL for the block and give what draws a job."""
+    with open_context():
+        renderer = Renderer(cels)
+        try:
+            yield partial(_drawn, renderer, depth)
+        finally:
+            renderer.close()
 
 
 def _decode(cels: CelCache, job: Job, *, in_color: bool) -> None:

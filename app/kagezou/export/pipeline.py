@@ -7,6 +7,7 @@ the length of the cut.
 from collections import deque
 from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -19,6 +20,8 @@ from kagezou.io.encode import ShadowImage
 Image = ShadowImage | NDArray[Any]
 """A shadow layer, or a composite as straight (H, W, 4)."""
 
+Draw = Callable[[Job], Image]
+
 AHEAD_BUDGET_BYTES: Final = 256 << 20
 _BYTES_PER_PIXEL: Final = 10
 """What a decoded 16-bit drawing and its matte take."""
@@ -28,12 +31,18 @@ _BYTES_PER_PIXEL: Final = 10
 class Stages:
     """What is done for each job: decoded and written by workers, drawn on the calling thread.
 
-    ``decode`` and ``draw`` may raise InputProblem, which fails their job alone; whatever else is raised ends the run.
-    ``write`` returns what its caller wants to know of the written file.
+    Parameters
+    ----------
+    decode
+        May raise InputProblem, which fails its job alone, as for drawing; whatever else is raised ends the run.
+    drawing
+        Sets up what draws, for the time of the run; meanwhile the first drawings are decoded already.
+    write
+        Returns what its caller wants to know of the written files.
     """
 
     decode: Callable[[Job], None]
-    draw: Callable[[Job], Image]
+    drawing: Callable[[], AbstractContextManager[Draw]]
     write: Callable[[Job, Image], str]
 
 
@@ -49,7 +58,7 @@ class Outcome:
 def window_for(width_px: int, height_px: int, workers: int) -> int:
     """Return how many jobs may be decoded ahead, and how many may wait for their writer."""
     fitting = AHEAD_BUDGET_BYTES // (width_px * height_px * _BYTES_PER_PIXEL)
-    return max(1, min(2 * workers, fitting))
+    return max(1, min(4 * workers, fitting))
 
 
 def flow(
@@ -64,23 +73,27 @@ def flow(
     decoding: deque[tuple[Job, Future[None]]] = deque()
     writing: deque[tuple[Job, Future[str]]] = deque()
     pool = ThreadPoolExecutor(workers, thread_name_prefix="frames")
+
+    def look_ahead() -> None:
+        while len(decoding) < window and (job := next(upcoming, None)) is not None:
+            decoding.append((job, pool.submit(stages.decode, job)))
+
     try:
-        while not cancelled():
-            while len(decoding) < window and (job := next(upcoming, None)) is not None:
-                decoding.append((job, pool.submit(stages.decode, job)))
-            if not decoding:
-                break
-            job, decoded = decoding.popleft()
-            try:
-                decoded.result()
-                image = stages.draw(job)
-            except InputProblem as problem:
-                yield Outcome(job, problem=problem)
-                continue
-            writing.append((job, pool.submit(stages.write, job, image)))
-            while writing and (len(writing) > window or writing[0][1].done()):
-                job, written = writing.popleft()
-                yield Outcome(job, written.result())
+        look_ahead()
+        with stages.drawing() as draw:
+            while decoding and not cancelled():
+                job, decoded = decoding.popleft()
+                look_ahead()
+                try:
+                    decoded.result()
+                    image = draw(job)
+                except InputProblem as problem:
+                    yield Outcome(job, problem=problem)
+                    continue
+                writing.append((job, pool.submit(stages.write, job, image)))
+                while writing and (len(writing) > window or writing[0][1].done()):
+                    job, written = writing.popleft()
+                    yield Outcome(job, written.result())
         for _, decoded in decoding:
             decoded.cancel()
         for job, written in writing:
