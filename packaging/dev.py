@@ -28,10 +28,13 @@ from dev_venv import Environment
 ROOT = Path(__file__).resolve().parents[1]
 OLDEST, NEWEST = (3, 11), (3, 13)
 VERBS = ("demo", "app", "test", "lint", "setup")
+FIXTURES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("tests/*/conftest.py"))
 CHECKS = (
     ("ruff check", ("-m", "ruff", "check", ".")),
     ("ruff format", ("-m", "ruff", "format", "--check", ".")),
     ("mypy", ("-m", "mypy")),
+    # One by one, as mypy takes no two modules of one name (see pyproject.toml).
+    *((f"mypy {fixtures}", ("-m", "mypy", fixtures)) for fixtures in FIXTURES),
     ("lint-imports", ("-c", "from importlinter.cli import lint_imports_command as run; run()")),
 )
 

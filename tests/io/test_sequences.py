@@ -98,6 +98,17 @@ def test_only_stills(tmp_path: Path) -> None:
     assert found.sequences[0].gaps == ()
 
 
+def test_stills_alike_but_for_their_last_word_are_drawings_of_one_character(tmp_path: Path) -> None:
+    for name in ("girl smile.png", "girl cry.png", "boy_calm.png", "tree.png"):
+        (tmp_path / name).touch()
+    found = find_sequences(tmp_path).sequences
+    assert [(each.name, [file.path.name for file in each.files]) for each in found] == [
+        ("boy_calm", ["boy_calm.png"]),
+        ("girl", ["girl cry.png", "girl smile.png"]),
+        ("tree", ["tree.png"]),
+    ]
+
+
 def test_a_numbered_file_by_name_is_a_still(tmp_path: Path) -> None:
     touch(tmp_path, "A0001.png", "A0002.png")
     assert told(find_sequences(tmp_path / "A0002.png")) == [("A0002", [(None, "", "A0002.png")])]

@@ -26,7 +26,7 @@ SAMPLE_SOURCES = (
     ("lottie_funky_chicken/A", 32),
     ("lottie_girl_jump", 34),
     ("lottie_girl_jump/A", 34),
-    ("renpy_sylvie_blue", 24),
+    ("renpy_sylvie_blue", 4),
     ("synfig_prologue_kid/A", 60),
 )
 

@@ -16,6 +16,7 @@ from kagezou.io.signatures import is_picture
 # At most six digits, so that a date is not a number, then the letters of an inserted drawing or a retake.
 _NUMBERED: Final = re.compile(r"(?P<prefix>.*?)(?<![0-9])(?P<number>[0-9]{1,6})(?P<suffix>[A-Za-z]{0,2})", re.DOTALL)
 _PATTERN: Final = re.compile(r"(?P<prefix>[^#]*)#+(?P<rest>[^#]*)", re.DOTALL)
+_LAST_WORD: Final = re.compile(r"(?P<rest>.*[^_\-. ])[_\-. ]+[^_\-. ]+", re.DOTALL)
 _BETWEEN: Final = "_-. "
 _DIGITS: Final = re.compile(r"([0-9]+)")
 
@@ -61,7 +62,8 @@ def find_sequences(source: Path) -> Found:
     source
         A folder of numbered pictures; a folder whose sub-folders hold them, each named after its folder where it is
         the only one in it; one picture, a still; or a pattern ``FOLDER/walk_#.png`` whose run of ``#`` stands for the
-        number. Un-numbered pictures count, as stills, only where nothing is numbered.
+        number. Un-numbered pictures count only where nothing is numbered: as stills, or, where only the last word of
+        their names differs (``girl smile``, ``girl cry``), as drawings of one character.
 
     Raises
     ------
@@ -113,7 +115,19 @@ def _in_folder(folder: Path) -> Found:
         return Found(_sorted(below), loose)
     if not loose:
         raise input_problem(folder, "there is no picture in this folder")
-    return Found(_sorted(_one(path) for path in loose), ())
+    return Found(_stills(loose), ())
+
+
+def _stills(pictures: Iterable[Path]) -> tuple[Sequence, ...]:
+    """Return un-numbered pictures as stills; those alike but for their last word are drawings of one character."""
+    groups: dict[str, list[Path]] = {}
+    for path in pictures:
+        parts = _LAST_WORD.fullmatch(path.stem)
+        groups.setdefault(parts["rest"] if parts else path.stem, []).append(path)
+    return _sorted(
+        _one(paths[0]) if len(paths) == 1 else Sequence(name, tuple(NumberedFile(None, "", path) for path in paths))
+        for name, paths in groups.items()
+    )
 
 
 def _by_pattern(pattern: Path) -> Found:
