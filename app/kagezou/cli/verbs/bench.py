@@ -11,6 +11,8 @@ from kagezou.cli.processors import processors
 from kagezou.cli.terminal import Json, ProgressLine, give, give_json
 
 if TYPE_CHECKING:
+    from kagezou.cli.bench.operations import Measured
+    from kagezou.cli.bench.throughput import Throughput
     from kagezou.document.model import Document
 
 DESCRIPTION = """\
@@ -53,35 +55,34 @@ def run(options: Namespace, doors: Doors) -> int:
             renderer.close()
         cels.clear()
         export = throughput.measured(document, Path(folder), workers, doors.open_context)
-    report: dict[str, Json] = {
-        "gl_renderer": name,
-        "size": [document.canvas.width_px, document.canvas.height_px],
-        "copy_ms": round(drawn.copy_ms, 4),
-        "operations": [
-            {
-                "name": each.name,
-                "median_ms": round(each.median_ms, 4),
-                "fps": round(each.fps, 1),
-                "ratio": round(each.ratio, 2),
-            }
-            for each in drawn.operations
-        ],
-        "export": {
-            "fps": round(export.fps, 2),
-            "floor_fps": round(export.floor_fps, 2),
-            "of_floor": round(export.of_floor, 3),
-            "workers": workers,
-        },
-    }
+    size_px = (document.canvas.width_px, document.canvas.height_px)
     if options.json:
-        give_json(report)
+        give_json({"gl_renderer": name, "size": [*size_px], **_report(drawn, export), "workers": workers})
         return 0
-    give(f"{name}, {document.canvas.width_px} x {document.canvas.height_px} px")
+    give(f"{name}, {size_px[0]} x {size_px[1]} px")
     give(f"one copy of a whole picture: {drawn.copy_ms:.2f} ms")
     for each in drawn.operations:
         give(f"  {each.name:<16} {each.median_ms:7.2f} ms {each.fps:8.0f} fps {each.ratio:6.1f} copies")
     give(f"export {export.fps:.1f} frames/s; only reading and writing {export.floor_fps:.1f}: {export.of_floor:.0%}")
     return 0
+
+
+def _report(drawn: "Measured", export: "Throughput") -> dict[str, Json]:
+    operations: list[Json] = [
+        {
+            "name": each.name,
+            "median_ms": round(each.median_ms, 4),
+            "fps": round(each.fps, 1),
+            "ratio": round(each.ratio, 2),
+        }
+        for each in drawn.operations
+    ]
+    rates: dict[str, Json] = {
+        "fps": round(export.fps, 2),
+        "floor_fps": round(export.floor_fps, 2),
+        "of_floor": round(export.of_floor, 3),
+    }
+    return {"copy_ms": round(drawn.copy_ms, 4), "operations": operations, "export": rates}
 
 
 def _document(options: Namespace, folder: Path, workers: int) -> "Document":
