@@ -14,7 +14,7 @@ from kagezou.render.occupancy import Flags
 
 TILE_PX = 8
 
-CELLS = (1, 2, 4, 8, 16, 32)
+CELLS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
 """The numbers of cells, each way, that a pixel may be split into."""
 
 _UNTOUCHED, _FULL, _FIRST_EDGE = 0, 1, 2
