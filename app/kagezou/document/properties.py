@@ -92,6 +92,20 @@ MATTE = Property(
           "solid は半透明以上がすべて影、translucent はアルファのまま影（煙・ガラス）。"),
     choices=("solid", "translucent"),
 )  # fmt: skip
+SIMPLIFY = Property(
+    "shadow.simplify", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Simplify", "単純化"),
+    Words("How far the shape is rounded toward an ellipse; its edge stays crisp and its area stays the same.",
+          "影の形を楕円へ近づける度合い。輪郭はくっきりしたまま、面積も変わらない。"),
+    unit="px", low=0.0, high=500.0,
+)  # fmt: skip
+DISTANCE = Property(
+    "shadow.distance", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Distance", "距離"),
+    Words("Over this distance from the feet the rounding grows to its full strength; 0 rounds everywhere alike.",
+          "足元からこの距離までに単純化が強まる。0 なら全体に同じ強さ。"),
+    unit="px", low=0.0, high=5000.0,
+)  # fmt: skip
 COLOR = Property(
     "shadow.color", Kind.COLOR, Scope.LAYER, "#20203A",
     Words("Colour", "色"),
@@ -113,7 +127,7 @@ BLEND = Property(
 TABLE: tuple[Property, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
     LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS,
-    GROUNDING, TILT, VISIBLE, MATTE, COLOR, OPACITY, BLEND,
+    GROUNDING, TILT, VISIBLE, MATTE, SIMPLIFY, DISTANCE, COLOR, OPACITY, BLEND,
 )  # fmt: skip
 """Every property, in the order in which people read them."""
 

@@ -55,3 +55,27 @@ def bounding_box(polygon: Matrix) -> Box | None:
         return None
     low, high = np.floor(polygon.min(axis=0)), np.ceil(polygon.max(axis=0))
     return Box(int(low[0]), int(low[1]), int(high[0]), int(high[1]))
+
+
+def seen_rectangle(
+    canvas: Box, plane_from_canvas: Matrix, low: tuple[float, float], high: tuple[float, float], margin_px: float = 1.0
+) -> Matrix:
+    """Return the convex polygon (N, 2) of a canvas in which a rectangle of a plane is seen.
+
+    Parameters
+    ----------
+    canvas
+        The polygon is cut to it.
+    plane_from_canvas
+        (3, 3) homography whose w is positive where the plane is seen.
+    low, high
+        The corners of the rectangle on the plane.
+    margin_px
+        How much larger than the rectangle the polygon is, canvas px.
+    """
+    x_row, y_row, w_row = plane_from_canvas
+    edges = (x_row - low[0] * w_row, high[0] * w_row - x_row, y_row - low[1] * w_row, high[1] * w_row - y_row)
+    polygon = clipped(box_polygon(canvas), shifted(distance_form(w_row), -0.01))
+    for edge in edges:
+        polygon = clipped(polygon, shifted(distance_form(edge), margin_px))
+    return polygon

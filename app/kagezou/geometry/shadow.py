@@ -45,6 +45,22 @@ class Cast:
     right_fold: Matrix
     joins_left: bool = False
 
+    def seen_through(self, canvas_from_target: Matrix) -> "Cast":
+        """Return the same shadow on another picture of the receiver, given as a (3, 3) homography to the canvas.
+
+        Points beyond the other picture's own horizon are not part of it.
+        """
+        art = self.art_from_canvas @ canvas_from_target
+        return replace(
+            self,
+            art_from_canvas=art / np.abs(art).max(),
+            receiver_from_canvas=self.receiver_from_canvas @ canvas_from_target,
+            side=distance_form(self.side @ canvas_from_target),
+            horizon=distance_form(canvas_from_target[2]),
+            left_fold=distance_form(self.left_fold @ canvas_from_target),
+            right_fold=distance_form(self.right_fold @ canvas_from_target),
+        )
+
     def region(self, canvas: Box, art: Box, margin_px: float = 1.0) -> Matrix:
         """Return the convex polygon (N, 2) of ``canvas`` that can hold shadow of the drawing's box ``art``.
 

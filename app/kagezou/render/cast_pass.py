@@ -1,12 +1,13 @@
 """The pass that casts: a drawing's alpha through the light onto the receivers, as covered parts of canvas pixels."""
 
+from dataclasses import dataclass
 from itertools import product
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.polygon import bounding_box
-from kagezou.geometry.shadow import cast_card
-from kagezou.geometry.vectors import Vector4
+from kagezou.geometry.shadow import Cast, cast_card
+from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_uniforms import TRANSLUCENT, Edges, Frame, Grazing
 from kagezou.render.gl import GL
@@ -21,6 +22,26 @@ CELLS_A_TEXEL = 1.25
 
 CELLS_A_TEXEL_SAMPLED = 3.0
 """Plain alpha is only sampled in its cells, and wants more of them."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Window:
+    """The part of a target that is drawn, and which picture of the receivers it shows.
+
+    Parameters
+    ----------
+    box
+        In px of the target.
+    canvas_from_target
+        (3, 3); None where the target is the canvas.
+    """
+
+    box: Box
+    canvas_from_target: Matrix | None = None
+
+    def cast(self, on_canvas: Cast) -> Cast:
+        """Return a cast as this window shows it."""
+        return on_canvas if self.canvas_from_target is None else on_canvas.seen_through(self.canvas_from_target)
 
 
 class CastPass:
@@ -39,6 +60,10 @@ class CastPass:
             target.clear(old)
         if matte is None:
             return None
+        return self.unite(cast, matte, target, Window(target.box))
+
+    def unite(self, cast: ShadowCast, matte: PlacedMatte, target: Target, window: Window) -> Box | None:
+        """Unite all shadows with what is in a window of ``target``; return the box that may hold shadow."""
         pairs = tuple(product(cast.receivers, cast.lights))
         # The pieces of a folded card add up along their folds; before such a sum may unite with another light's by
         # maximum it has to be whole, in a target of its own.
@@ -46,7 +71,7 @@ class CastPass:
         drawn: Box | None = None
         for receiver, light in pairs:
             own = self._scratch_like(target) if apart else target
-            box = self._draw_light(cast, receiver, light, matte, own)
+            box = self._draw_light(cast, (receiver, light), matte, own, window)
             if box is not None:
                 if apart:
                     self._unite(own, target, box)
@@ -62,19 +87,21 @@ class CastPass:
             self._scratch.close()
 
     def _draw_light(
-        self, cast: ShadowCast, receiver: Plane, light: Vector4, matte: PlacedMatte, target: Target
+        self, cast: ShadowCast, pair: tuple[Plane, Vector4], matte: PlacedMatte, target: Target, window: Window
     ) -> Box | None:
         """Draw what one light casts on one receiver; return the box that may hold it."""
+        receiver, light = pair
         grazing = Grazing.of(receiver, light)
         cells_a_texel = CELLS_A_TEXEL_SAMPLED if cast.translucent else CELLS_A_TEXEL
         drawn: Box | None = None
-        for each in cast_card(cast.camera, receiver, cast.card, light):
-            frame = Frame(each.region(target.box, matte.box))
+        for on_canvas in cast_card(cast.camera, receiver, cast.card, light):
+            each = window.cast(on_canvas)
+            frame = Frame(each.region(window.box, matte.box))
             around = bounding_box(frame.region)
-            tiling = around and tiled(each, around, matte, target.box, cells_a_texel)
+            tiling = around and tiled(each, around, matte, window.box, cells_a_texel)
             if not tiling or tiling.box is None:
                 continue
-            target.bind()
+            target.bind(window.box)
             GL.glEnable(GL.GL_BLEND)
             GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
             GL.glBlendEquation(GL.GL_FUNC_ADD if each.joins_left else GL.GL_MAX)

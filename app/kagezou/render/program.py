@@ -17,7 +17,7 @@ _INCLUDE = re.compile(r'^#include "([\w.]+)"$', re.MULTILINE)
 _FLOATS = ctypes.POINTER(ctypes.c_float)
 
 Uniform = bool | int | float | Sequence[float] | NDArray[np.float64]
-"""A (3, 3) matrix, a vector, a number or a switch."""
+"""A (3, 3) matrix, (N, 4) vectors, a vector, a number or a switch."""
 
 
 def shader_source(name: str) -> str:
@@ -66,7 +66,7 @@ class Program:
     def _place(self, name: str) -> int:
         place = self._places.get(name)
         if place is None:
-            if not re.search(rf"\b{name};", self._source):
+            if not re.search(rf"\b{name}[;\[]", self._source):
                 raise KeyError(f"{self._name} has no uniform {name}")
             # A driver may drop a uniform that does not matter; it is then at -1, where setting it does nothing.
             place = self._places[name] = int(GL.glGetUniformLocation(self.id, name.encode()))
@@ -82,6 +82,8 @@ class Program:
             if numbers.shape == (3, 3):
                 # Rows first, as numpy keeps them.
                 GL.glUniformMatrix3fv(place, 1, 1, numbers.ctypes.data_as(_FLOATS))
+            elif numbers.ndim == 2:
+                GL.glUniform4fv(place, len(numbers), numbers.ctypes.data_as(_FLOATS))
             else:
                 (GL.glUniform2f, GL.glUniform3f, GL.glUniform4f)[len(numbers) - 2](place, *numbers.tolist())
 

@@ -8,6 +8,7 @@ from kagezou.io.images import Matte
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
+from kagezou.render.simplify_pass import SimplifyPass
 from kagezou.render.targets import Format, Target
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
@@ -28,7 +29,8 @@ class ShadowLayers:
     def __init__(self, boxes: Boxes, cels: CelCache, matte_budget_bytes: int) -> None:
         self._cels = cels
         self._mattes = Mattes(boxes, matte_budget_bytes)
-        self._pass = CastPass(boxes)
+        self._cast = CastPass(boxes)
+        self._simplify = SimplifyPass(boxes, self._cast)
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
 
@@ -48,7 +50,8 @@ class ShadowLayers:
             placed = self._mattes.placed(matte, scene.canvas)
             # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.
             old, kept.box, kept.cast = kept.box, scene.canvas, None
-            kept.box = self._pass.draw(layer.cast, placed, kept.target, old)
+            draw = self._cast.draw if layer.cast.simplify is None else self._simplify.draw
+            kept.box = draw(layer.cast, placed, kept.target, old)
             kept.cast, kept.matte = layer.cast, matte
             self.casts_drawn += 1
         return kept if kept.box is not None else None
@@ -64,7 +67,8 @@ class ShadowLayers:
         for coverage in self._by_layer.values():
             coverage.target.close()
         self._by_layer.clear()
-        self._pass.close()
+        self._simplify.close()
+        self._cast.close()
         self._mattes.close()
 
     def _kept(self, canvas: Box, layer_id: str) -> Coverage:

@@ -9,7 +9,7 @@ from kagezou.geometry.card import Card, card_for
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
-from kagezou.scene.scene import LayerScene, Scene, ShadowCast, ShadowLook
+from kagezou.scene.scene import LayerScene, Scene, ShadowCast, ShadowLook, Simplify
 
 
 def evaluate(document: Document, frame: int) -> Scene:
@@ -81,8 +81,14 @@ def _layer_scene(
             receivers=(ground,),
             card=card,
             lights=tuple(each for each in spread if is_over(ground, each)),
+            simplify=_simplify(layer.tracks, frame),
         )
     return LayerScene(layer.id, layer.name, drawing, cast, _look(layer.tracks, frame))
+
+
+def _simplify(tracks: Tracks, frame: int) -> Simplify | None:
+    amount = _number(_value(tracks, properties.SIMPLIFY, frame))
+    return Simplify(amount, _number(_value(tracks, properties.DISTANCE, frame))) if amount > 0 else None
 
 
 def _look(tracks: Tracks, frame: int) -> ShadowLook:

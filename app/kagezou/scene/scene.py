@@ -12,6 +12,22 @@ from kagezou.geometry.vectors import Vector4
 
 
 @dataclass(frozen=True, slots=True)
+class Simplify:
+    """How a shadow's shape is rounded (paper 3.6.1, spec 3).
+
+    Parameters
+    ----------
+    amount_px
+        s, the standard deviation of the blur in px of the receiver, over 0.
+    distance_px
+        d, the distance from the contact line at which it is reached; 0 for the same everywhere.
+    """
+
+    amount_px: float
+    distance_px: float
+
+
+@dataclass(frozen=True, slots=True)
 class ShadowCast:
     """All that decides the shape of a layer's shadow; equal casts have equal pixels.
 
@@ -27,6 +43,8 @@ class ShadowCast:
         The surface the drawing stands on.
     lights
         Homogeneous; their shadows unite by maximum.
+    simplify
+        How the united shape is rounded, None for not at all.
     """
 
     drawing: Drawing
@@ -35,6 +53,7 @@ class ShadowCast:
     receivers: tuple[Plane, ...]
     card: Card
     lights: tuple[Vector4, ...]
+    simplify: Simplify | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,218 @@
+"""The pass that simplifies: the united shadow is blurred on its receiver and brought back to its area (paper 3.6.1)."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from kagezou.geometry.bands import FINEST_SIGMA_PX, SHARP_SIGMA_PX, Blur, Extent, bands_of
+from kagezou.geometry.box import Box
+from kagezou.geometry.contact import contact_plane
+from kagezou.geometry.ground import Plane, canvas_from_plane
+from kagezou.geometry.polygon import bounding_box, seen_rectangle
+from kagezou.geometry.shadow import cast_card
+from kagezou.geometry.vectors import Matrix
+from kagezou.render.atlas import Strip, laid_out
+from kagezou.render.boxes import Boxes
+from kagezou.render.cast_pass import CastPass, Window
+from kagezou.render.gl import GL
+from kagezou.render.level import Counted, area_preserving_level
+from kagezou.render.mattes import PlacedMatte
+from kagezou.render.program import Program, Uniform, Variants
+from kagezou.render.targets import Format, Target
+from kagezou.scene.scene import ShadowCast
+
+LARGEST_PLANE_PX = 8192
+"""A shadow that runs out further than this on its receiver is cut off there."""
+
+_MAX_BANDS = 20
+_MARGIN_TEXELS = 2
+_LEAST_SIGMA_TEXELS = 0.3
+_ALONG_V, _ALONG_U = frozenset({"ALONG_V"}), frozenset({"ALONG_U"})
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Job:
+    """A cast on one receiver, how it is blurred, and the strips it is blurred in."""
+
+    cast: ShadowCast
+    matte: PlacedMatte
+    plane: Plane
+    blur: Blur
+    strips: tuple[Strip, ...]
+
+    @property
+    def canvas_from_plane(self) -> Matrix:
+        """The (3, 3) map from (u, v) of the receiver to canvas px."""
+        return canvas_from_plane(self.cast.camera, self.plane)
+
+
+class SimplifyPass:
+    """Draws simplified shadows, of shadows that another pass casts for it."""
+
+    def __init__(self, boxes: Boxes, caster: CastPass) -> None:
+        self._boxes = boxes
+        self._caster = caster
+        self._blur = Variants("box.vert", "blur.frag")
+        self._show = Program("box.vert", "simplify.frag")
+        self._atlases: tuple[Target, Target] | None = None
+        self._sharp: Target | None = None
+
+    def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
+        """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
+        if old is not None:
+            target.clear(old)
+        if matte is None or cast.simplify is None:
+            return None
+        blur = Blur(cast.simplify.amount_px, cast.simplify.distance_px)
+        drawn: Box | None = None
+        for receiver in cast.receivers:
+            one = replace(cast, receivers=(receiver,), simplify=None)
+            plane = contact_plane(cast.card, receiver)
+            extent = _extent(one, matte, plane)
+            if extent is None:
+                continue
+            job = _Job(one, matte, plane, blur, laid_out(bands_of(blur, extent)))
+            box = self._draw_one(job, target)
+            if box is not None:
+                drawn = box if drawn is None else drawn.union(box)
+        return drawn
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self._blur.close()
+        self._show.close()
+        for target in (*(self._atlases or ()), self._sharp):
+            if target is not None:
+                target.close()
+
+    def _draw_one(self, job: _Job, target: Target) -> Box | None:
+        shadow, blurred = self._atlases_for(job.strips)
+        sharp_box = self._cast_sharp(job, target)
+        for strip in job.strips:
+            shadow.clear(strip.box)
+            window = Window(strip.box, job.canvas_from_plane @ strip.plane_from_atlas)
+            self._caster.unite(job.cast, job.matte, shadow, window)
+        counted = [self._blur_strip(job, strip, (shadow, blurred)) for strip in job.strips]
+        level = area_preserving_level(counted)
+        return self._show_all(job, target, sharp_box, level)
+
+    def _cast_sharp(self, job: _Job, like: Target) -> Box | None:
+        """Cast the shadow as it is, for where it stays so; return its box."""
+        if self._sharp is not None and self._sharp.box != like.box:
+            self._sharp.close()
+            self._sharp = None
+        if self._sharp is None:
+            self._sharp = Target(like.box.width, like.box.height, Format.ALPHA16)
+        self._sharp.clear()
+        if job.blur.distance_px <= 0 and job.blur.amount_px >= FINEST_SIGMA_PX:
+            return None
+        return self._caster.unite(job.cast, job.matte, self._sharp, Window(like.box))
+
+    def _blur_strip(self, job: _Job, strip: Strip, atlases: tuple[Target, Target]) -> Counted:
+        """Blur one strip across and along the contact line; return what its area is counted from."""
+        shadow, half = atlases
+        sharp = np.asarray(shadow.read(strip.shown), np.uint16)
+        shown, texel = strip.shown, strip.band.texel_px
+        uniforms: dict[str, Uniform] = {
+            "u_target_size_px": shadow.size_px,
+            "u_source": 0,
+            "u_first_v_px": strip.band.needed.low,
+            "u_first_row": float(strip.box.top),
+            "u_texel_px": texel,
+            "u_amount_px": job.blur.amount_px,
+            "u_distance_px": job.blur.distance_px,
+            "u_least_sigma": _LEAST_SIGMA_TEXELS,
+        }
+        box = strip.box
+        corners = (float(box.left), float(box.top), float(box.right - 1), float(box.bottom - 1))
+        for source, goal, switches in ((shadow, half, _ALONG_V), (half, shadow, _ALONG_U)):
+            goal.bind(shown)
+            source.texture.bind(0)
+            self._blur[switches].use({**uniforms, "u_band": corners})
+            self._boxes.draw_one(shown)
+            corners = (corners[0], float(shown.top), corners[2], float(shown.bottom - 1))
+        blurred = np.asarray(shadow.read(shown), np.uint16)
+        return Counted(sharp, blurred, strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS)
+
+    def _show_all(self, job: _Job, target: Target, sharp_box: Box | None, level: float) -> Box | None:
+        assert self._sharp is not None
+        plane_from_canvas = _inverse(job.canvas_from_plane)
+        box = sharp_box
+        for strip in job.strips:
+            core = strip.band.core
+            polygon = seen_rectangle(target.box, plane_from_canvas, (core.left, core.low), (core.right, core.high))
+            seen = bounding_box(polygon)
+            if seen is not None:
+                box = seen if box is None else box.union(seen)
+        box = None if box is None else box.intersection(target.box)
+        if box is None:
+            return None
+        origin = np.array([(box.left + box.right) // 2 + 0.5, (box.top + box.bottom) // 2 + 0.5])
+        canvas_from_pixel = np.array([[1.0, 0.0, origin[0]], [0.0, 1.0, origin[1]], [0.0, 0.0, 1.0]])
+        plane_from_pixel = plane_from_canvas @ canvas_from_pixel
+        target.bind(box)
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendEquation(GL.GL_MAX)
+        self._atlases_for(job.strips)[0].texture.bind(0)
+        self._sharp.texture.bind(1)
+        self._show.use(
+            {
+                "u_target_size_px": target.size_px,
+                "u_blurred": 0,
+                "u_sharp": 1,
+                "u_origin_px": origin,
+                "u_plane_from_pixel": plane_from_pixel / np.abs(plane_from_pixel[2]).max(),
+                "u_level": level,
+                "u_amount_px": job.blur.amount_px,
+                "u_distance_px": job.blur.distance_px,
+                "u_pass_over_px": (SHARP_SIGMA_PX, FINEST_SIGMA_PX),
+                **_band_uniforms(job.strips, whole=job.blur.distance_px <= 0),
+            }
+        )
+        self._boxes.draw_one(box)
+        return box
+
+    def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target]:
+        """Return two empty targets of at least the strips' size: the shadow, and what is blurred one way."""
+        width = max((strip.box.right for strip in strips), default=1)
+        height = max((strip.box.bottom for strip in strips), default=1)
+        old = self._atlases
+        if old is None or old[0].box.width < width or old[0].box.height < height:
+            for target in old or ():
+                target.close()
+            self._atlases = (Target(width, height, Format.ALPHA16), Target(width, height, Format.ALPHA16))
+        assert self._atlases is not None
+        return self._atlases
+
+
+def _extent(cast: ShadowCast, matte: PlacedMatte, plane: Plane) -> Extent | None:
+    """Return where on a plane a cast's shadow lies, None where there is none."""
+    limit = Box(-LARGEST_PLANE_PX, -LARGEST_PLANE_PX, LARGEST_PLANE_PX, LARGEST_PLANE_PX)
+    around: Box | None = None
+    seen_from_above = canvas_from_plane(cast.camera, plane)
+    for light in cast.lights:
+        for each in cast_card(cast.camera, cast.receivers[0], cast.card, light):
+            box = bounding_box(each.seen_through(seen_from_above).region(limit, matte.box))
+            if box is not None:
+                around = box if around is None else around.union(box)
+    return None if around is None else Extent(around.left, around.top, around.right, around.bottom)
+
+
+def _inverse(canvas_from_plane: Matrix) -> Matrix:
+    """Return the map back, its w positive where the plane is seen."""
+    return np.asarray(np.linalg.inv(canvas_from_plane))
+
+
+def _band_uniforms(strips: tuple[Strip, ...], *, whole: bool) -> dict[str, Uniform]:
+    """Return the arrays of ``simplify.frag``."""
+    cores, places, sizes = (np.zeros((_MAX_BANDS, 4)) for _ in range(3))
+    for index, strip in enumerate(strips):
+        core, shown = strip.band.core, strip.shown
+        ends = sorted((abs(core.low), abs(core.high)))
+        side = 0.0 if whole else (1.0 if core.high > 0 else -1.0)
+        texel = strip.band.texel_px
+        corner = strip.plane_from_atlas @ np.array([shown.left, shown.top, 1.0])
+        cores[index] = (ends[0], ends[1], side, texel)
+        places[index] = (corner[0], corner[1], shown.left, shown.top)
+        sizes[index] = (shown.width, shown.height, 0.0, 0.0)
+    return {"u_band_count": len(strips), "u_cores": cores, "u_places": places, "u_sizes": sizes}

@@ -1,0 +1,40 @@
+#version 330 core
+// One direction of a Gaussian in a band of a receiver; the width is that of the row it is summed up for (spec 3).
+// ALONG_V sums along v, across the contact line, and goes first: all texels of a row have one width, so that the second
+// direction may take its result as it is.
+
+const int REACH = 8;
+
+uniform sampler2D u_source;
+uniform vec4 u_band;           // first and last texel of the band in x and y: x0, y0, x1, y1
+uniform float u_first_v_px;    // v at the lower border of the row u_first_row
+uniform float u_first_row;
+uniform float u_texel_px;
+uniform float u_amount_px;
+uniform float u_distance_px;   // 0: the same width everywhere
+uniform float u_least_sigma;   // texels
+
+out float o_value;
+
+void main() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec4 band = ivec4(u_band);
+    float v = u_first_v_px + (gl_FragCoord.y - u_first_row) * u_texel_px;
+    float sigma = u_amount_px * (u_distance_px > 0.0 ? min(abs(v) / u_distance_px, 1.0) : 1.0) / u_texel_px;
+    // Texels are means over their own width, and a cubic spline will widen them again: 1/12 and 1/3 of a texel squared.
+    float variance = max(sigma * sigma - 5.0 / 12.0, u_least_sigma * u_least_sigma);
+    float sum = 0.0;
+    float weights = 0.0;
+    for (int i = -REACH; i <= REACH; ++i) {
+#ifdef ALONG_V
+        ivec2 there = here + ivec2(0, i);
+#else
+        ivec2 there = here + ivec2(i, 0);
+#endif
+        bool inside = all(greaterThanEqual(there, band.xy)) && all(lessThanEqual(there, band.zw));
+        float weight = exp(-0.5 * float(i * i) / variance);
+        sum += inside ? weight * texelFetch(u_source, there, 0).r : 0.0;
+        weights += weight;
+    }
+    o_value = sum / weights;
+}

@@ -1,0 +1,83 @@
+#version 330 core
+// The simplified shadow on the canvas: where the blurred one is over its level, with a crisp edge (spec 3).
+
+#include "edge.glsl"
+
+const int MAX_BANDS = 20;
+
+uniform sampler2D u_blurred;
+uniform sampler2D u_sharp;             // the shadow as it was cast, on the canvas
+uniform vec2 u_origin_px;
+uniform mat3 u_plane_from_pixel;       // canvas px - origin -> u along the contact line, v away from it
+uniform int u_band_count;
+uniform vec4 u_cores[MAX_BANDS];       // |v| from, |v| to, side of v (0: both), texel px
+uniform vec4 u_places[MAX_BANDS];      // u and v at the band's corner, px; its corner in the atlas, texels
+uniform vec4 u_sizes[MAX_BANDS];       // its size in texels; the rest is not used
+uniform float u_level;
+uniform float u_amount_px;
+uniform float u_distance_px;
+uniform vec2 u_pass_over_px;           // blurs between which the sharp shadow passes over into the blurred one
+
+out float o_coverage;
+
+float texel(ivec2 at, ivec2 corner, ivec2 size) {
+    bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size));
+    return inside ? texelFetch(u_blurred, at + corner, 0).r : 0.0;
+}
+
+vec4 spline(float f) {
+    float g = 1.0 - f;
+    return vec4(g * g * g, 4.0 - 6.0 * f * f + 3.0 * f * f * f, 4.0 - 6.0 * g * g + 3.0 * g * g * g, f * f * f) / 6.0;
+}
+
+vec4 spline_slope(float f) {
+    float g = 1.0 - f;
+    return vec4(-g * g, f * (3.0 * f - 4.0), g * (4.0 - 3.0 * g), f * f) / 2.0;
+}
+
+// Value and slope per texel of the cubic spline through a band.
+vec3 value_and_slope(vec2 place, ivec2 corner, ivec2 size) {
+    vec2 cell = floor(place - 0.5);
+    vec2 f = place - 0.5 - cell;
+    vec4 wx = spline(f.x);
+    vec4 wy = spline(f.y);
+    vec4 dx = spline_slope(f.x);
+    vec4 dy = spline_slope(f.y);
+    vec3 sum = vec3(0.0);
+    for (int j = 0; j < 4; ++j) {
+        ivec2 row = ivec2(cell) + ivec2(-1, j - 1);
+        vec4 a = vec4(texel(row, corner, size), texel(row + ivec2(1, 0), corner, size),
+                      texel(row + ivec2(2, 0), corner, size), texel(row + ivec2(3, 0), corner, size));
+        float across = dot(a, wx);
+        sum += vec3(across * wy[j], dot(a, dx) * wy[j], across * dy[j]);
+    }
+    return sum;
+}
+
+void main() {
+    vec2 pixel = gl_FragCoord.xy - u_origin_px;
+    vec3 h = u_plane_from_pixel * vec3(pixel, 1.0);
+    vec2 plane = h.xy / h.z;
+    mat2 step_plane = mat2(u_plane_from_pixel[0].xy - plane * u_plane_from_pixel[0].z,
+                           u_plane_from_pixel[1].xy - plane * u_plane_from_pixel[1].z) / h.z;
+    float sigma = u_amount_px * (u_distance_px > 0.0 ? min(abs(plane.y) / u_distance_px, 1.0) : 1.0);
+
+    int band = -1;
+    for (int i = 0; i < u_band_count; ++i) {
+        vec4 core = u_cores[i];
+        bool here = core.z == 0.0 || (abs(plane.y) >= core.x && abs(plane.y) < core.y && plane.y * core.z >= 0.0);
+        band = here ? i : band;
+    }
+    float blurred = 0.0;
+    if (band >= 0) {
+        float texel_px = u_cores[band].w;
+        vec4 place = u_places[band];
+        vec3 b = value_and_slope((plane - place.xy) / texel_px, ivec2(place.zw), ivec2(u_sizes[band].xy));
+        vec2 slope = vec2(dot(b.yz, step_plane[0]), dot(b.yz, step_plane[1])) / texel_px;
+        // The slope of a wide blur is as small as one likes; only its direction and the distance to the level matter.
+        float steep = max(length(slope), 1e-7);
+        blurred = cell_coverage((b.x - u_level) / steep, slope / steep);
+    }
+    float sharp = texelFetch(u_sharp, ivec2(gl_FragCoord.xy), 0).r;
+    o_coverage = mix(sharp, blurred, smoothstep(u_pass_over_px.x, u_pass_over_px.y, sigma));
+}
