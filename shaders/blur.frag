@@ -3,7 +3,7 @@
 // ALONG_V sums along v, across the contact line, and goes first: all texels of a row have one width, so that the second
 // direction may take its result as it is.
 
-const int REACH = 8;
+// REACH: how many texels are summed up on either side.
 
 uniform sampler2D u_source;
 uniform vec4 u_band;           // first and last texel of the band in x and y: x0, y0, x1, y1

@@ -9,7 +9,10 @@ from dataclasses import dataclass
 from math import floor, inf, log2
 
 FINEST_SIGMA_PX = 1.25
-"""The smallest blur, in texels of its band; a band holds blurs from this to twice this."""
+"""The smallest blur, in texels of its band."""
+
+LEVELS_A_BAND = 2
+"""Where the width grows with the distance, a band holds blurs up to four times its smallest: fewer, wider bands."""
 
 SHARP_SIGMA_PX = 0.7
 """Below this blur the shadow is left as it was cast; up to FINEST_SIGMA_PX it passes over into the blurred one."""
@@ -45,7 +48,8 @@ class Blur:
         """The level of the widest blur; -1 where there is nothing to blur."""
         if self.amount_px <= SHARP_SIGMA_PX:
             return -1
-        return max(floor(log2(self.amount_px / FINEST_SIGMA_PX)), 0)
+        level = max(floor(log2(self.amount_px / FINEST_SIGMA_PX)), 0)
+        return level if self.distance_px <= 0 else level - level % LEVELS_A_BAND
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +93,9 @@ def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     """Return the bands that a blurred shadow may touch, from the contact line outward, on both its sides."""
     if blur.distance_px <= 0:
         return (_whole(blur, shadow),) if blur.last_level >= 0 else ()
-    bands = (_band(blur, shadow, level, side) for level in range(blur.last_level + 1) for side in (-1, 1))
+    bands = (
+        _band(blur, shadow, level, side) for level in range(0, blur.last_level + 1, LEVELS_A_BAND) for side in (-1, 1)
+    )
     return tuple(band for band in bands if band is not None)
 
 
@@ -100,12 +106,14 @@ def _whole(blur: Blur, shadow: Extent) -> Band:
 
 def _band(blur: Blur, shadow: Extent, level: int, side: int) -> Band | None:
     first = blur.distance_of(SHARP_SIGMA_PX if level == 0 else FINEST_SIGMA_PX * 2**level)
-    last = inf if level == blur.last_level else blur.distance_of(FINEST_SIGMA_PX * 2 ** (level + 1))
-    widest = min(FINEST_SIGMA_PX * 2 ** (level + 1), blur.amount_px)
+    last = inf if level == blur.last_level else blur.distance_of(FINEST_SIGMA_PX * 2 ** (level + LEVELS_A_BAND))
+    widest = min(FINEST_SIGMA_PX * 2 ** (level + LEVELS_A_BAND), blur.amount_px)
     reach = REACH_SIGMAS * widest
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
     low, high = max(first, inner - reach), min(last, outer + reach)
-    if low >= high:
+    # Across the contact line a shadow is at least as many standard deviations away as d/s.
+    unreached = outer <= 0 and blur.distance_px >= REACH_SIGMAS * blur.amount_px
+    if low >= high or unreached:
         return None
     return _surrounded(level, reach, shadow, *((low, high) if side > 0 else (-high, -low)))
 

@@ -6,13 +6,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-SMALL_TEXELS = 40_000
-"""A band of fewer texels than this is counted on a finer grid, so that its outline is not counted in whole texels."""
+SMALL_TEXELS = 6000
+"""A band of fewer texels than this is counted on a finer grid."""
 
 FINER = 4
-_STEPS = 65536
+
+_STEPS = 65535
+_HALVINGS = 18
+"""Enough to find a level to a part of the last bit that is kept of a blurred shadow."""
 
 Values = NDArray[np.uint16]
+Floats = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -22,7 +26,7 @@ class Counted:
     Parameters
     ----------
     sharp, blurred
-        (h, w) of 65535, before and after the blur, with ``margin`` texels around the part that counts.
+        (h, w) of 65535, before and after the blur, with ``margin`` texels (2 at least) around the part that counts.
     weights
         (h - 2·margin,): the area of a texel of each row that counts, px².
     margin
@@ -34,56 +38,84 @@ class Counted:
     weights: NDArray[np.float64]
     margin: int
 
+    @property
+    def area(self) -> float:
+        """The area of the shadow before, px²."""
+        m = self.margin
+        inner = self.sharp[m : self.sharp.shape[0] - m, m : self.sharp.shape[1] - m]
+        return float(inner.sum(axis=1, dtype=np.float64) @ self.weights) / _STEPS
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Slopes:
+    """Texels in order: what the drawn spline has in the middle, how steep it is, and what area they stand for."""
+
+    values: Floats
+    reach: Floats
+    areas: Floats
+
+    def area_over(self, level: float) -> float:
+        """Return the area over a level; a texel that the outline crosses counts in part."""
+        parts = np.clip((self.values - np.float32(level)) / self.reach + np.float32(0.5), 0, 1)
+        return float((parts * self.areas).sum(dtype=np.float64))
+
 
 def area_preserving_level(bands: Sequence[Counted]) -> float:
     """Return the level, 0 to 1, over which the blurred shadow has the area of the sharp one.
 
     A half where there is no shadow at all.
     """
-    histogram = np.zeros(_STEPS)
-    area = 0.0
-    for band in bands:
-        m = band.margin
-        inner = band.sharp[m : band.sharp.shape[0] - m, m : band.sharp.shape[1] - m]
-        area += float(inner.sum(axis=1, dtype=np.float64) @ band.weights) / (_STEPS - 1)
-        values, weights = _counted(band)
-        histogram += np.bincount(values, weights, _STEPS)
+    area = sum(band.area for band in bands)
     if area <= 0:
         return 0.5
-    # Area over each level, from the highest down; the level lies where it first reaches the wanted one.
-    over = np.cumsum(histogram[::-1])
-    index = int(np.searchsorted(over, area))
-    if index >= _STEPS:
-        return 0.0
-    before = over[index - 1] if index else 0.0
-    part = (area - before) / max(over[index] - before, 1e-12)
-    return float((_STEPS - index - part) / (_STEPS - 1))
+    slopes = [_slopes(band) for band in bands]
+    joined = _Slopes(*(np.concatenate([getattr(each, name) for each in slopes]) for name in _Slopes.__slots__))
+    low, high = 0.0, float(_STEPS)
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        if joined.area_over(middle) > area:
+            low = middle
+        else:
+            high = middle
+    return (low + high) / 2 / _STEPS
 
 
-def _counted(band: Counted) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-    """Return the values of a band and the area that each stands for."""
-    blurred, m = band.blurred.astype(np.float64), band.margin
-    height, width = blurred.shape
-    finer = FINER if blurred.size < SMALL_TEXELS else 1
-    if finer == 1:
-        rows = (blurred[m - 1 : -m - 1] + 4 * blurred[m:-m] + blurred[m + 1 : height - m + 1]) / 6
-        values = (rows[:, m - 1 : -m - 1] + 4 * rows[:, m:-m] + rows[:, m + 1 : width - m + 1]) / 6
-    else:
-        values = _spline(height, m, finer) @ blurred @ _spline(width, m, finer).T
-    weights = np.repeat(band.weights / finer**2, finer)
-    steps = np.clip(np.rint(values), 0, _STEPS - 1).astype(np.intp)
-    return steps.ravel(), np.repeat(weights, steps.shape[1])
+def _slopes(band: Counted) -> _Slopes:
+    """Return the places of a band that hold anything: texels, of a small band finer ones."""
+    m = band.margin
+    texels = band.blurred.astype(np.float32)
+    # An outline of a few texels is not straight within one.
+    finer = FINER if texels.size < SMALL_TEXELS else 1
+    rows, columns = (_places(side, m, finer) for side in texels.shape)
+    values = _spline(_spline(texels, rows, 0), columns, 1)
+    # One place more on each side, for the slopes; the outline crosses a place half a step either way.
+    middle = values[1:-1, 1:-1]
+    reach = (np.abs(values[1:-1, 2:] - values[1:-1, :-2]) + np.abs(values[2:, 1:-1] - values[:-2, 1:-1])) / 4
+    areas = np.repeat(band.weights / finer**2, finer).astype(np.float32)
+    held = middle > 0
+    return _Slopes(
+        middle[held],
+        np.maximum(reach[held], np.float32(1e-3)),
+        np.broadcast_to(areas[:, np.newaxis], middle.shape)[held],
+    )
 
 
-def _spline(texels: int, margin: int, finer: int) -> NDArray[np.float64]:
-    """Return the matrix ((texels - 2·margin)·finer, texels) that evaluates the cubic spline the shader draws."""
+def _places(texels: int, margin: int, finer: int) -> NDArray[np.float64]:
+    """Return where along an axis the spline is looked at: evenly within the part that counts, and once beyond."""
     count = (texels - 2 * margin) * finer
-    place = margin + (np.arange(count) + 0.5) / finer - 0.5
-    cell = np.floor(place).astype(np.intp)
-    f = place - cell
+    return margin - 0.5 + (np.arange(-1, count + 1) + 0.5) / finer
+
+
+def _spline(texels: Floats, places: NDArray[np.float64], axis: int) -> Floats:
+    """Return the cubic spline that the shader draws, at places along one axis."""
+    cell = np.floor(places).astype(np.intp)
+    f = (places - cell).astype(np.float32)
     g = 1 - f
     weights = (g**3 / 6, (4 - 6 * f**2 + 3 * f**3) / 6, (4 - 6 * g**2 + 3 * g**3) / 6, f**3 / 6)
-    matrix = np.zeros((count, texels))
-    for offset, weight in zip(range(-1, 3), weights, strict=True):
-        matrix[np.arange(count), np.clip(cell + offset, 0, texels - 1)] += weight
-    return matrix
+    shape = (-1, 1) if axis == 0 else (1, -1)
+    last = texels.shape[axis] - 1
+    parts = (
+        np.take(texels, np.clip(cell + offset, 0, last), axis) * weight.reshape(shape)
+        for offset, weight in zip(range(-1, 3), weights, strict=True)
+    )
+    return np.asarray(sum(parts), np.float32)

@@ -1,10 +1,11 @@
 """The pass that simplifies: the united shadow is blurred on its receiver and brought back to its area (paper 3.6.1)."""
 
 from dataclasses import dataclass, replace
+from math import ceil
 
 import numpy as np
 
-from kagezou.geometry.bands import FINEST_SIGMA_PX, SHARP_SIGMA_PX, Blur, Extent, bands_of
+from kagezou.geometry.bands import FINEST_SIGMA_PX, LEVELS_A_BAND, REACH_SIGMAS, SHARP_SIGMA_PX, Blur, Extent, bands_of
 from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane, canvas_from_plane
@@ -17,8 +18,10 @@ from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.gl import GL
 from kagezou.render.level import Counted, area_preserving_level
 from kagezou.render.mattes import PlacedMatte
+from kagezou.render.outline import outline_tiles
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.targets import Format, Target
+from kagezou.render.tiles import Boxes as TileBoxes
 from kagezou.scene.scene import ShadowCast
 
 LARGEST_PLANE_PX = 8192
@@ -27,6 +30,9 @@ LARGEST_PLANE_PX = 8192
 _MAX_BANDS = 20
 _MARGIN_TEXELS = 2
 _LEAST_SIGMA_TEXELS = 0.3
+_WIDEST_TEXELS = (2 * FINEST_SIGMA_PX, 2**LEVELS_A_BAND * FINEST_SIGMA_PX)
+"""The widest blur in texels, where it is the same everywhere and where it grows."""
+
 _ALONG_V, _ALONG_U = frozenset({"ALONG_V"}), frozenset({"ALONG_U"})
 
 
@@ -54,6 +60,7 @@ class SimplifyPass:
         self._caster = caster
         self._blur = Variants("box.vert", "blur.frag")
         self._show = Program("box.vert", "simplify.frag")
+        self._fill = Program("box.vert", "full.frag")
         self._atlases: tuple[Target, Target] | None = None
         self._sharp: Target | None = None
 
@@ -81,6 +88,7 @@ class SimplifyPass:
         """Give the memory back."""
         self._blur.close()
         self._show.close()
+        self._fill.close()
         for target in (*(self._atlases or ()), self._sharp):
             if target is not None:
                 target.close()
@@ -94,7 +102,12 @@ class SimplifyPass:
             self._caster.unite(job.cast, job.matte, shadow, window)
         counted = [self._blur_strip(job, strip, (shadow, blurred)) for strip in job.strips]
         level = area_preserving_level(counted)
-        return self._show_all(job, target, sharp_box, level)
+        box = self._box_of(job, target.box, sharp_box)
+        if box is not None:
+            pairs = [(strip, each.blurred) for strip, each in zip(job.strips, counted, strict=True)]
+            full, outline = outline_tiles(pairs, level, job.blur, _inverse(job.canvas_from_plane), box)
+            self._show_tiles(job, target, (full, outline), level)
+        return box
 
     def _cast_sharp(self, job: _Job, like: Target) -> Box | None:
         """Cast the shadow as it is, for where it stays so; return its box."""
@@ -123,36 +136,42 @@ class SimplifyPass:
             "u_distance_px": job.blur.distance_px,
             "u_least_sigma": _LEAST_SIGMA_TEXELS,
         }
+        reach = frozenset({f"REACH {ceil(REACH_SIGMAS * _WIDEST_TEXELS[job.blur.distance_px > 0])}"})
         box = strip.box
         corners = (float(box.left), float(box.top), float(box.right - 1), float(box.bottom - 1))
         for source, goal, switches in ((shadow, half, _ALONG_V), (half, shadow, _ALONG_U)):
             goal.bind(shown)
             source.texture.bind(0)
-            self._blur[switches].use({**uniforms, "u_band": corners})
+            self._blur[switches | reach].use({**uniforms, "u_band": corners})
             self._boxes.draw_one(shown)
             corners = (corners[0], float(shown.top), corners[2], float(shown.bottom - 1))
         blurred = np.asarray(shadow.read(shown), np.uint16)
         return Counted(sharp, blurred, strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS)
 
-    def _show_all(self, job: _Job, target: Target, sharp_box: Box | None, level: float) -> Box | None:
-        assert self._sharp is not None
+    def _box_of(self, job: _Job, canvas: Box, sharp_box: Box | None) -> Box | None:
+        """Return the box of the canvas in which the simplified shadow can be seen."""
         plane_from_canvas = _inverse(job.canvas_from_plane)
         box = sharp_box
         for strip in job.strips:
             core = strip.band.core
-            polygon = seen_rectangle(target.box, plane_from_canvas, (core.left, core.low), (core.right, core.high))
+            polygon = seen_rectangle(canvas, plane_from_canvas, (core.left, core.low), (core.right, core.high))
             seen = bounding_box(polygon)
             if seen is not None:
                 box = seen if box is None else box.union(seen)
-        box = None if box is None else box.intersection(target.box)
-        if box is None:
-            return None
-        origin = np.array([(box.left + box.right) // 2 + 0.5, (box.top + box.bottom) // 2 + 0.5])
+        return None if box is None else box.intersection(canvas)
+
+    def _show_tiles(self, job: _Job, target: Target, tiles: tuple[TileBoxes, TileBoxes], level: float) -> None:
+        assert self._sharp is not None
+        full, outline = tiles
+        origin = np.floor(np.array([target.box.width, target.box.height]) / 2) + 0.5
         canvas_from_pixel = np.array([[1.0, 0.0, origin[0]], [0.0, 1.0, origin[1]], [0.0, 0.0, 1.0]])
-        plane_from_pixel = plane_from_canvas @ canvas_from_pixel
-        target.bind(box)
+        plane_from_pixel = _inverse(job.canvas_from_plane) @ canvas_from_pixel
+        target.bind()
         GL.glEnable(GL.GL_BLEND)
         GL.glBlendEquation(GL.GL_MAX)
+        if len(full):
+            self._fill.use({"u_target_size_px": target.size_px, "u_strength": 1.0})
+            self._boxes.draw(full)
         self._atlases_for(job.strips)[0].texture.bind(0)
         self._sharp.texture.bind(1)
         self._show.use(
@@ -169,8 +188,8 @@ class SimplifyPass:
                 **_band_uniforms(job.strips, whole=job.blur.distance_px <= 0),
             }
         )
-        self._boxes.draw_one(box)
-        return box
+        if len(outline):
+            self._boxes.draw(outline)
 
     def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target]:
         """Return two empty targets of at least the strips' size: the shadow, and what is blurred one way."""

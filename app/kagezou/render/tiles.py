@@ -80,7 +80,7 @@ def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, cells_a_texe
     """
     columns = np.arange(region.left // TILE_PX, -(-region.right // TILE_PX))
     rows = np.arange(region.top // TILE_PX, -(-region.bottom // TILE_PX))
-    corners = _corners(columns, rows)
+    corners = tile_corners(columns, rows)
     outside, inside = _limits(cast, corners)
     texels, w = _seen(cast, corners, matte.box)
     empty, full = matte.occupancy.states(texels.min(axis=0).T, texels.max(axis=0).T)
@@ -94,12 +94,12 @@ def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, cells_a_texe
     stretch[:, ~bounded[is_edge]] = np.inf
     codes[is_edge] = _FIRST_EDGE + _edge_codes(stretch, ~inside[is_edge])
     grid = codes.reshape(len(rows), len(columns))
-    boxes, kinds = _runs(grid, (int(columns[0]), int(rows[0])), canvas)
+    boxes, kinds = runs_of(grid, (int(columns[0]), int(rows[0])), canvas)
     edges = {_kind(code): boxes[kinds == code] for code in np.unique(kinds).tolist() if code >= _FIRST_EDGE}
     return Tiling(boxes[kinds == _FULL], edges, _around(boxes))
 
 
-def _corners(columns: Codes, rows: Codes) -> Matrix:
+def tile_corners(columns: Codes, rows: Codes) -> Matrix:
     """Return the corners (4, 3, N) of tiles as homogeneous canvas points.
 
     One px of margin: a pixel's own area and all that its sampling may touch lies within its tile's corners.
@@ -153,7 +153,7 @@ def _kind(code: int) -> EdgeKind:
     return EdgeKind(CELLS[across], CELLS[down], bool(at_limit), bool(squeezed))
 
 
-def _runs(codes: Codes, origin: tuple[int, int], canvas: Box) -> tuple[Boxes, Codes]:
+def runs_of(codes: Codes, origin: tuple[int, int], canvas: Box) -> tuple[Boxes, Codes]:
     """Return the boxes of neighbouring tiles in a row that have one code, cut to the canvas, and their codes."""
     framed = np.pad(codes, ((0, 0), (1, 1)))
     row, start = np.nonzero(framed[:, 1:] != framed[:, :-1])
