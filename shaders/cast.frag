@@ -28,13 +28,14 @@ float within(vec3 edge, vec2 pixel, vec2 cell) {
 #endif
 
 #ifdef SQUEEZED
-uniform int u_last_level;              // coarsest mipmap of the matte
+uniform sampler2D u_means;             // the part of the matte that casts, mean over squares of 2^level texels
+uniform int u_last_level;              // its coarsest mipmap
 
-// Mean alpha around a texel; a level holds whole squares of 2^level texels.
+// What casts around a texel.
 float mean_alpha(vec2 texel, int level) {
     ivec2 square = ivec2(floor(texel)) >> level;
-    bool inside = all(greaterThanEqual(square, ivec2(0))) && all(lessThan(square, textureSize(u_matte, level)));
-    return inside ? texelFetch(u_matte, square, level).r : 0.0;
+    bool inside = all(greaterThanEqual(square, ivec2(0))) && all(lessThan(square, textureSize(u_means, level)));
+    return inside ? texelFetch(u_means, square, level).r : 0.0;
 }
 #endif
 

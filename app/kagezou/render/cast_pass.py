@@ -14,7 +14,7 @@ from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.targets import Target
-from kagezou.render.tiles import Tiling, tiled
+from kagezou.render.tiles import CELLS, Fineness, Tiling, tiled
 from kagezou.scene.scene import ShadowCast
 
 CELLS_A_TEXEL = 1.25
@@ -34,10 +34,13 @@ class Window:
         In px of the target.
     canvas_from_target
         (3, 3); None where the target is the canvas.
+    max_cells
+        Into how many cells a pixel may be split each way; beyond them the mean of the drawing is taken.
     """
 
     box: Box
     canvas_from_target: Matrix | None = None
+    max_cells: int = CELLS[-1]
 
     def cast(self, on_canvas: Cast) -> Cast:
         """Return a cast as this window shows it."""
@@ -52,6 +55,7 @@ class CastPass:
         self._edge = Variants("box.vert", "cast.frag")
         self._full = Variants("box.vert", "full.frag")
         self._copy = Program("box.vert", "shade.frag")
+        self._threshold = Program("box.vert", "threshold.frag")
         self._scratch: Target | None = None
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
@@ -83,6 +87,7 @@ class CastPass:
         self._edge.close()
         self._full.close()
         self._copy.close()
+        self._threshold.close()
         if self._scratch is not None:
             self._scratch.close()
 
@@ -98,9 +103,11 @@ class CastPass:
             each = window.cast(on_canvas)
             frame = Frame(each.region(window.box, matte.box))
             around = bounding_box(frame.region)
-            tiling = around and tiled(each, around, matte, window.box, cells_a_texel)
+            tiling = around and tiled(each, around, matte, window.box, Fineness(cells_a_texel, window.max_cells))
             if not tiling or tiling.box is None:
                 continue
+            if any(kind.is_squeezed for kind in tiling.edges):
+                matte.on_card.means(self._boxes, self._threshold, translucent=cast.translucent).bind(1)
             target.bind(window.box)
             GL.glEnable(GL.GL_BLEND)
             GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
@@ -118,8 +125,6 @@ class CastPass:
         return drawn
 
     def _draw_edges(self, tiling: Tiling, edges: Edges, switches: frozenset[str], uniforms: dict[str, Uniform]) -> None:
-        if any(kind.is_squeezed for kind in tiling.edges):
-            edges.matte.texture.make_mipmaps()
         edges.matte.texture.bind(0)
         uniforms = uniforms | edges.uniforms()
         limits = edges.limits()

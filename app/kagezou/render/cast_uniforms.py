@@ -92,6 +92,7 @@ class Edges:
         """Return the uniforms that every variant has, for a matte on unit 0."""
         return {
             "u_matte": 0,
+            "u_means": 1,
             "u_texel_from_pixel": self._texel_from_pixel,
             "u_last_level": LAST_LEVEL,
         }

@@ -21,30 +21,52 @@ _RIM_PX = 1
 _SMOOTHING_REACH_PX = ceil(3 * HARD_EDGE_SIGMA_PX)
 
 
-@dataclass(frozen=True, slots=True)
 class MatteOnCard:
     """A matte as a texture with an empty rim, and where it is empty or full."""
 
-    texture: Texture
-    occupancy: Occupancy
+    def __init__(self, texture: Texture, occupancy: Occupancy) -> None:
+        self.texture = texture
+        self.occupancy = occupancy
+        self._solid: Texture | None = None
 
     @property
     def nbytes(self) -> int:
-        """Memory on the graphics card."""
-        return self.texture.nbytes
+        """Memory on the graphics card, with what may yet be made of the texture."""
+        return 2 * self.texture.nbytes
+
+    def means(self, boxes: Boxes, threshold: Program, *, translucent: bool) -> Texture:
+        """Return a texture whose mipmaps hold the mean part that casts: of alpha as it is, or of what is solid."""
+        if translucent:
+            self.texture.make_mipmaps()
+            return self.texture
+        if self._solid is None:
+            self._solid = drawn_from(self.texture, Format.ALPHA8, boxes, threshold, {})
+            self._solid.make_mipmaps()
+        return self._solid
 
     def close(self) -> None:
         """Give the memory back."""
         self.texture.close()
+        if self._solid is not None:
+            self._solid.close()
 
 
 @dataclass(frozen=True, slots=True)
 class PlacedMatte:
     """A matte and the canvas box its texels cover, one texel a canvas px."""
 
-    texture: Texture
-    occupancy: Occupancy
+    on_card: MatteOnCard
     box: Box
+
+    @property
+    def texture(self) -> Texture:
+        """Its texels."""
+        return self.on_card.texture
+
+    @property
+    def occupancy(self) -> Occupancy:
+        """Where it is empty or full."""
+        return self.on_card.occupancy
 
 
 class Mattes:
@@ -66,7 +88,7 @@ class Mattes:
         box = Box(
             corner.left, corner.top, corner.left + on_card.texture.width_px, corner.top + on_card.texture.height_px
         )
-        return PlacedMatte(on_card.texture, on_card.occupancy, box)
+        return PlacedMatte(on_card, box)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -91,18 +113,20 @@ class Mattes:
         """Return the matte smoothed in x, then in y."""
         for axis in ((1.0, 0.0), (0.0, 1.0)):
             uniforms: dict[str, Uniform] = {"u_axis": axis, "u_sigma_px": HARD_EDGE_SIGMA_PX}
-            source = self._drawn(self._smooth, source, Format.ALPHA16, uniforms)
+            smoothed = drawn_from(source, Format.ALPHA16, self._boxes, self._smooth, uniforms)
+            source.close()
+            source = smoothed
         return source
 
-    def _drawn(self, program: Program, source: Texture, form: Format, uniforms: dict[str, Uniform]) -> Texture:
-        """Return what a program makes of a texture of the same size, instead of it."""
-        target = Target(source.width_px, source.height_px, form)
-        target.bind()
-        source.bind(0)
-        program.use({"u_target_size_px": target.size_px, "u_source": 0, **uniforms})
-        self._boxes.draw_one(target.box)
-        source.close()
-        return target.texture_alone()
+
+def drawn_from(source: Texture, form: Format, boxes: Boxes, program: Program, uniforms: dict[str, Uniform]) -> Texture:
+    """Return what a program makes of a texture of the same size."""
+    target = Target(source.width_px, source.height_px, form)
+    target.bind()
+    source.bind(0)
+    program.use({"u_target_size_px": target.size_px, "u_source": 0, **uniforms})
+    boxes.draw_one(target.box)
+    return target.texture_alone()
 
 
 def _margin(matte: Matte) -> int:

@@ -17,10 +17,12 @@ from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.gl import GL
 from kagezou.render.level import Counted, area_preserving_level
+from kagezou.render.level import Values as Texels
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.outline import outline_tiles
 from kagezou.render.program import Program, Uniform, Variants
-from kagezou.render.targets import Format, Target
+from kagezou.render.targets import LAST_LEVEL, Format, Target
+from kagezou.render.tiles import CELLS
 from kagezou.render.tiles import Boxes as TileBoxes
 from kagezou.scene.scene import ShadowCast
 
@@ -96,11 +98,17 @@ class SimplifyPass:
     def _draw_one(self, job: _Job, target: Target) -> Box | None:
         shadow, blurred = self._atlases_for(job.strips)
         sharp_box = self._cast_sharp(job, target)
+        used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
+        shadow.clear(used)
         for strip in job.strips:
-            shadow.clear(strip.box)
-            window = Window(strip.box, job.canvas_from_plane @ strip.plane_from_atlas)
+            window = Window(strip.box, job.canvas_from_plane @ strip.plane_from_atlas, _cells_at(strip.band.level))
             self._caster.unite(job.cast, job.matte, shadow, window)
-        counted = [self._blur_strip(job, strip, (shadow, blurred)) for strip in job.strips]
+        # All strips are read at once: each reading waits for everything drawn before it.
+        before = np.asarray(shadow.read(used), np.uint16)
+        self._blur_strips(job, (shadow, blurred), _ALONG_V)
+        self._blur_strips(job, (blurred, shadow), _ALONG_U)
+        after = np.asarray(shadow.read(used), np.uint16)
+        counted = [_counted(strip, before, after) for strip in job.strips]
         level = area_preserving_level(counted)
         box = self._box_of(job, target.box, sharp_box)
         if box is not None:
@@ -121,32 +129,29 @@ class SimplifyPass:
             return None
         return self._caster.unite(job.cast, job.matte, self._sharp, Window(like.box))
 
-    def _blur_strip(self, job: _Job, strip: Strip, atlases: tuple[Target, Target]) -> Counted:
-        """Blur one strip across and along the contact line; return what its area is counted from."""
-        shadow, half = atlases
-        sharp = np.asarray(shadow.read(strip.shown), np.uint16)
-        shown, texel = strip.shown, strip.band.texel_px
-        uniforms: dict[str, Uniform] = {
-            "u_target_size_px": shadow.size_px,
-            "u_source": 0,
-            "u_first_v_px": strip.band.needed.low,
-            "u_first_row": float(strip.box.top),
-            "u_texel_px": texel,
-            "u_amount_px": job.blur.amount_px,
-            "u_distance_px": job.blur.distance_px,
-            "u_least_sigma": _LEAST_SIGMA_TEXELS,
-        }
-        reach = frozenset({f"REACH {ceil(REACH_SIGMAS * _WIDEST_TEXELS[job.blur.distance_px > 0])}"})
-        box = strip.box
-        corners = (float(box.left), float(box.top), float(box.right - 1), float(box.bottom - 1))
-        for source, goal, switches in ((shadow, half, _ALONG_V), (half, shadow, _ALONG_U)):
-            goal.bind(shown)
+    def _blur_strips(self, job: _Job, way: tuple[Target, Target], direction: frozenset[str]) -> None:
+        """Blur every strip from one atlas into the other: first across the contact line, then along it."""
+        source, goal = way
+        widest = _WIDEST_TEXELS[job.blur.distance_px > 0]
+        program = self._blur[direction | {f"REACH {ceil(REACH_SIGMAS * widest)}"}]
+        for strip in job.strips:
+            known = strip.box if direction == _ALONG_V else strip.shown
+            goal.bind(strip.shown)
             source.texture.bind(0)
-            self._blur[switches | reach].use({**uniforms, "u_band": corners})
-            self._boxes.draw_one(shown)
-            corners = (corners[0], float(shown.top), corners[2], float(shown.bottom - 1))
-        blurred = np.asarray(shadow.read(shown), np.uint16)
-        return Counted(sharp, blurred, strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS)
+            program.use(
+                {
+                    "u_target_size_px": goal.size_px,
+                    "u_source": 0,
+                    "u_band": (float(known.left), float(known.top), float(known.right - 1), float(known.bottom - 1)),
+                    "u_first_v_px": strip.band.needed.low,
+                    "u_first_row": float(strip.box.top),
+                    "u_texel_px": strip.band.texel_px,
+                    "u_amount_px": job.blur.amount_px,
+                    "u_distance_px": job.blur.distance_px,
+                    "u_least_sigma": _LEAST_SIGMA_TEXELS,
+                }
+            )
+            self._boxes.draw_one(strip.shown)
 
     def _box_of(self, job: _Job, canvas: Box, sharp_box: Box | None) -> Box | None:
         """Return the box of the canvas in which the simplified shadow can be seen."""
@@ -202,6 +207,21 @@ class SimplifyPass:
             self._atlases = (Target(width, height, Format.ALPHA16), Target(width, height, Format.ALPHA16))
         assert self._atlases is not None
         return self._atlases
+
+
+def _cells_at(level: int) -> int:
+    """Return into how many cells a texel of a level may be split.
+
+    Coarse texels, to be blurred anyway, are means of few cells; where squares of the matte's coarsest mipmap no longer
+    fill a cell there have to be more of them again.
+    """
+    return CELLS[-1] if level < 2 else min(max(4, 1 << max(level - LAST_LEVEL + 3, 0)), CELLS[-1])
+
+
+def _counted(strip: Strip, before: Texels, after: Texels) -> Counted:
+    shown = strip.shown
+    part = (slice(shown.top, shown.bottom), slice(shown.left, shown.right))
+    return Counted(before[part], after[part], strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS)
 
 
 def _extent(cast: ShadowCast, matte: PlacedMatte, plane: Plane) -> Extent | None:

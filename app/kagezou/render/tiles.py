@@ -54,6 +54,14 @@ class EdgeKind:
 
 
 @dataclass(frozen=True, slots=True)
+class Fineness:
+    """Into how many cells a pixel is split: so many a texel, but no more than ``max_cells`` (one of CELLS) each way."""
+
+    cells_a_texel: float
+    max_cells: int = CELLS[-1]
+
+
+@dataclass(frozen=True, slots=True)
 class Tiling:
     """The parts of a shadow: what is wholly covered, the edges by their kind, and the box around it all."""
 
@@ -62,7 +70,7 @@ class Tiling:
     box: Box | None
 
 
-def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, cells_a_texel: float) -> Tiling:
+def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, fineness: Fineness) -> Tiling:
     """Sort the tiles of a region by what the shadow does in them.
 
     Parameters
@@ -75,8 +83,8 @@ def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, cells_a_texe
         The drawing.
     canvas
         Boxes are cut to it.
-    cells_a_texel
-        How many cells there are to be for each texel that falls on a pixel.
+    fineness
+        How many cells there are to be.
     """
     columns = np.arange(region.left // TILE_PX, -(-region.right // TILE_PX))
     rows = np.arange(region.top // TILE_PX, -(-region.bottom // TILE_PX))
@@ -90,9 +98,9 @@ def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, cells_a_texe
     is_full = full & inside & bounded
     codes[is_full] = _FULL
     is_edge = ~((empty & bounded) | outside | is_full)
-    stretch = _stretch(cast, texels[..., is_edge] + _corner_of(matte.box), w[:, is_edge]) * cells_a_texel
+    stretch = _stretch(cast, texels[..., is_edge] + _corner_of(matte.box), w[:, is_edge]) * fineness.cells_a_texel
     stretch[:, ~bounded[is_edge]] = np.inf
-    codes[is_edge] = _FIRST_EDGE + _edge_codes(stretch, ~inside[is_edge])
+    codes[is_edge] = _FIRST_EDGE + _edge_codes(stretch, ~inside[is_edge], fineness.max_cells)
     grid = codes.reshape(len(rows), len(columns))
     boxes, kinds = runs_of(grid, (int(columns[0]), int(rows[0])), canvas)
     edges = {_kind(code): boxes[kinds == code] for code in np.unique(kinds).tolist() if code >= _FIRST_EDGE}
@@ -138,11 +146,10 @@ def _stretch(cast: Cast, art: Matrix, w: Matrix) -> Matrix:
     return np.array([step.max(axis=0) for step in steps])
 
 
-def _edge_codes(cells: Matrix, at_limit: Flags) -> Codes:
+def _edge_codes(cells: Matrix, at_limit: Flags, most: int) -> Codes:
     """Return a number for each tile's kind of edge; :func:`_kind` is its inverse."""
-    last = len(CELLS) - 1
-    steps = np.searchsorted(CELLS, np.minimum(cells, CELLS[last]))
-    squeezed = (cells > CELLS[last]).any(axis=0)
+    steps = np.searchsorted(CELLS, np.minimum(cells, most))
+    squeezed = (cells > most).any(axis=0)
     return np.asarray(((steps[0] * len(CELLS) + steps[1]) * 2 + at_limit) * 2 + squeezed)
 
 
