@@ -112,7 +112,7 @@ def _band(blur: Blur, shadow: Extent, level: int, side: int) -> Band | None:
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
     low, high = max(first, inner - reach), min(last, outer + reach)
     # Across the contact line a shadow is at least as many standard deviations away as d/s.
-    unreached = outer <= 0 and blur.distance_px >= REACH_SIGMAS * blur.amount_px
+    unreached = outer <= first and blur.distance_px >= REACH_SIGMAS * blur.amount_px
     if low >= high or unreached:
         return None
     return _surrounded(level, reach, shadow, *((low, high) if side > 0 else (-high, -low)))

@@ -1,7 +1,7 @@
 """What each operation of a person costs, from the edit of a document to finished pixels."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from statistics import median
 from typing import Final
@@ -93,11 +93,30 @@ def _changes(document: Document) -> Iterator[tuple[str, Change]]:
     yield "tilt", _setting(tilt, lambda n: _sweep(n, 30.0))
     yield "grounding point", _setting(grounding, lambda n: ((foot[0] + _sweep(n, 0.1 * height), foot[1]),))
     yield "opacity", _setting(opacity, lambda n: 0.5 + _sweep(n, 0.4))
+    simplify, distance = Address(properties.SIMPLIFY, layer.id), Address(properties.DISTANCE, layer.id)
+    yield "simplify", _setting(simplify, lambda n: 40.0 + _sweep(n, 20.0))
+    simplified = _with(document, {simplify: 40.0, distance: 200.0})
+    yield "distance", _upon(simplified, _setting(distance, lambda n: 200.0 + _sweep(n, 60.0)))
+    yield (
+        "light, simplified",
+        _upon(simplified, _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))),
+    )
     yield "frame step", lambda same, n: (same, 1 + n % same.canvas.length_frames)
 
 
 def _setting(address: Address, value: Callable[[int], Value]) -> Change:
     return lambda document, number: (set_constant(document, address, value(number)), 1)
+
+
+def _with(document: Document, values: Mapping[Address, Value]) -> Document:
+    for address, value in values.items():
+        document = set_constant(document, address, value)
+    return document
+
+
+def _upon(document: Document, change: Change) -> Change:
+    """Return a change that starts from another document than the one it is handed."""
+    return lambda _, number: change(document, number)
 
 
 def _sweep(number: int, reach: float) -> float:

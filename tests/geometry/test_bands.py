@@ -1,0 +1,81 @@
+"""Bands of a receiver: where each blur is done, without a gap and without needless work."""
+
+from itertools import pairwise
+from math import inf
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kagezou.geometry.bands import (
+    FINEST_SIGMA_PX,
+    LEVELS_A_BAND,
+    SHARP_SIGMA_PX,
+    Band,
+    Blur,
+    Extent,
+    bands_of,
+)
+
+BEHIND = Extent(-200.0, -600.0, 300.0, 1.0)
+
+
+def test_the_blur_grows_to_its_amount_over_the_distance() -> None:
+    blur = Blur(40.0, 200.0)
+    assert [blur.sigma_at(v) for v in (0.0, -50.0, 100.0, 200.0, 900.0)] == [0.0, 10.0, 20.0, 40.0, 40.0]
+    assert blur.distance_of(10.0) == 50.0
+    assert blur.distance_of(41.0) == inf
+    assert Blur(40.0, 0.0).sigma_at(0.0) == 40.0
+
+
+@pytest.mark.parametrize("amount", [0.0, 0.3, SHARP_SIGMA_PX])
+def test_a_blur_too_small_to_see_has_no_bands(amount: float) -> None:
+    assert bands_of(Blur(amount, 0.0), BEHIND) == ()
+    assert bands_of(Blur(amount, 100.0), BEHIND) == ()
+
+
+@given(st.floats(0.8, 500.0))
+def test_the_same_blur_everywhere_is_one_band_of_some_texels_a_sigma(amount: float) -> None:
+    (band,) = bands_of(Blur(amount, 0.0), BEHIND)
+    assert amount / band.texel_px < 2 * FINEST_SIGMA_PX
+    assert amount < FINEST_SIGMA_PX or amount / band.texel_px >= FINEST_SIGMA_PX
+    assert band.core.low < BEHIND.low < BEHIND.high < band.core.high
+
+
+def inner_and_outer(band: Band) -> tuple[float, float]:
+    low, high = sorted((abs(band.core.low), abs(band.core.high)))
+    return low, high
+
+
+@given(st.floats(1.0, 500.0), st.floats(1.0, 5000.0))
+def test_bands_follow_each_other_without_a_gap(amount: float, distance: float) -> None:
+    bands = [band for band in bands_of(Blur(amount, distance), BEHIND) if band.core.high <= 0]
+    ends = sorted(inner_and_outer(band) for band in bands)
+    for (_, end), (start, _) in pairwise(ends):
+        assert end == pytest.approx(start)
+    if ends:
+        assert ends[0][0] == pytest.approx(Blur(amount, distance).distance_of(SHARP_SIGMA_PX))
+
+
+@given(st.floats(1.0, 500.0), st.floats(1.0, 5000.0))
+def test_no_band_is_coarser_than_its_blur_allows(amount: float, distance: float) -> None:
+    blur = Blur(amount, distance)
+    for band in bands_of(blur, Extent(-200.0, -600.0, 300.0, 400.0)):
+        inner, outer = inner_and_outer(band)
+        if band.level > 0:
+            assert blur.sigma_at(inner) >= 0.999 * FINEST_SIGMA_PX * band.texel_px
+        assert blur.sigma_at(outer) <= 1.001 * 2**LEVELS_A_BAND * FINEST_SIGMA_PX * band.texel_px
+
+
+def test_the_side_without_shadow_is_left_alone_where_no_blur_reaches_over() -> None:
+    assert all(band.core.high <= 0 for band in bands_of(Blur(40.0, 200.0), BEHIND))
+    assert any(band.core.low >= 0 for band in bands_of(Blur(200.0, 60.0), BEHIND))
+
+
+def test_what_is_needed_holds_what_is_shown_and_that_the_core() -> None:
+    for band in bands_of(Blur(90.0, 120.0), BEHIND):
+        for outer, inner in ((band.needed, band.shown), (band.shown, band.core)):
+            assert outer.left <= inner.left
+            assert outer.right >= inner.right
+            assert outer.low < inner.low
+            assert outer.high > inner.high
