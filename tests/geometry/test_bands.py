@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from kagezou.geometry.bands import (
     FINEST_SIGMA_PX,
     LEVELS_A_BAND,
+    MOST_TEXELS,
     SHARP_SIGMA_PX,
     Band,
     Blur,
@@ -79,3 +80,10 @@ def test_what_is_needed_holds_what_is_shown_and_that_the_core() -> None:
             assert outer.right >= inner.right
             assert outer.low < inner.low
             assert outer.high > inner.high
+
+
+@pytest.mark.parametrize("distance", [0.0, 100.0])
+def test_a_shadow_that_runs_far_is_blurred_on_coarser_texels(distance: float) -> None:
+    for band in bands_of(Blur(2.0, distance), Extent(-8000.0, -8000.0, 8000.0, 1.0)):
+        assert (band.needed.right - band.needed.left) / band.texel_px < 1.2 * MOST_TEXELS
+        assert (band.needed.high - band.needed.low) / band.texel_px < 1.2 * MOST_TEXELS

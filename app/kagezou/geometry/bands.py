@@ -6,7 +6,7 @@ large as the one before. The work then hardly depends on the width at all.
 """
 
 from dataclasses import dataclass
-from math import floor, inf, log2
+from math import ceil, floor, inf, log2
 
 FINEST_SIGMA_PX = 1.25
 """The smallest blur, in texels of its band."""
@@ -19,6 +19,9 @@ SHARP_SIGMA_PX = 0.7
 
 REACH_SIGMAS = 3.2
 """How many standard deviations of a Gaussian are summed up, and how far a shape may grow."""
+
+MOST_TEXELS = 2048
+"""A shadow that is longer than this many texels, under a low light, is blurred on coarser ones."""
 
 BICUBIC_TEXELS = 2
 """How far a cubic spline reaches."""
@@ -119,6 +122,8 @@ def _band(blur: Blur, shadow: Extent, level: int, side: int) -> Band | None:
 
 
 def _surrounded(level: int, reach: float, shadow: Extent, low: float, high: float) -> Band:
+    longest = max(shadow.right - shadow.left, shadow.high - shadow.low, 1.0)
+    level = max(level, ceil(log2(longest / MOST_TEXELS)))
     margin = (BICUBIC_TEXELS + 1) * 2.0**level
     core = Extent(shadow.left - reach, low, shadow.right + reach, high)
     shown = Extent(core.left - margin, low - margin, core.right + margin, high + margin)
