@@ -2,6 +2,7 @@
 // The simplified shadow on the canvas: where the blurred one is over its level, with a crisp edge (spec 3).
 
 #include "edge.glsl"
+#include "grazing.glsl"
 
 const int MAX_BANDS = 20;
 
@@ -79,5 +80,6 @@ void main() {
         blurred = cell_coverage((b.x - u_level) / steep, slope / steep);
     }
     float sharp = texelFetch(u_sharp, ivec2(gl_FragCoord.xy), 0).r;
-    o_coverage = mix(sharp, blurred, smoothstep(u_pass_over_px.x, u_pass_over_px.y, sigma));
+    float shape = mix(sharp, blurred, smoothstep(u_pass_over_px.x, u_pass_over_px.y, sigma));
+    o_coverage = shape * grazing_strength(pixel);
 }

@@ -9,7 +9,7 @@ from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.shadow import Cast, cast_card
 from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_uniforms import TRANSLUCENT, Edges, Frame, Grazing
+from kagezou.render.cast_uniforms import FULL_STRENGTH, TRANSLUCENT, Edges, Frame, Grazing
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Program, Uniform, Variants
@@ -36,11 +36,14 @@ class Window:
         (3, 3); None where the target is the canvas.
     max_cells
         Into how many cells a pixel may be split each way; beyond them the mean of the drawing is taken.
+    is_shape_only
+        Whether shadows are drawn in full strength, however low their light stands.
     """
 
     box: Box
     canvas_from_target: Matrix | None = None
     max_cells: int = CELLS[-1]
+    is_shape_only: bool = False
 
     def cast(self, on_canvas: Cast) -> Cast:
         """Return a cast as this window shows it."""
@@ -96,7 +99,7 @@ class CastPass:
     ) -> Box | None:
         """Draw what one light casts on one receiver; return the box that may hold it."""
         receiver, light = pair
-        grazing = Grazing.of(receiver, light)
+        grazing = FULL_STRENGTH if window.is_shape_only else Grazing.of(receiver, light)
         cells_a_texel = CELLS_A_TEXEL_SAMPLED if cast.translucent else CELLS_A_TEXEL
         drawn: Box | None = None
         for on_canvas in cast_card(cast.camera, receiver, cast.card, light):
@@ -112,9 +115,9 @@ class CastPass:
             GL.glEnable(GL.GL_BLEND)
             GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
             GL.glBlendEquation(GL.GL_FUNC_ADD if each.joins_left else GL.GL_MAX)
-            grazing_switches = grazing.switches(each, frame)
+            grazing_switches = grazing.switches(each.receiver_from_canvas, frame)
             uniforms: dict[str, Uniform] = {"u_target_size_px": target.size_px, "u_origin_px": frame.origin}
-            uniforms |= grazing.uniforms(each, frame)
+            uniforms |= grazing.uniforms(each.receiver_from_canvas, frame)
             if len(tiling.full):
                 self._full[grazing_switches].use(uniforms)
                 self._boxes.draw(tiling.full)

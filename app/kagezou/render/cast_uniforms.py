@@ -54,24 +54,28 @@ class Grazing:
         away = (x - receiver.origin[0], y - receiver.origin[1], z - receiver.origin[2])
         return Grazing(is_lamp=True, height=height, foot_uv=(dot(away, receiver.u), dot(away, receiver.v)))
 
-    def switches(self, cast: Cast, frame: Frame) -> frozenset[str]:
+    def switches(self, receiver_from_canvas: Matrix, frame: Frame) -> frozenset[str]:
         """Return the switches of ``grazing.glsl``."""
-        return LAMP_IS_LOW if self.is_lamp and self._is_low_over(cast, frame.region) else NO_SWITCHES
+        return LAMP_IS_LOW if self.is_lamp and self._is_low_over(receiver_from_canvas, frame.region) else NO_SWITCHES
 
-    def uniforms(self, cast: Cast, frame: Frame) -> dict[str, Uniform]:
+    def uniforms(self, receiver_from_canvas: Matrix, frame: Frame) -> dict[str, Uniform]:
         """Return what ``grazing.glsl`` wants."""
         return {
             "u_strength": 1.0 if self.is_lamp else grazing_strength(self.height),
-            "u_receiver_from_pixel": _balanced(cast.receiver_from_canvas @ frame.canvas_from_pixel),
+            "u_receiver_from_pixel": _balanced(receiver_from_canvas @ frame.canvas_from_pixel),
             "u_lamp_on_receiver": (*self.foot_uv, self.height),
             "u_grazing_sine": (sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG))),
         }
 
-    def _is_low_over(self, cast: Cast, region: Matrix) -> bool:
+    def _is_low_over(self, receiver_from_canvas: Matrix, region: Matrix) -> bool:
         """Whether the lamp fades anywhere in a convex region: it does at a corner if it does at all."""
-        u, v, w = cast.receiver_from_canvas @ np.column_stack([region, np.ones(len(region))]).T
+        u, v, w = receiver_from_canvas @ np.column_stack([region, np.ones(len(region))]).T
         away = np.hypot(u / w - self.foot_uv[0], v / w - self.foot_uv[1])
         return bool((self.height < np.hypot(away, self.height) * sin(radians(GRAZING_FULL_DEG))).any())
+
+
+FULL_STRENGTH = Grazing(is_lamp=False, height=1.0, foot_uv=(0.0, 0.0))
+"""A light that stands high enough everywhere."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

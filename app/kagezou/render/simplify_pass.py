@@ -9,18 +9,19 @@ from kagezou.geometry.bands import FINEST_SIGMA_PX, LEVELS_A_BAND, REACH_SIGMAS,
 from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane, canvas_from_plane
-from kagezou.geometry.polygon import bounding_box, seen_rectangle
+from kagezou.geometry.polygon import bounding_box, box_polygon, clipped, distance_form, seen_rectangle, shifted
 from kagezou.geometry.shadow import cast_card
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip, laid_out
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Window
+from kagezou.render.cast_uniforms import Frame, Grazing
 from kagezou.render.gl import GL
 from kagezou.render.level import Counted, area_preserving_level
 from kagezou.render.level import Values as Texels
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.outline import outline_tiles
-from kagezou.render.program import Program, Uniform, Variants
+from kagezou.render.program import Uniform, Variants
 from kagezou.render.targets import LAST_LEVEL, Format, Target
 from kagezou.render.tiles import CELLS
 from kagezou.render.tiles import Boxes as TileBoxes
@@ -61,8 +62,8 @@ class SimplifyPass:
         self._boxes = boxes
         self._caster = caster
         self._blur = Variants("box.vert", "blur.frag")
-        self._show = Program("box.vert", "simplify.frag")
-        self._fill = Program("box.vert", "full.frag")
+        self._show = Variants("box.vert", "simplify.frag")
+        self._fill = Variants("box.vert", "full.frag")
         self._atlases: tuple[Target, Target] | None = None
         self._sharp: Target | None = None
 
@@ -101,7 +102,9 @@ class SimplifyPass:
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
         shadow.clear(used)
         for strip in job.strips:
-            window = Window(strip.box, job.canvas_from_plane @ strip.plane_from_atlas, _cells_at(strip.band.level))
+            canvas_from_atlas = job.canvas_from_plane @ strip.plane_from_atlas
+            # The shape alone is simplified; how strong it is under a low light is told where it is shown.
+            window = Window(strip.box, canvas_from_atlas, _cells_at(strip.band.level), is_shape_only=True)
             self._caster.unite(job.cast, job.matte, shadow, window)
         # All strips are read at once: each reading waits for everything drawn before it.
         before = np.asarray(shadow.read(used), np.uint16)
@@ -114,7 +117,7 @@ class SimplifyPass:
         if box is not None:
             pairs = [(strip, each.blurred) for strip, each in zip(job.strips, counted, strict=True)]
             full, outline = outline_tiles(pairs, level, job.blur, _inverse(job.canvas_from_plane), box)
-            self._show_tiles(job, target, (full, outline), level)
+            self._show_tiles(job, target, box, (full, outline), level)
         return box
 
     def _cast_sharp(self, job: _Job, like: Target) -> Box | None:
@@ -127,7 +130,7 @@ class SimplifyPass:
         self._sharp.clear()
         if job.blur.distance_px <= 0 and job.blur.amount_px >= FINEST_SIGMA_PX:
             return None
-        return self._caster.unite(job.cast, job.matte, self._sharp, Window(like.box))
+        return self._caster.unite(job.cast, job.matte, self._sharp, Window(like.box, is_shape_only=True))
 
     def _blur_strips(self, job: _Job, way: tuple[Target, Target], direction: frozenset[str]) -> None:
         """Blur every strip from one atlas into the other: first across the contact line, then along it."""
@@ -165,35 +168,24 @@ class SimplifyPass:
                 box = seen if box is None else box.union(seen)
         return None if box is None else box.intersection(canvas)
 
-    def _show_tiles(self, job: _Job, target: Target, tiles: tuple[TileBoxes, TileBoxes], level: float) -> None:
+    def _show_tiles(
+        self, job: _Job, target: Target, box: Box, tiles: tuple[TileBoxes, TileBoxes], level: float
+    ) -> None:
+        """Draw the tiles within the shape, and those its outline crosses, as strong as the light makes them."""
         assert self._sharp is not None
         full, outline = tiles
-        origin = np.floor(np.array([target.box.width, target.box.height]) / 2) + 0.5
-        canvas_from_pixel = np.array([[1.0, 0.0, origin[0]], [0.0, 1.0, origin[1]], [0.0, 0.0, 1.0]])
-        plane_from_pixel = _inverse(job.canvas_from_plane) @ canvas_from_pixel
+        switches, common = _strength(job, box)
+        common["u_target_size_px"] = target.size_px
         target.bind()
         GL.glEnable(GL.GL_BLEND)
         GL.glBlendEquation(GL.GL_MAX)
         if len(full):
-            self._fill.use({"u_target_size_px": target.size_px, "u_strength": 1.0})
+            self._fill[switches].use(common)
             self._boxes.draw(full)
-        self._atlases_for(job.strips)[0].texture.bind(0)
-        self._sharp.texture.bind(1)
-        self._show.use(
-            {
-                "u_target_size_px": target.size_px,
-                "u_blurred": 0,
-                "u_sharp": 1,
-                "u_origin_px": origin,
-                "u_plane_from_pixel": plane_from_pixel / np.abs(plane_from_pixel[2]).max(),
-                "u_level": level,
-                "u_amount_px": job.blur.amount_px,
-                "u_distance_px": job.blur.distance_px,
-                "u_pass_over_px": (SHARP_SIGMA_PX, FINEST_SIGMA_PX),
-                **_band_uniforms(job.strips, whole=job.blur.distance_px <= 0),
-            }
-        )
         if len(outline):
+            self._atlases_for(job.strips)[0].texture.bind(0)
+            self._sharp.texture.bind(1)
+            self._show[switches].use(common | _show_uniforms(job, box, level))
             self._boxes.draw(outline)
 
     def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target]:
@@ -207,6 +199,37 @@ class SimplifyPass:
             self._atlases = (Target(width, height, Format.ALPHA16), Target(width, height, Format.ALPHA16))
         assert self._atlases is not None
         return self._atlases
+
+
+def _frame(job: _Job, box: Box) -> Frame:
+    """Return the part of a canvas box in which the receiver is seen."""
+    lift = _inverse(job.canvas_from_plane)
+    return Frame(clipped(box_polygon(box), shifted(distance_form(lift[2]), -0.01)))
+
+
+def _strength(job: _Job, box: Box) -> tuple[frozenset[str], dict[str, Uniform]]:
+    """Return switches and uniforms of ``grazing.glsl``; the lights of one cast stand too close to differ in it."""
+    receiver, light = job.cast.receivers[0], job.cast.lights[0]
+    frame = _frame(job, box)
+    grazing = Grazing.of(receiver, light)
+    receiver_from_canvas = _inverse(canvas_from_plane(job.cast.camera, receiver))
+    uniforms: dict[str, Uniform] = {"u_origin_px": frame.origin}
+    return grazing.switches(receiver_from_canvas, frame), uniforms | grazing.uniforms(receiver_from_canvas, frame)
+
+
+def _show_uniforms(job: _Job, box: Box, level: float) -> dict[str, Uniform]:
+    """Return what ``simplify.frag`` wants but for the light's strength."""
+    plane_from_pixel = _inverse(job.canvas_from_plane) @ _frame(job, box).canvas_from_pixel
+    return {
+        "u_blurred": 0,
+        "u_sharp": 1,
+        "u_plane_from_pixel": plane_from_pixel / np.abs(plane_from_pixel[2]).max(),
+        "u_level": level,
+        "u_amount_px": job.blur.amount_px,
+        "u_distance_px": job.blur.distance_px,
+        "u_pass_over_px": (SHARP_SIGMA_PX, FINEST_SIGMA_PX),
+        **_band_uniforms(job.strips, whole=job.blur.distance_px <= 0),
+    }
 
 
 def _cells_at(level: int) -> int:
