@@ -46,10 +46,15 @@ def shade(cast: ShadowCast, art: Art, x: Array, y: Array) -> Array:
         s = -height / falling
         seen = np.isfinite(s) & ((s > -1) | (eye[3] == 0))
         point = picture + np.where(seen, s, 0.0)[..., np.newaxis] * along
-    total = np.zeros_like(x)
+    return np.where(seen, shade_of(cast, art, point), 0.0)
+
+
+def shade_of(cast: ShadowCast, art: Art, point: Array) -> Array:
+    """Return how much light world points (..., 3) of the first receiver lose, 0 to 1."""
+    total = np.zeros(point.shape[:-1])
     for light in cast.lights:
         total = np.maximum(total, _shade_from(cast, art, light, point) * _grazing(light, point, cast))
-    return np.where(seen, total, 0.0)
+    return total
 
 
 def _shade_from(cast: ShadowCast, art: Art, light: Vector4, point: Array) -> Array:
