@@ -5,14 +5,18 @@ the contact line, so the receiver is cut into bands along that line in which it 
 large as the one before. The work then hardly depends on the width at all.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, floor, inf, log2
 
 FINEST_SIGMA_PX = 1.25
 """The smallest blur, in texels of its band."""
 
-LEVELS_A_BAND = 2
-"""Where the width grows with the distance, a band holds blurs up to four times its smallest: fewer, wider bands."""
+GROWTH = 4.0
+"""Where the width grows with the distance, a band holds blurs up to this many times its narrowest."""
+
+MOST_WORK = 6e6
+"""How many texels may be summed up for one band before it is made coarser."""
 
 SHARP_SIGMA_PX = 0.7
 """Below this blur the shadow is left as it was cast; up to FINEST_SIGMA_PX it passes over into the blurred one."""
@@ -47,12 +51,9 @@ class Blur:
         return sigma_px / self.amount_px * self.distance_px
 
     @property
-    def last_level(self) -> int:
-        """The level of the widest blur; -1 where there is nothing to blur."""
-        if self.amount_px <= SHARP_SIGMA_PX:
-            return -1
-        level = max(floor(log2(self.amount_px / FINEST_SIGMA_PX)), 0)
-        return level if self.distance_px <= 0 else level - level % LEVELS_A_BAND
+    def is_seen(self) -> bool:
+        """Whether there is anything to blur."""
+        return self.amount_px > SHARP_SIGMA_PX
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +74,8 @@ class Band:
     ----------
     level
         Its texels are 2^level px wide.
+    reach_texels
+        How far its widest blur reaches.
     core
         The part that is shown from this band.
     shown
@@ -82,6 +85,7 @@ class Band:
     """
 
     level: int
+    reach_texels: float
     core: Extent
     shown: Extent
     needed: Extent
@@ -94,38 +98,56 @@ class Band:
 
 def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     """Return the bands that a blurred shadow may touch, from the contact line outward, on both its sides."""
+    if not blur.is_seen:
+        return ()
     if blur.distance_px <= 0:
-        return (_whole(blur, shadow),) if blur.last_level >= 0 else ()
-    bands = (
-        _band(blur, shadow, level, side) for level in range(0, blur.last_level + 1, LEVELS_A_BAND) for side in (-1, 1)
-    )
-    return tuple(band for band in bands if band is not None)
+        reach = REACH_SIGMAS * blur.amount_px
+        return (_band(shadow, (shadow.low - reach, shadow.high + reach), (blur.amount_px, blur.amount_px)),)
+    return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side))
 
 
-def _whole(blur: Blur, shadow: Extent) -> Band:
-    reach = REACH_SIGMAS * blur.amount_px
-    return _surrounded(blur.last_level, reach, shadow, shadow.low - reach, shadow.high + reach)
-
-
-def _band(blur: Blur, shadow: Extent, level: int, side: int) -> Band | None:
-    first = blur.distance_of(SHARP_SIGMA_PX if level == 0 else FINEST_SIGMA_PX * 2**level)
-    last = inf if level == blur.last_level else blur.distance_of(FINEST_SIGMA_PX * 2 ** (level + LEVELS_A_BAND))
-    widest = min(FINEST_SIGMA_PX * 2 ** (level + LEVELS_A_BAND), blur.amount_px)
-    reach = REACH_SIGMAS * widest
+def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
+    """Yield the bands on one side of the contact line, the width growing by GROWTH in each."""
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
-    low, high = max(first, inner - reach), min(last, outer + reach)
     # Across the contact line a shadow is at least as many standard deviations away as d/s.
-    unreached = outer <= first and blur.distance_px >= REACH_SIGMAS * blur.amount_px
-    if low >= high or unreached:
-        return None
-    return _surrounded(level, reach, shadow, *((low, high) if side > 0 else (-high, -low)))
+    sigma = SHARP_SIGMA_PX
+    if outer <= blur.distance_of(sigma) and blur.distance_px >= REACH_SIGMAS * blur.amount_px:
+        return
+    while sigma < blur.amount_px:
+        widest = min(sigma * GROWTH, blur.amount_px)
+        reach = REACH_SIGMAS * widest
+        last = inf if widest == blur.amount_px else blur.distance_of(widest)
+        low, high = max(blur.distance_of(sigma), inner - reach), min(last, outer + reach)
+        if low < high:
+            yield _band(shadow, (low, high) if side > 0 else (-high, -low), (sigma, widest))
+        sigma = widest
 
 
-def _surrounded(level: int, reach: float, shadow: Extent, low: float, high: float) -> Band:
-    longest = max(shadow.right - shadow.left, shadow.high - shadow.low, 1.0)
-    level = max(level, ceil(log2(longest / MOST_TEXELS)))
+def _band(shadow: Extent, core: tuple[float, float], sigmas: tuple[float, float]) -> Band:
+    low, high = core
+    narrowest, widest = sigmas
+    reach = REACH_SIGMAS * widest
+    width, height = shadow.right - shadow.left + 2 * reach, high - low
+    level = _level(width, height, narrowest, widest)
     margin = (BICUBIC_TEXELS + 1) * 2.0**level
-    core = Extent(shadow.left - reach, low, shadow.right + reach, high)
-    shown = Extent(core.left - margin, low - margin, core.right + margin, high + margin)
+    seen = Extent(shadow.left - reach, low, shadow.right + reach, high)
+    shown = Extent(seen.left - margin, low - margin, seen.right + margin, high + margin)
     needed = Extent(shown.left, shown.low - reach - margin, shown.right, shown.high + reach + margin)
-    return Band(level, core, shown, needed)
+    return Band(level, reach / 2.0**level, seen, shown, needed)
+
+
+def _level(width: float, height: float, narrowest: float, widest: float) -> int:
+    """Return the finest level whose blur is within the budget; never one that its narrowest blur does not allow.
+
+    A shadow that runs very far, under a low light, is blurred on coarser texels all the same.
+    """
+    coarsest = max(floor(log2(narrowest / FINEST_SIGMA_PX)), 0)
+    cost = next((level for level in range(coarsest) if _work(width, height, widest, level) <= MOST_WORK), coarsest)
+    return max(cost, ceil(log2(max(width, height, 1.0) / MOST_TEXELS)))
+
+
+def _work(width: float, height: float, sigma: float, level: int) -> float:
+    """Return how many texels are summed up in blurring a band both ways."""
+    texel = 2.0**level
+    reach = REACH_SIGMAS * sigma / texel
+    return 2 * (2 * reach + 1) * (width / texel) * (height / texel)

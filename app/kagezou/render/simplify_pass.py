@@ -5,7 +5,7 @@ from math import ceil
 
 import numpy as np
 
-from kagezou.geometry.bands import FINEST_SIGMA_PX, LEVELS_A_BAND, REACH_SIGMAS, SHARP_SIGMA_PX, Blur, Extent, bands_of
+from kagezou.geometry.bands import FINEST_SIGMA_PX, SHARP_SIGMA_PX, Blur, Extent, bands_of
 from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane, canvas_from_plane
@@ -33,8 +33,8 @@ LARGEST_PLANE_PX = 8192
 _MAX_BANDS = 20
 _MARGIN_TEXELS = 2
 _LEAST_SIGMA_TEXELS = 0.3
-_WIDEST_TEXELS = (2 * FINEST_SIGMA_PX, 2**LEVELS_A_BAND * FINEST_SIGMA_PX)
-"""The widest blur in texels, where it is the same everywhere and where it grows."""
+_REACHES = (8, 16, 32, 48, 64, 96, 128, 192, 256, 384, 512, 1024, 2048)
+"""Over how many texels either way a blur may be summed up; each is a program of its own."""
 
 _ALONG_V, _ALONG_U = frozenset({"ALONG_V"}), frozenset({"ALONG_U"})
 
@@ -135,9 +135,9 @@ class SimplifyPass:
     def _blur_strips(self, job: _Job, way: tuple[Target, Target], direction: frozenset[str]) -> None:
         """Blur every strip from one atlas into the other: first across the contact line, then along it."""
         source, goal = way
-        widest = _WIDEST_TEXELS[job.blur.distance_px > 0]
-        program = self._blur[direction | {f"REACH {ceil(REACH_SIGMAS * widest)}"}]
         for strip in job.strips:
+            reach = next(each for each in _REACHES if each >= min(ceil(strip.band.reach_texels), _REACHES[-1]))
+            program = self._blur[direction | {f"REACH {reach}"}]
             known = strip.box if direction == _ALONG_V else strip.shown
             goal.bind(strip.shown)
             source.texture.bind(0)
