@@ -16,6 +16,17 @@ uniform float u_least_sigma;   // texels
 
 out float o_value;
 
+#ifdef ALONG_V
+const ivec2 STEP = ivec2(0, 1);
+#else
+const ivec2 STEP = ivec2(1, 0);
+#endif
+
+// A band is empty at its borders, so that going on with them is the same as finding nothing beyond.
+float value_at(ivec2 texel, ivec4 band) {
+    return texelFetch(u_source, clamp(texel, band.xy, band.zw), 0).r;
+}
+
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     ivec4 band = ivec4(u_band);
@@ -23,18 +34,17 @@ void main() {
     float sigma = u_amount_px * (u_distance_px > 0.0 ? min(abs(v) / u_distance_px, 1.0) : 1.0) / u_texel_px;
     // Texels are means over their own width, and a cubic spline will widen them again: 1/12 and 1/3 of a texel squared.
     float variance = max(sigma * sigma - 5.0 / 12.0, u_least_sigma * u_least_sigma);
-    float sum = 0.0;
-    float weights = 0.0;
-    for (int i = -REACH; i <= REACH; ++i) {
-#ifdef ALONG_V
-        ivec2 there = here + ivec2(0, i);
-#else
-        ivec2 there = here + ivec2(i, 0);
-#endif
-        bool inside = all(greaterThanEqual(there, band.xy)) && all(lessThanEqual(there, band.zw));
-        float weight = exp(-0.5 * float(i * i) / variance);
-        sum += inside ? weight * texelFetch(u_source, there, 0).r : 0.0;
-        weights += weight;
+    // The weights exp(-i²/2σ²) one from the other: their ratios are again a Gaussian's, with one constant ratio.
+    float weight = 1.0;
+    float ratio = exp(-0.5 / variance);
+    float change = ratio * ratio;
+    float sum = value_at(here, band);
+    float weights = 1.0;
+    for (int i = 1; i <= REACH; ++i) {
+        weight *= ratio;
+        ratio *= change;
+        sum += weight * (value_at(here - STEP * i, band) + value_at(here + STEP * i, band));
+        weights += 2.0 * weight;
     }
     o_value = sum / weights;
 }

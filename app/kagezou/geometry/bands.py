@@ -15,7 +15,7 @@ FINEST_SIGMA_PX = 1.25
 GROWTH = 4.0
 """Where the width grows with the distance, a band holds blurs up to this many times its narrowest."""
 
-MOST_WORK = 6e6
+MOST_WORK = 16e6
 """How many texels may be summed up for one band before it is made coarser."""
 
 SHARP_SIGMA_PX = 0.7

@@ -56,6 +56,11 @@ class Renderer:
         """How many shadows have been cast so far; a shadow that stays as it was is not cast again."""
         return self._shadows.casts_drawn
 
+    @property
+    def filters_drawn(self) -> int:
+        """How many of those shadows have been simplified."""
+        return self._shadows.filters_drawn
+
     def shadow(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return a layer's shadow: one colour, straight alpha = covered part × opacity (spec 6).
 

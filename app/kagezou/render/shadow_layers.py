@@ -33,6 +33,7 @@ class ShadowLayers:
         self._simplify = SimplifyPass(boxes, self._cast)
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
+        self.filters_drawn = 0
 
     def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
         """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
@@ -54,6 +55,7 @@ class ShadowLayers:
             kept.box = draw(layer.cast, placed, kept.target, old)
             kept.cast, kept.matte = layer.cast, matte
             self.casts_drawn += 1
+            self.filters_drawn += layer.cast.simplify is not None
         return kept if kept.box is not None else None
 
     def forget_except(self, scene: Scene) -> None:

@@ -238,7 +238,7 @@ def _cells_at(level: int) -> int:
     Coarse texels, to be blurred anyway, are means of few cells; where squares of the matte's coarsest mipmap no longer
     fill a cell there have to be more of them again.
     """
-    return CELLS[-1] if level < 2 else min(max(4, 1 << max(level - LAST_LEVEL + 3, 0)), CELLS[-1])
+    return CELLS[-1] if level < 2 else min(max(8, 1 << max(level - LAST_LEVEL + 3, 0)), CELLS[-1])
 
 
 def _counted(strip: Strip, before: Texels, after: Texels) -> Counted:
