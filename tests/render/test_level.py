@@ -5,18 +5,18 @@ import pytest
 
 from kagezou.geometry.bands import Blur, Extent, bands_of
 from kagezou.render.atlas import laid_out
-from kagezou.render.level import Counted, area_preserving_level
+from kagezou.render.level import Counted, Floats, area_preserving_level
 
 MARGIN = 2
 
 
-def disc_and_blurred(side: int, radius: float, sigma: float) -> tuple[np.ndarray, np.ndarray]:
-    """A disc of 65535, and a cone that falls off evenly around it in its stead after a blur."""
+def disc_and_blurred(side: int, radius: float, sigma: float) -> tuple[Floats, Floats]:
+    """A disc of ones, and a cone that falls off evenly around it in its stead after a blur."""
     y, x = np.mgrid[0:side, 0:side] - (side - 1) / 2
     distance = np.hypot(x, y)
     sharp = np.clip(radius - distance + 0.5, 0, 1)
     blurred = np.clip(0.5 - (distance - radius) / (4 * sigma), 0, 1)
-    return (sharp * 65535).astype(np.uint16), (blurred * 65535).astype(np.uint16)
+    return sharp.astype(np.float32), blurred.astype(np.float32)
 
 
 def test_an_edge_that_falls_off_evenly_keeps_its_place() -> None:
@@ -36,16 +36,14 @@ def test_coarse_texels_count_for_their_area() -> None:
     sharp, blurred = disc_and_blurred(100, 30.0, 4.0)
     lost = np.zeros_like(sharp)
     rows = np.ones(100 - 2 * MARGIN)
-    level = area_preserving_level(
-        [Counted(sharp, blurred, 16 * rows, MARGIN), Counted(sharp, np.asarray(lost, np.uint16), rows, MARGIN)]
-    )
+    level = area_preserving_level([Counted(sharp, blurred, 16 * rows, MARGIN), Counted(sharp, lost, rows, MARGIN)])
     # The area lost in the second band has to be found in the first, whose texels are sixteen times as large.
     grown = 30.0 * np.sqrt(17 / 16)
     assert level == pytest.approx(0.5 - (grown - 30.0) / 16, abs=0.004)
 
 
 def test_no_shadow_has_a_level_too() -> None:
-    empty = np.zeros((20, 20), np.uint16)
+    empty = np.zeros((20, 20), np.float32)
     assert area_preserving_level([Counted(empty, empty, np.ones(16), MARGIN)]) == 0.5
     assert area_preserving_level([]) == 0.5
 

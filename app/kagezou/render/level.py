@@ -11,11 +11,9 @@ SMALL_TEXELS = 6000
 
 FINER = 4
 
-_STEPS = 65535
-_HALVINGS = 18
-"""Enough to find a level to a part of the last bit that is kept of a blurred shadow."""
+_HALVINGS = 20
+"""Enough to find a level to a small part of the highest value."""
 
-Values = NDArray[np.uint16]
 Floats = NDArray[np.float32]
 
 
@@ -26,15 +24,15 @@ class Counted:
     Parameters
     ----------
     sharp, blurred
-        (h, w) of 65535, before and after the blur, with ``margin`` texels (2 at least) around the part that counts.
+        (h, w), 0 to 1, before and after the blur, with ``margin`` texels (2 at least) around the part that counts.
     weights
         (h - 2·margin,): the area of a texel of each row that counts, px².
     margin
         Texels.
     """
 
-    sharp: Values
-    blurred: Values
+    sharp: Floats
+    blurred: Floats
     weights: NDArray[np.float64]
     margin: int
 
@@ -43,7 +41,7 @@ class Counted:
         """The area of the shadow before, px²."""
         m = self.margin
         inner = self.sharp[m : self.sharp.shape[0] - m, m : self.sharp.shape[1] - m]
-        return float(inner.sum(axis=1, dtype=np.float64) @ self.weights) / _STEPS
+        return float(inner.sum(axis=1, dtype=np.float64) @ self.weights)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,20 +68,20 @@ def area_preserving_level(bands: Sequence[Counted]) -> float:
         return 0.5
     slopes = [_slopes(band) for band in bands]
     joined = _Slopes(*(np.concatenate([getattr(each, name) for each in slopes]) for name in _Slopes.__slots__))
-    low, high = 0.0, float(_STEPS)
+    low, high = 0.0, float(joined.values.max(initial=0.0))
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
         if joined.area_over(middle) > area:
             low = middle
         else:
             high = middle
-    return (low + high) / 2 / _STEPS
+    return (low + high) / 2
 
 
 def _slopes(band: Counted) -> _Slopes:
     """Return the places of a band that hold anything: texels, of a small band finer ones."""
     m = band.margin
-    texels = band.blurred.astype(np.float32)
+    texels = band.blurred
     # An outline of a few texels is not straight within one.
     finer = FINER if texels.size < SMALL_TEXELS else 1
     rows, columns = (_places(side, m, finer) for side in texels.shape)
@@ -95,7 +93,7 @@ def _slopes(band: Counted) -> _Slopes:
     held = middle > 0
     return _Slopes(
         middle[held],
-        np.maximum(reach[held], np.float32(1e-3)),
+        np.maximum(reach[held], np.float32(1e-12)),
         np.broadcast_to(areas[:, np.newaxis], middle.shape)[held],
     )
 

@@ -17,7 +17,7 @@ _SPLINE_TEXELS = 2
 
 
 def outline_tiles(
-    strips: Iterable[tuple[Strip, NDArray[np.uint16]]], level: float, blur: Blur, plane_from_canvas: Matrix, box: Box
+    strips: Iterable[tuple[Strip, NDArray[np.float32]]], level: float, blur: Blur, plane_from_canvas: Matrix, box: Box
 ) -> tuple[Boxes, Boxes]:
     """Return the boxes of a canvas box that are wholly in shadow, and those that have to be looked at.
 
@@ -32,7 +32,7 @@ def outline_tiles(
     low, high = plane.min(axis=0), plane.max(axis=0)
     codes = np.full(low.shape[1], OUTLINE)
     for strip, values in strips:
-        _decide(codes, strip, values > level * 65535, (low, high), bounded, whole=blur.distance_px <= 0)
+        _decide(codes, strip, values > level, (low, high), bounded, whole=blur.distance_px <= 0)
     if blur.distance_px > 0:
         nearest = np.where(low[1] * high[1] <= 0, 0.0, np.minimum(np.abs(low[1]), np.abs(high[1])))
         codes[nearest < blur.distance_of(min(FINEST_SIGMA_PX, blur.amount_px))] = OUTLINE

@@ -18,7 +18,7 @@ from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.cast_uniforms import Frame, Grazing
 from kagezou.render.gl import GL
 from kagezou.render.level import Counted, area_preserving_level
-from kagezou.render.level import Values as Texels
+from kagezou.render.level import Floats as Texels
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.outline import outline_tiles
 from kagezou.render.program import Uniform, Variants
@@ -64,7 +64,7 @@ class SimplifyPass:
         self._blur = Variants("box.vert", "blur.frag")
         self._show = Variants("box.vert", "simplify.frag")
         self._fill = Variants("box.vert", "full.frag")
-        self._atlases: tuple[Target, Target] | None = None
+        self._atlases: tuple[Target, Target, Target] | None = None
         self._sharp: Target | None = None
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
@@ -97,7 +97,7 @@ class SimplifyPass:
                 target.close()
 
     def _draw_one(self, job: _Job, target: Target) -> Box | None:
-        shadow, blurred = self._atlases_for(job.strips)
+        shadow, half, blurred = self._atlases_for(job.strips)
         sharp_box = self._cast_sharp(job, target)
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
         shadow.clear(used)
@@ -107,10 +107,10 @@ class SimplifyPass:
             window = Window(strip.box, canvas_from_atlas, _cells_at(strip.band.level), is_shape_only=True)
             self._caster.unite(job.cast, job.matte, shadow, window)
         # All strips are read at once: each reading waits for everything drawn before it.
-        before = np.asarray(shadow.read(used), np.uint16)
-        self._blur_strips(job, (shadow, blurred), _ALONG_V)
-        self._blur_strips(job, (blurred, shadow), _ALONG_U)
-        after = np.asarray(shadow.read(used), np.uint16)
+        before = shadow.read_floats(used)
+        self._blur_strips(job, (shadow, half), _ALONG_V)
+        self._blur_strips(job, (half, blurred), _ALONG_U)
+        after = blurred.read_floats(used)
         counted = [_counted(strip, before, after) for strip in job.strips]
         level = area_preserving_level(counted)
         box = self._box_of(job, target.box, sharp_box)
@@ -183,20 +183,25 @@ class SimplifyPass:
             self._fill[switches].use(common)
             self._boxes.draw(full)
         if len(outline):
-            self._atlases_for(job.strips)[0].texture.bind(0)
+            self._atlases_for(job.strips)[2].texture.bind(0)
             self._sharp.texture.bind(1)
             self._show[switches].use(common | _show_uniforms(job, box, level))
             self._boxes.draw(outline)
 
-    def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target]:
-        """Return two empty targets of at least the strips' size: the shadow, and what is blurred one way."""
+    def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target, Target]:
+        """Return targets of at least the strips' size: for the shadow, and for it blurred one way and both ways.
+
+        A wide blur of a small shadow leaves values so small that only floating point keeps them apart.
+        """
         width = max((strip.box.right for strip in strips), default=1)
         height = max((strip.box.bottom for strip in strips), default=1)
         old = self._atlases
         if old is None or old[0].box.width < width or old[0].box.height < height:
             for target in old or ():
                 target.close()
-            self._atlases = (Target(width, height, Format.ALPHA16), Target(width, height, Format.ALPHA16))
+            forms = (Format.ALPHA16, Format.FLOAT, Format.FLOAT)
+            shadow, half, blurred = (Target(width, height, form) for form in forms)
+            self._atlases = (shadow, half, blurred)
         assert self._atlases is not None
         return self._atlases
 
@@ -238,7 +243,7 @@ def _cells_at(level: int) -> int:
     Coarse texels, to be blurred anyway, are means of few cells; where squares of the matte's coarsest mipmap no longer
     fill a cell there have to be more of them again.
     """
-    return CELLS[-1] if level < 2 else min(max(8, 1 << max(level - LAST_LEVEL + 3, 0)), CELLS[-1])
+    return CELLS[-1] if level < 2 else min(max(16, 1 << max(level - LAST_LEVEL + 3, 0)), CELLS[-1])
 
 
 def _counted(strip: Strip, before: Texels, after: Texels) -> Counted:

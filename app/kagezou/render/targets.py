@@ -4,6 +4,7 @@ from ctypes import c_void_p
 from enum import Enum
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
@@ -19,6 +20,7 @@ class Format(Enum):
 
     ALPHA8 = (GL.GL_R8, GL.GL_RED, GL.GL_UNSIGNED_BYTE)
     ALPHA16 = (GL.GL_R16, GL.GL_RED, GL.GL_UNSIGNED_SHORT)
+    FLOAT = (GL.GL_R32F, GL.GL_RED, GL.GL_FLOAT)
     RGBA8 = (GL.GL_RGBA8, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)
     RGBA16 = (GL.GL_RGBA16, GL.GL_RGBA, GL.GL_UNSIGNED_SHORT)
 
@@ -154,6 +156,15 @@ class Target:
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
         GL.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1)
         GL.glReadPixels(box.left, box.top, box.width, box.height, order, component, c_void_p(pixels.ctypes.data))
+        return pixels
+
+    def read_floats(self, box: Box) -> NDArray[np.float32]:
+        """Return the red of a box, (h, w), top row first."""
+        pixels = np.empty((box.height, box.width), np.float32)
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
+        GL.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1)
+        start = c_void_p(pixels.ctypes.data)
+        GL.glReadPixels(box.left, box.top, box.width, box.height, GL.GL_RED, GL.GL_FLOAT, start)
         return pixels
 
     def texture_alone(self) -> Texture:
