@@ -46,5 +46,6 @@ void main() {
         sum += weight * (value_at(here - STEP * i, band) + value_at(here + STEP * i, band));
         weights += 2.0 * weight;
     }
-    o_value = sum / weights;
+    // Where the shadow ends before the Gaussian does, only the shadow's part of it has been summed up.
+    o_value = sum / max(weights, sqrt(6.2831853 * variance));
 }

@@ -7,7 +7,7 @@ large as the one before. The work then hardly depends on the width at all.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import ceil, floor, inf, log2
+from math import ceil, floor, inf, log2, pi, sqrt
 
 FINEST_SIGMA_PX = 1.25
 """The smallest blur, in texels of its band."""
@@ -22,7 +22,7 @@ SHARP_SIGMA_PX = 0.7
 """Below this blur the shadow is left as it was cast; up to FINEST_SIGMA_PX it passes over into the blurred one."""
 
 REACH_SIGMAS = 3.2
-"""How many standard deviations of a Gaussian are summed up, and how far a shape may grow."""
+"""How many standard deviations of a Gaussian are summed up."""
 
 MOST_TEXELS = 2048
 """A shadow that is longer than this many texels, under a low light, is blurred on coarser ones."""
@@ -101,23 +101,28 @@ def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     if not blur.is_seen:
         return ()
     if blur.distance_px <= 0:
-        reach = REACH_SIGMAS * blur.amount_px
-        return (_band(shadow, (shadow.low - reach, shadow.high + reach), (blur.amount_px, blur.amount_px)),)
+        grown = _growth(shadow, blur.amount_px)
+        return (_band(shadow, (shadow.low - grown, shadow.high + grown), (blur.amount_px, blur.amount_px)),)
     return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side))
+
+
+def _growth(shadow: Extent, sigma_px: float) -> float:
+    """Return how far a shape may grow beyond its rectangle: no further than its blur, nor than a disc of its area."""
+    disc = sqrt((shadow.right - shadow.left) * (shadow.high - shadow.low) / pi)
+    return min(REACH_SIGMAS * sigma_px, 1.1 * disc + 2.0)
 
 
 def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
     """Yield the bands on one side of the contact line, the width growing by GROWTH in each."""
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
     # Across the contact line a shadow is at least as many standard deviations away as d/s.
-    sigma = SHARP_SIGMA_PX
+    sigma, grown = SHARP_SIGMA_PX, _growth(shadow, blur.amount_px)
     if outer <= blur.distance_of(sigma) and blur.distance_px >= REACH_SIGMAS * blur.amount_px:
         return
     while sigma < blur.amount_px:
         widest = min(sigma * GROWTH, blur.amount_px)
-        reach = REACH_SIGMAS * widest
         last = inf if widest == blur.amount_px else blur.distance_of(widest)
-        low, high = max(blur.distance_of(sigma), inner - reach), min(last, outer + reach)
+        low, high = max(blur.distance_of(sigma), inner - grown), min(last, outer + grown)
         if low < high:
             yield _band(shadow, (low, high) if side > 0 else (-high, -low), (sigma, widest))
         sigma = widest
@@ -126,28 +131,34 @@ def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
 def _band(shadow: Extent, core: tuple[float, float], sigmas: tuple[float, float]) -> Band:
     low, high = core
     narrowest, widest = sigmas
-    reach = REACH_SIGMAS * widest
-    width, height = shadow.right - shadow.left + 2 * reach, high - low
-    level = _level(width, height, narrowest, widest)
+    grown = _growth(shadow, widest)
+    # Nothing is summed up from beyond the shadow, however wide the blur.
+    across, along = shadow.high - shadow.low, shadow.right - shadow.left
+    reach = min(REACH_SIGMAS * widest, max(across, along) + grown)
+    level = _level((along + 2 * grown, high - low), narrowest, reach)
     margin = (BICUBIC_TEXELS + 1) * 2.0**level
-    seen = Extent(shadow.left - reach, low, shadow.right + reach, high)
+    seen = Extent(shadow.left - grown, low, shadow.right + grown, high)
     shown = Extent(seen.left - margin, low - margin, seen.right + margin, high + margin)
-    needed = Extent(shown.left, shown.low - reach - margin, shown.right, shown.high + reach + margin)
+    needed = Extent(
+        shown.left,
+        max(shown.low - reach - margin, min(shown.low, shadow.low - margin)),
+        shown.right,
+        min(shown.high + reach + margin, max(shown.high, shadow.high + margin)),
+    )
     return Band(level, reach / 2.0**level, seen, shown, needed)
 
 
-def _level(width: float, height: float, narrowest: float, widest: float) -> int:
+def _level(size: tuple[float, float], narrowest: float, reach: float) -> int:
     """Return the finest level whose blur is within the budget; never one that its narrowest blur does not allow.
 
     A shadow that runs very far, under a low light, is blurred on coarser texels all the same.
     """
     coarsest = max(floor(log2(narrowest / FINEST_SIGMA_PX)), 0)
-    cost = next((level for level in range(coarsest) if _work(width, height, widest, level) <= MOST_WORK), coarsest)
-    return max(cost, ceil(log2(max(width, height, 1.0) / MOST_TEXELS)))
+    level = next((each for each in range(coarsest) if _work(size, reach, each) <= MOST_WORK), coarsest)
+    return max(level, ceil(log2(max(*size, 1.0) / MOST_TEXELS)))
 
 
-def _work(width: float, height: float, sigma: float, level: int) -> float:
+def _work(size: tuple[float, float], reach: float, level: int) -> float:
     """Return how many texels are summed up in blurring a band both ways."""
     texel = 2.0**level
-    reach = REACH_SIGMAS * sigma / texel
-    return 2 * (2 * reach + 1) * (width / texel) * (height / texel)
+    return 2 * (2 * reach / texel + 1) * (size[0] / texel) * (size[1] / texel)
