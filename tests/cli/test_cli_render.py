@@ -175,7 +175,8 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
     assert report["copy_ms"] > 0
     names = [each["name"] for each in report["operations"]]
     places = ["ground position", "declination", "roll", "tilt", "grounding point"]
-    assert names == ["light", *places, "opacity", "frame step"]
+    simplifying = ["simplify", "distance", "light, simplified"]
+    assert names == ["light", *places, "opacity", *simplifying, "frame step"]
     for each in report["operations"]:
         assert each["fps"] == pytest.approx(1000 / each["median_ms"], rel=0.02)
         assert each["ratio"] == pytest.approx(each["median_ms"] / report["copy_ms"], rel=0.05)
