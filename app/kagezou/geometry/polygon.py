@@ -57,6 +57,19 @@ def bounding_box(polygon: Matrix) -> Box | None:
     return Box(int(low[0]), int(low[1]), int(high[0]), int(high[1]))
 
 
+def rectangle_edges(
+    plane_from_canvas: Matrix, low: tuple[float, float], high: tuple[float, float]
+) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+    """Return the four edges of a rectangle of a plane as distance forms (3,) in canvas px, each >= 0 inside."""
+    x_row, y_row, w_row = plane_from_canvas
+    return (
+        distance_form(x_row - low[0] * w_row),
+        distance_form(high[0] * w_row - x_row),
+        distance_form(y_row - low[1] * w_row),
+        distance_form(high[1] * w_row - y_row),
+    )
+
+
 def seen_rectangle(
     canvas: Box, plane_from_canvas: Matrix, low: tuple[float, float], high: tuple[float, float], margin_px: float = 1.0
 ) -> Matrix:
@@ -73,9 +86,7 @@ def seen_rectangle(
     margin_px
         How much larger than the rectangle the polygon is, canvas px.
     """
-    x_row, y_row, w_row = plane_from_canvas
-    edges = (x_row - low[0] * w_row, high[0] * w_row - x_row, y_row - low[1] * w_row, high[1] * w_row - y_row)
-    polygon = clipped(box_polygon(canvas), shifted(distance_form(w_row), -0.01))
-    for edge in edges:
-        polygon = clipped(polygon, shifted(distance_form(edge), margin_px))
+    polygon = clipped(box_polygon(canvas), shifted(distance_form(plane_from_canvas[2]), -0.01))
+    for edge in rectangle_edges(plane_from_canvas, low, high):
+        polygon = clipped(polygon, shifted(edge, margin_px))
     return polygon

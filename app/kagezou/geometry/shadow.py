@@ -16,7 +16,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
-from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
+from kagezou.geometry.polygon import box_polygon, clipped, distance_form, rectangle_edges, shifted
 from kagezou.geometry.vectors import Matrix, Vector4, height_over
 
 
@@ -66,15 +66,9 @@ class Cast:
 
         Grown by ``margin_px`` on the canvas, so that partly covered pixels of the rim lie inside. N may be 0.
         """
-        x_row, y_row, w_row = self.art_from_canvas
-        frame = (
-            x_row - art.left * w_row,
-            art.right * w_row - x_row,
-            y_row - art.top * w_row,
-            art.bottom * w_row - y_row,
-        )
+        frame = rectangle_edges(self.art_from_canvas, (art.left, art.top), (art.right, art.bottom))
         polygon = clipped(box_polygon(canvas), shifted(self.horizon, -0.01))
-        for edge in (self.side, self.left_fold, self.right_fold, *map(distance_form, frame)):
+        for edge in (self.side, self.left_fold, self.right_fold, *frame):
             polygon = clipped(polygon, shifted(edge, margin_px))
         return polygon
 

@@ -29,8 +29,8 @@ class Occupancy:
         # A block's row of texels is one number, so that four texels are asked about at once.
         word = np.dtype(f"u{BLOCK_TEXELS * alpha.dtype.itemsize}")
         words = blocks.view(word).reshape(rows, BLOCK_TEXELS, columns)
-        self._some = _summed((words != 0).any(axis=1))
-        self._gaps = _summed((words != np.iinfo(word).max).any(axis=1))
+        self._some = summed((words != 0).any(axis=1))
+        self._gaps = summed((words != np.iinfo(word).max).any(axis=1))
         self._reach = reach_texels + 1
 
     def states(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> tuple[Flags, Flags]:
@@ -45,17 +45,19 @@ class Occupancy:
         leaves = ((first < 0) | (last > limit)).any(axis=1)
         start = np.clip(first, 0, limit).astype(np.intp)
         stop = np.maximum(np.clip(last, 0, limit).astype(np.intp), start)
-        empty = _count(self._some, start, stop) == 0
-        full = ~leaves & (_count(self._gaps, start, stop) == 0)
+        empty = count_in(self._some, start, stop) == 0
+        full = ~leaves & (count_in(self._gaps, start, stop) == 0)
         return empty, full
 
 
-def _summed(flags: Flags) -> NDArray[np.int64]:
+def summed(flags: Flags) -> NDArray[np.int64]:
+    """Return the summed-area table (H + 1, W + 1) of flags (H, W): the count in any box is then four look-ups."""
     table = np.zeros((flags.shape[0] + 1, flags.shape[1] + 1), dtype=np.int64)
     np.cumsum(np.cumsum(flags, axis=0), axis=1, out=table[1:, 1:])
     return table
 
 
-def _count(table: NDArray[np.int64], start: NDArray[np.intp], stop: NDArray[np.intp]) -> NDArray[np.int64]:
+def count_in(table: NDArray[np.int64], start: NDArray[np.intp], stop: NDArray[np.intp]) -> NDArray[np.int64]:
+    """Return how many flags are set in each of the boxes ``start`` to ``stop``, (N, 2) as x, y, half-open."""
     (x0, y0), (x1, y1) = start.T, stop.T
     return np.asarray(table[y1, x1] - table[y0, x1] - table[y1, x0] + table[y0, x0])

@@ -9,6 +9,7 @@ from kagezou.geometry.bands import FINEST_SIGMA_PX, Blur
 from kagezou.geometry.box import Box
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip
+from kagezou.render.occupancy import count_in, summed
 from kagezou.render.tiles import TILE_PX, Boxes, runs_of, tile_corners
 
 EMPTY, FULL, OUTLINE = 0, 1, 2
@@ -53,8 +54,6 @@ def _decide(
     core, texel = strip.band.core, strip.band.texel_px
     low, high = reach
     inside = bounded & ((low[1] >= core.low) & (high[1] <= core.high) | whole)
-    table = np.zeros((over.shape[0] + 1, over.shape[1] + 1), np.int64)
-    np.cumsum(np.cumsum(over, axis=0), axis=1, out=table[1:, 1:])
     corner = (strip.plane_from_atlas @ np.array([strip.shown.left, strip.shown.top, 1.0]))[:2, np.newaxis]
     limit = np.array([over.shape[1], over.shape[0]])
     first = np.floor((low[:, inside] - corner) / texel).T - _SPLINE_TEXELS
@@ -62,8 +61,6 @@ def _decide(
     leaves = ((first < 0) | (last > limit)).any(axis=1)
     start = np.clip(first, 0, limit).astype(np.intp)
     stop = np.maximum(np.clip(last, 0, limit).astype(np.intp), start)
-    (x0, y0), (x1, y1) = start.T, stop.T
-    count = table[y1, x1] - table[y0, x1] - table[y1, x0] + table[y0, x0]
+    count = count_in(summed(over), start, stop)
     texels = (stop - start).prod(axis=1)
-    decided = np.where(count == 0, EMPTY, np.where(~leaves & (count == texels), FULL, OUTLINE))
-    codes[inside] = decided
+    codes[inside] = np.where(count == 0, EMPTY, np.where(~leaves & (count == texels), FULL, OUTLINE))
