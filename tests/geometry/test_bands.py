@@ -1,7 +1,7 @@
 """Bands of a receiver: where each blur is done, without a gap and without needless work."""
 
 from itertools import pairwise
-from math import inf
+from math import inf, pi
 
 import pytest
 from hypothesis import given
@@ -12,6 +12,7 @@ from kagezou.geometry.bands import (
     GROWTH,
     MOST_TEXELS,
     MOST_WORK,
+    REACH_SIGMAS,
     SHARP_SIGMA_PX,
     Band,
     Blur,
@@ -28,6 +29,34 @@ def test_the_blur_grows_to_its_amount_over_the_distance() -> None:
     assert blur.distance_of(10.0) == 50.0
     assert blur.distance_of(41.0) == inf
     assert Blur(40.0, 0.0).sigma_at(0.0) == 40.0
+
+
+def nothing_or(least: float, most: float) -> st.SearchStrategy[float]:
+    return st.just(0.0) | st.floats(least, most)
+
+
+@given(
+    nothing_or(0.01, 500.0), nothing_or(0.01, 5e3), nothing_or(0.01, 50.0), nothing_or(1e-4, 1.0), st.floats(0.0, 3e3)
+)
+def test_the_distance_of_a_width_is_where_it_is_that_wide(
+    amount: float, distance: float, base: float, slope: float, away: float
+) -> None:
+    blur = Blur(amount, distance, base, slope)
+    sigma = blur.sigma_at(away)
+    first = blur.distance_of(sigma)
+    assert first <= away * (1 + 1e-6) + 1e-3
+    assert blur.sigma_at(first) == pytest.approx(sigma, rel=1e-6, abs=1e-6)
+
+
+@given(nothing_or(0.01, 500.0), nothing_or(0.01, 5e3), st.floats(0.8, 50.0), nothing_or(1e-4, 1.0))
+def test_an_edge_of_its_own_leaves_nothing_sharp(amount: float, distance: float, base: float, slope: float) -> None:
+    blur = Blur(amount, distance, base, slope)
+    bands = bands_of(blur, Extent(-200.0, -600.0, 300.0, 400.0))
+    covered = sorted((band.core.low, band.core.high) for band in bands)
+    assert covered[0][0] < -600.0
+    assert covered[-1][1] > 400.0
+    for (_, end), (start, _) in pairwise(covered):
+        assert end == pytest.approx(start, abs=1e-6)
 
 
 @pytest.mark.parametrize("amount", [0.0, 0.3, SHARP_SIGMA_PX])
@@ -97,3 +126,10 @@ def test_a_shadow_that_runs_far_is_blurred_on_coarser_texels(distance: float) ->
     for band in bands_of(Blur(2.0, distance), Extent(-8000.0, -8000.0, 8000.0, 1.0)):
         assert (band.needed.right - band.needed.left) / band.texel_px < 1.2 * MOST_TEXELS
         assert (band.needed.high - band.needed.low) / band.texel_px < 1.2 * MOST_TEXELS
+
+
+def test_where_no_shadow_is_there_is_no_band() -> None:
+    """A shadow far from the contact line, of a drawing that floats."""
+    far = Extent(0.0, 900.0, 100.0, 1000.0)
+    lowest = min(band.core.low for band in bands_of(Blur(40.0, 1000.0), far))
+    assert lowest == pytest.approx(900.0 - min(REACH_SIGMAS * 40.0, 1.1 * (1e4 / pi) ** 0.5 + 2.0))

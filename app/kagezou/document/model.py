@@ -63,6 +63,11 @@ class Cels:
         index = self.exposures[after - 1].drawing if after else None
         return None if index is None else self.drawings[index]
 
+    def exposed_since(self, frame: int) -> int:
+        """Return the frame on which what is seen at ``frame`` came to be seen."""
+        after = bisect_right(self.exposures, frame, key=lambda exposure: exposure.frame)
+        return max(self.exposures[after - 1].frame, 1) if after else 1
+
 
 @dataclass(frozen=True, slots=True)
 class Layer:

@@ -3,6 +3,7 @@
 A new property is one line here.
 """
 
+from dataclasses import dataclass
 from types import MappingProxyType
 
 from kagezou.document.property import Kind, Property, Scope, Words
@@ -106,6 +107,70 @@ DISTANCE = Property(
           "足元からこの距離までに単純化が強まる。0 なら全体に同じ強さ。"),
     unit="px", low=0.0, high=5000.0,
 )  # fmt: skip
+SIMPLIFY_ON = Property(
+    "shadow.simplify_on", Kind.SWITCH, Scope.LAYER, True,  # noqa: FBT003 - a default, named by its column
+    Words("Simplification", "単純化フィルター"),
+    Words("Whether the shape is simplified; off keeps the values and leaves them out.",
+          "単純化を使うか。オフでも値は残る。"),
+)  # fmt: skip
+ELONGATION = Property(
+    "shadow.elongation", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Elongation", "長さの維持"),
+    Words("0 rounds toward a disc on the ground, 1 toward the shadow's own long ellipse.",
+          "0 で地面上の円へ、1 で影そのものの細長い楕円へ近づく。"),
+    low=0.0, high=1.0,
+)  # fmt: skip
+GROW = Property(
+    "shadow.grow", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Grow", "拡張"),
+    Words("Moves the outline outward, or inward below 0.", "輪郭を外側へ広げる。負の値で縮める。"),
+    unit="px", low=-100.0, high=100.0,
+)  # fmt: skip
+SOFTNESS = Property(
+    "shadow.softness", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Softness", "ぼかし"),
+    Words("Width of the edge; 0 is a crisp cel edge.", "エッジの幅。0 でくっきりしたセルのエッジ。"),
+    unit="px", low=0.0, high=200.0,
+)  # fmt: skip
+PENUMBRA = Property(
+    "shadow.penumbra", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Penumbra", "半影"),
+    Words("How much wider the edge grows with every px of distance from the feet.",
+          "足元から 1px 離れるごとにエッジが広がる量。"),
+    low=0.0, high=1.0,
+)  # fmt: skip
+FADE = Property(
+    "shadow.fade", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Fade", "フェード"),
+    Words("At this distance from the feet the shadow has faded away; 0 does not fade.",
+          "足元からこの距離で影が消える。0 で消えない。"),
+    unit="px", low=0.0, high=10000.0,
+)  # fmt: skip
+FADE_CURVE = Property(
+    "shadow.fade_curve", Kind.NUMBER, Scope.LAYER, 1.0,
+    Words("Fade curve", "フェードの曲線"),
+    Words("1 fades evenly, more fades early, less fades late.", "1 で均一、大きいと早く、小さいと遅く薄れる。"),
+    low=0.1, high=10.0,
+)  # fmt: skip
+TIP_COLOR = Property(
+    "shadow.tip_color", Kind.COLOR, Scope.LAYER, "#4A4A7A",
+    Words("Tip colour", "先端の色"),
+    Words("Colour toward the tip, where a tip distance is set; sRGB.", "先端の距離を設定したときの先端の色（sRGB）。"),
+)  # fmt: skip
+TIP_DISTANCE = Property(
+    "shadow.tip_distance", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Tip distance", "先端の距離"),
+    Words("At this distance from the feet the shadow has the tip colour; 0 keeps one colour.",
+          "足元からこの距離で先端の色になる。0 で一色のまま。"),
+    unit="px", low=0.0, high=10000.0,
+)  # fmt: skip
+TIMING = Property(
+    "shadow.timing", Kind.CHOICE, Scope.LAYER, "ones",
+    Words("Shadow timing", "影のコマ打ち"),
+    Words("On ones the shadow moves every frame; with the exposures it waits for the next drawing.",
+          "ones は毎コマ動き、exposures は次の絵まで動かない。"),
+    choices=("ones", "exposures"),
+)  # fmt: skip
 COLOR = Property(
     "shadow.color", Kind.COLOR, Scope.LAYER, "#20203A",
     Words("Colour", "色"),
@@ -124,10 +189,80 @@ BLEND = Property(
     choices=("multiply", "normal"),
 )  # fmt: skip
 
+WAVES_ON = Property(
+    "shadow.waves_on", Kind.SWITCH, Scope.LAYER, True,  # noqa: FBT003 - a default, named by its column
+    Words("Waves", "波フィルター"),
+    Words("Whether the shadow lies on water; off keeps the values and leaves them out.",
+          "影を水面に落とすか。オフでも値は残る。"),
+)  # fmt: skip
+WAVE_SEED = Property(
+    "shadow.wave_seed", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Wave seed", "波の乱数"),
+    Words("0 takes the waves as they are set; any other whole number varies them, always in the same way.",
+          "0 で設定どおりの波。ほかの整数では、その数ごとに決まった変化を付ける。"),
+    low=0.0, high=999999.0,
+)  # fmt: skip
+WAVE_ANCHOR = Property(
+    "shadow.wave_anchor", Kind.NUMBER, Scope.LAYER, 0.0,
+    Words("Wave anchor", "波の固定"),
+    Words("Over this distance from the feet the waves grow to their full strength; 0 moves the feet too.",
+          "足元からこの距離までに波が強まる。0 なら足元も揺れる。"),
+    unit="px", low=0.0, high=5000.0,
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class WaveLines:
+    """The properties of one set of waves (spec 4)."""
+
+    amplitude: Property
+    wavelength: Property
+    direction: Property
+    velocity: Property
+
+
+def _wave(number: int, wavelength_px: float, direction_deg: float, velocity_px: float) -> WaveLines:
+    path = f"shadow.wave{number}"
+    return WaveLines(
+        Property(
+            f"{path}.amplitude", Kind.NUMBER, Scope.LAYER, 0.0,
+            Words(f"Wave {number} amplitude", f"波{number} 振幅"),
+            Words("How far the waves move the shadow; 0 is no wave.", "波が影を動かす量。0 で波なし。"),
+            unit="px", low=0.0, high=500.0,
+        ),
+        Property(
+            f"{path}.wavelength", Kind.NUMBER, Scope.LAYER, wavelength_px,
+            Words(f"Wave {number} length", f"波{number} 波長"),
+            Words("From crest to crest on the ground.", "地面上での山から山までの長さ。"),
+            unit="px", low=4.0, high=10000.0,
+        ),
+        Property(
+            f"{path}.direction", Kind.NUMBER, Scope.LAYER, direction_deg,
+            Words(f"Wave {number} direction", f"波{number} 方向"),
+            Words("Where the crests go on the ground; 0 is to the right, 90 toward the viewer.",
+                  "地面上で波が進む向き。0 で右、90 で手前。"),
+            unit="°", low=-36000.0, high=36000.0,
+        ),
+        Property(
+            f"{path}.velocity", Kind.NUMBER, Scope.LAYER, velocity_px,
+            Words(f"Wave {number} speed", f"波{number} 速さ"),
+            Words("How far the crests go in a frame.", "1 コマで波が進む距離。"),
+            unit="px", low=-1000.0, high=1000.0,
+        ),
+    )  # fmt: skip
+
+
+WAVE1 = _wave(1, 60.0, 90.0, 3.0)
+WAVE2 = _wave(2, 37.0, 70.0, 2.0)
+
 TABLE: tuple[Property, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
     LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS,
-    GROUNDING, TILT, VISIBLE, MATTE, SIMPLIFY, DISTANCE, COLOR, OPACITY, BLEND,
+    GROUNDING, TILT, VISIBLE, TIMING, MATTE,
+    SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, GROW, SOFTNESS, PENUMBRA,
+    COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE,
+    WAVES_ON, WAVE1.amplitude, WAVE1.wavelength, WAVE1.direction, WAVE1.velocity,
+    WAVE2.amplitude, WAVE2.wavelength, WAVE2.direction, WAVE2.velocity, WAVE_ANCHOR, WAVE_SEED,
 )  # fmt: skip
 """Every property, in the order in which people read them."""
 

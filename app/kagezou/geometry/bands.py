@@ -7,7 +7,7 @@ large as the one before. The work then hardly depends on the width at all.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import ceil, floor, inf, log2, pi, sqrt
+from math import ceil, floor, hypot, inf, log2, pi, sqrt
 
 FINEST_SIGMA_PX = 1.25
 """The smallest blur, in texels of its band."""
@@ -33,27 +33,48 @@ BICUBIC_TEXELS = 2
 
 @dataclass(frozen=True, slots=True)
 class Blur:
-    """The width of the blur over the distance from the contact line: s·min(|v|/d, 1)."""
+    """The width of the blur over the distance |v| from the contact line: √((s·min(|v|/d, 1))² + (base + slope·|v|)²).
+
+    Parameters
+    ----------
+    amount_px, distance_px
+        s and d of the simplification; d = 0 for s everywhere.
+    base_px, slope
+        What the edge needs besides: as wide at the contact line, and so much wider with each px away from it.
+    """
 
     amount_px: float
     distance_px: float
+    base_px: float = 0.0
+    slope: float = 0.0
+
+    @property
+    def is_even(self) -> bool:
+        """Whether the width is the same everywhere."""
+        return self.slope <= 0 and (self.distance_px <= 0 or self.amount_px <= 0)
 
     def sigma_at(self, distance_px: float) -> float:
         """Return the standard deviation, px."""
-        if self.distance_px <= 0:
-            return self.amount_px
-        return self.amount_px * min(abs(distance_px) / self.distance_px, 1.0)
+        away = abs(distance_px)
+        part = 1.0 if self.distance_px <= 0 else min(away / self.distance_px, 1.0)
+        return hypot(self.amount_px * part, self.base_px + self.slope * away)
 
     def distance_of(self, sigma_px: float) -> float:
         """Return the distance from which on the blur is at least this wide; inf if it never is."""
-        if sigma_px > self.amount_px:
+        if sigma_px <= self.sigma_at(0.0):
+            return 0.0
+        if self.distance_px > 0 and sigma_px <= self.sigma_at(self.distance_px):
+            return self._distance_within(sigma_px)
+        if self.slope <= 0:
             return inf
-        return sigma_px / self.amount_px * self.distance_px
+        return (sqrt(sigma_px**2 - self.amount_px**2) - self.base_px) / self.slope
 
-    @property
-    def is_seen(self) -> bool:
-        """Whether there is anything to blur."""
-        return self.amount_px > SHARP_SIGMA_PX
+    def _distance_within(self, sigma_px: float) -> float:
+        """Solve for the distance where the width still grows by the amount, as a part of that distance."""
+        widening = self.slope * self.distance_px
+        steep, half = hypot(self.amount_px, widening), self.base_px * widening
+        part = (sqrt(half**2 + steep**2 * (sigma_px**2 - self.base_px**2)) - half) / steep**2
+        return part * self.distance_px
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,33 +119,42 @@ class Band:
 
 def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     """Return the bands that a blurred shadow may touch, from the contact line outward, on both its sides."""
-    if not blur.is_seen:
+    if not blur.is_even:
+        return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side))
+    sigma = blur.sigma_at(0.0)
+    if sigma <= SHARP_SIGMA_PX:
         return ()
-    if blur.distance_px <= 0:
-        grown = _growth(shadow, blur.amount_px)
-        return (_band(shadow, (shadow.low - grown, shadow.high + grown), (blur.amount_px, blur.amount_px)),)
-    return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side))
+    grown = _growth(shadow, sigma)
+    return (_band(shadow, (shadow.low - grown, shadow.high + grown), (sigma, sigma)),)
 
 
 def _growth(shadow: Extent, sigma_px: float) -> float:
     """Return how far a shape may grow beyond its rectangle: no further than its blur, nor than a disc of its area."""
-    disc = sqrt((shadow.right - shadow.left) * (shadow.high - shadow.low) / pi)
-    return min(REACH_SIGMAS * sigma_px, 1.1 * disc + 2.0)
+    return min(REACH_SIGMAS * sigma_px, _disc(shadow))
+
+
+def _disc(shadow: Extent) -> float:
+    return 1.1 * sqrt((shadow.right - shadow.left) * (shadow.high - shadow.low) / pi) + 2.0
 
 
 def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
     """Yield the bands on one side of the contact line, the width growing by GROWTH in each."""
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
     # Across the contact line a shadow is at least as many standard deviations away as d/s.
-    sigma, grown = SHARP_SIGMA_PX, _growth(shadow, blur.amount_px)
-    if outer <= blur.distance_of(sigma) and blur.distance_px >= REACH_SIGMAS * blur.amount_px:
+    is_apart = blur.base_px <= 0 and blur.slope <= 0 and blur.distance_px >= REACH_SIGMAS * blur.amount_px
+    if is_apart and outer <= blur.distance_of(SHARP_SIGMA_PX):
         return
-    while sigma < blur.amount_px:
-        widest = min(sigma * GROWTH, blur.amount_px)
-        last = inf if widest == blur.amount_px else blur.distance_of(widest)
+    grown = _growth(shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
+    top = blur.sigma_at(max(outer + grown, 0.0))
+    sigma = max(SHARP_SIGMA_PX, blur.sigma_at(0.0))
+    while sigma < top or sigma == top > SHARP_SIGMA_PX:
+        widest = min(sigma * GROWTH, top)
+        last = inf if widest == top else blur.distance_of(widest)
         low, high = max(blur.distance_of(sigma), inner - grown), min(last, outer + grown)
         if low < high:
             yield _band(shadow, (low, high) if side > 0 else (-high, -low), (sigma, widest))
+        if widest == top:
+            return
         sigma = widest
 
 

@@ -3,23 +3,28 @@
 from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.model import Document, Layer, Tracks
+from kagezou.document.properties import WaveLines
 from kagezou.document.property import Property
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, card_for
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
-from kagezou.scene.scene import LayerScene, Scene, ShadowCast, ShadowLook, Simplify
+from kagezou.geometry.waves import Wave
+from kagezou.scene.scene import Edge, Fade, LayerScene, Scene, ShadowCast, ShadowLook, Simplify, Tip, Water
+
+LEAST_PX = 0.01
+"""What moves an outline by less cannot be seen and is left out."""
+
+_FARTHEST_PX = 1000.0
 
 
 def evaluate(document: Document, frame: int) -> Scene:
     """Return the scene of a frame, counted from 1; invisible layers are left out."""
     camera = camera_at(document, frame)
     ground = ground_at(document, frame)
-    light = light_at(document, frame, ground)
-    radius = _number(_value(document.tracks, properties.OVERHEAD_RADIUS, frame))
     layers = tuple(
-        _layer_scene(layer, frame, camera, ground, light, radius)
+        _layer_scene(document, layer, frame, camera, ground)
         for layer in document.layers
         if _value(layer.tracks, properties.VISIBLE, frame)
     )
@@ -66,38 +71,81 @@ def contact_of(card: Card, ground: Plane) -> Vector3:
     return (x, y, z)
 
 
-def _layer_scene(
-    layer: Layer, frame: int, camera: Camera, ground: Plane, light: Vector4, overhead_radius: float
-) -> LayerScene:
+def _layer_scene(document: Document, layer: Layer, frame: int, camera: Camera, ground: Plane) -> LayerScene:
     drawing = layer.cels.drawing_at(frame)
+    # Everything about the shadow but the camera and the ground under it may wait for the next drawing.
+    waits = _value(layer.tracks, properties.TIMING, frame) == "exposures"
+    moment = layer.cels.exposed_since(frame) if waits else frame
     cast = None
     if drawing is not None:
-        card = card_at(layer, frame, camera, ground)
-        spread = virtual_lights(light, contact_of(card, ground), overhead_radius)
+        card = card_at(layer, moment, camera, ground)
+        light = light_at(document, moment, ground)
+        radius = _number(_value(document.tracks, properties.OVERHEAD_RADIUS, moment))
+        spread = virtual_lights(light, contact_of(card, ground), radius)
         cast = ShadowCast(
             drawing=drawing,
-            translucent=_value(layer.tracks, properties.MATTE, frame) == "translucent",
+            translucent=_value(layer.tracks, properties.MATTE, moment) == "translucent",
             camera=camera,
             receivers=(ground,),
             card=card,
             lights=tuple(each for each in spread if is_over(ground, each)),
-            simplify=_simplify(layer.tracks, frame),
+            simplify=_simplify(layer.tracks, moment),
+            edge=_edge(layer.tracks, moment),
+            water=_water(layer.tracks, moment),
         )
-    return LayerScene(layer.id, layer.name, drawing, cast, _look(layer.tracks, frame))
+    return LayerScene(layer.id, layer.name, drawing, cast, _look(layer.tracks, moment))
 
 
 def _simplify(tracks: Tracks, frame: int) -> Simplify | None:
     amount = _number(_value(tracks, properties.SIMPLIFY, frame))
-    return Simplify(amount, _number(_value(tracks, properties.DISTANCE, frame))) if amount > 0 else None
+    if amount < LEAST_PX or not _value(tracks, properties.SIMPLIFY_ON, frame):
+        return None
+    distance = _number(_value(tracks, properties.DISTANCE, frame))
+    return Simplify(amount, distance, _number(_value(tracks, properties.ELONGATION, frame)))
+
+
+def _edge(tracks: Tracks, frame: int) -> Edge | None:
+    grow, softness, penumbra = (
+        _number(_value(tracks, line, frame)) for line in (properties.GROW, properties.SOFTNESS, properties.PENUMBRA)
+    )
+    if max(abs(grow), softness, penumbra * _FARTHEST_PX) < LEAST_PX:
+        return None
+    return Edge(grow, softness, penumbra)
+
+
+def _water(tracks: Tracks, frame: int) -> Water | None:
+    if not _value(tracks, properties.WAVES_ON, frame):
+        return None
+    seed = int(_number(_value(tracks, properties.WAVE_SEED, frame)))
+    waves = tuple(wave_of(tracks, lines, frame) for lines in (properties.WAVE1, properties.WAVE2))
+    ripples = tuple(
+        wave.varied(seed, number).at(frame) for number, wave in enumerate(waves, 1) if wave.amplitude_px >= LEAST_PX
+    )
+    return Water(ripples, _number(_value(tracks, properties.WAVE_ANCHOR, frame))) if ripples else None
+
+
+def wave_of(tracks: Tracks, lines: WaveLines, frame: int) -> Wave:
+    """Return one set of waves of a layer as it is set at a frame."""
+    numbers = (lines.amplitude, lines.wavelength, lines.direction, lines.velocity)
+    amplitude, wavelength, direction, velocity = (_number(_value(tracks, line, frame)) for line in numbers)
+    return Wave(amplitude, wavelength, direction, velocity)
 
 
 def _look(tracks: Tracks, frame: int) -> ShadowLook:
-    color = str(_value(tracks, properties.COLOR, frame))
+    fade = _number(_value(tracks, properties.FADE, frame))
+    tip = _number(_value(tracks, properties.TIP_DISTANCE, frame))
     return ShadowLook(
-        color=(int(color[1:3], 16), int(color[3:5], 16), int(color[5:7], 16)),
+        color=_color(tracks, properties.COLOR, frame),
         opacity=_number(_value(tracks, properties.OPACITY, frame)),
         multiply=_value(tracks, properties.BLEND, frame) == "multiply",
+        fade=Fade(fade, _number(_value(tracks, properties.FADE_CURVE, frame))) if fade > 0 else None,
+        tip=Tip(_color(tracks, properties.TIP_COLOR, frame), tip) if tip > 0 else None,
     )
+
+
+def _color(tracks: Tracks, line: Property, frame: int) -> tuple[int, int, int]:
+    red, green, blue = bytes.fromhex(str(_value(tracks, line, frame)).removeprefix("#"))
+    return (red, green, blue)
 
 
 def _value(tracks: Tracks, line: Property, frame: int) -> Value:

@@ -9,6 +9,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector4
+from kagezou.geometry.waves import Ripple
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,10 +22,48 @@ class Simplify:
         s, the standard deviation of the blur in px of the receiver, over 0.
     distance_px
         d, the distance from the contact line at which it is reached; 0 for the same everywhere.
+    elongation
+        e, from 0, toward a disc, to 1, toward the ellipse of the shadow's own moments.
     """
 
     amount_px: float
     distance_px: float
+    elongation: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """What becomes of a shadow's outline.
+
+    Parameters
+    ----------
+    grow_px
+        How far it is moved outward.
+    softness_px
+        How wide the edge is at the contact line, px of the receiver; 0 is crisp.
+    penumbra
+        How much wider it is with every px away from that line.
+    """
+
+    grow_px: float
+    softness_px: float
+    penumbra: float
+
+
+@dataclass(frozen=True, slots=True)
+class Water:
+    """The waves that move a shadow at one moment (paper 3.6.2, spec 4).
+
+    Parameters
+    ----------
+    ripples
+        The sets of waves; their displacements, in u and v of the receiver, add up.
+    anchor_px
+        The distance from the contact line at which they have their full strength; 0 for everywhere.
+    """
+
+    ripples: tuple[Ripple, ...]
+    anchor_px: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +82,8 @@ class ShadowCast:
         The surface the drawing stands on.
     lights
         Homogeneous; their shadows unite by maximum.
-    simplify
-        How the united shape is rounded, None for not at all.
+    simplify, edge, water
+        How the united shape is rounded, what becomes of its outline, and the waves it lies on; None for not at all.
     """
 
     drawing: Drawing
@@ -54,6 +93,37 @@ class ShadowCast:
     card: Card
     lights: tuple[Vector4, ...]
     simplify: Simplify | None = None
+    edge: Edge | None = None
+    water: Water | None = None
+
+    @property
+    def is_filtered(self) -> bool:
+        """Whether anything is done to the shape after it is cast."""
+        return self.simplify is not None or self.edge is not None or self.water is not None
+
+
+@dataclass(frozen=True, slots=True)
+class Fade:
+    """How opacity falls with the distance |v| from the contact line: (1 - |v| / range)^curve.
+
+    Parameters
+    ----------
+    range_px
+        Where nothing is left, over 0.
+    curve
+        1 for evenly.
+    """
+
+    range_px: float
+    curve: float
+
+
+@dataclass(frozen=True, slots=True)
+class Tip:
+    """A second colour, sRGB 0 to 255, that is reached at a distance over 0 from the contact line."""
+
+    color: tuple[int, int, int]
+    distance_px: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,11 +138,20 @@ class ShadowLook:
         0 to 1.
     multiply
         Whether it multiplies what is under it; else it lies over it.
+    fade, tip
+        How it changes with the distance from the contact line; None for not at all.
     """
 
     color: tuple[int, int, int]
     opacity: float
     multiply: bool
+    fade: Fade | None = None
+    tip: Tip | None = None
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is the same everywhere."""
+        return self.fade is None and self.tip is None
 
 
 @dataclass(frozen=True, slots=True)
