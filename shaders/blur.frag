@@ -3,6 +3,8 @@
 // ALONG_V sums along v, across the contact line, and goes first: all texels of a row have one width, so that the second
 // direction may take its result as it is.
 
+#include "blur_width.glsl"
+
 // REACH: how many texels are summed up on either side.
 
 uniform sampler2D u_source;
@@ -10,8 +12,6 @@ uniform vec4 u_band;           // first and last texel of the band in x and y: x
 uniform float u_first_v_px;    // v at the lower border of the row u_first_row
 uniform float u_first_row;
 uniform float u_texel_px;
-uniform float u_amount_px;
-uniform float u_distance_px;   // 0: the same width everywhere
 uniform float u_least_sigma;   // texels
 
 out float o_value;
@@ -31,7 +31,7 @@ void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     ivec4 band = ivec4(u_band);
     float v = u_first_v_px + (gl_FragCoord.y - u_first_row) * u_texel_px;
-    float sigma = u_amount_px * (u_distance_px > 0.0 ? min(abs(v) / u_distance_px, 1.0) : 1.0) / u_texel_px;
+    float sigma = sigma_at(v) / u_texel_px;
     // Texels are means over their own width, and a cubic spline will widen them again: 1/12 and 1/3 of a texel squared.
     float variance = max(sigma * sigma - 5.0 / 12.0, u_least_sigma * u_least_sigma);
     // The weights exp(-i²/2σ²) one from the other: their ratios are again a Gaussian's, with one constant ratio.

@@ -57,7 +57,11 @@ class Blur:
         """Return the standard deviation, px."""
         away = abs(distance_px)
         part = 1.0 if self.distance_px <= 0 else min(away / self.distance_px, 1.0)
-        return hypot(self.amount_px * part, self.base_px + self.slope * away)
+        return hypot(self.amount_px * part, self.edge_at(away))
+
+    def edge_at(self, distance_px: float) -> float:
+        """Return what the edge alone needs, px."""
+        return self.base_px + self.slope * abs(distance_px)
 
     def distance_of(self, sigma_px: float) -> float:
         """Return the distance from which on the blur is at least this wide; inf if it never is."""
@@ -124,13 +128,18 @@ def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     sigma = blur.sigma_at(0.0)
     if sigma <= SHARP_SIGMA_PX:
         return ()
-    grown = _growth(shadow, sigma)
-    return (_band(shadow, (shadow.low - grown, shadow.high + grown), (sigma, sigma)),)
+    grown = _growth(blur, shadow, sigma)
+    return (_band(shadow, (shadow.low - grown, shadow.high + grown), (sigma, sigma), grown),)
 
 
-def _growth(shadow: Extent, sigma_px: float) -> float:
-    """Return how far a shape may grow beyond its rectangle: no further than its blur, nor than a disc of its area."""
-    return min(REACH_SIGMAS * sigma_px, _disc(shadow))
+def _growth(blur: Blur, shadow: Extent, sigma_px: float) -> float:
+    """Return how far a shape may grow beyond its rectangle.
+
+    No further than its blur, nor than a disc of its area and what its edge takes up besides.
+    """
+    disc = _disc(shadow)
+    farthest = max(abs(shadow.low), abs(shadow.high)) + disc
+    return min(REACH_SIGMAS * sigma_px, disc + REACH_SIGMAS * blur.edge_at(farthest))
 
 
 def _disc(shadow: Extent) -> float:
@@ -144,7 +153,7 @@ def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
     is_apart = blur.base_px <= 0 and blur.slope <= 0 and blur.distance_px >= REACH_SIGMAS * blur.amount_px
     if is_apart and outer <= blur.distance_of(SHARP_SIGMA_PX):
         return
-    grown = _growth(shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
+    grown = _growth(blur, shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
     top = blur.sigma_at(max(outer + grown, 0.0))
     sigma = max(SHARP_SIGMA_PX, blur.sigma_at(0.0))
     while sigma < top or sigma == top > SHARP_SIGMA_PX:
@@ -152,16 +161,16 @@ def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
         last = inf if widest == top else blur.distance_of(widest)
         low, high = max(blur.distance_of(sigma), inner - grown), min(last, outer + grown)
         if low < high:
-            yield _band(shadow, (low, high) if side > 0 else (-high, -low), (sigma, widest))
+            core = (low, high) if side > 0 else (-high, -low)
+            yield _band(shadow, core, (sigma, widest), _growth(blur, shadow, widest))
         if widest == top:
             return
         sigma = widest
 
 
-def _band(shadow: Extent, core: tuple[float, float], sigmas: tuple[float, float]) -> Band:
+def _band(shadow: Extent, core: tuple[float, float], sigmas: tuple[float, float], grown: float) -> Band:
     low, high = core
     narrowest, widest = sigmas
-    grown = _growth(shadow, widest)
     # Nothing is summed up from beyond the shadow, however wide the blur.
     across, along = shadow.high - shadow.low, shadow.right - shadow.left
     reach = min(REACH_SIGMAS * widest, max(across, along) + grown)

@@ -8,7 +8,7 @@ from kagezou.io.images import Matte
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
-from kagezou.render.simplify_pass import SimplifyPass
+from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Format, Target
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
@@ -30,7 +30,7 @@ class ShadowLayers:
         self._cels = cels
         self._mattes = Mattes(boxes, matte_budget_bytes)
         self._cast = CastPass(boxes)
-        self._simplify = SimplifyPass(boxes, self._cast)
+        self._shape = ShapePass(boxes, self._cast)
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
         self.filters_drawn = 0
@@ -51,11 +51,11 @@ class ShadowLayers:
             placed = self._mattes.placed(matte, scene.canvas)
             # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.
             old, kept.box, kept.cast = kept.box, scene.canvas, None
-            draw = self._cast.draw if layer.cast.simplify is None else self._simplify.draw
+            draw = self._shape.draw if layer.cast.is_filtered else self._cast.draw
             kept.box = draw(layer.cast, placed, kept.target, old)
             kept.cast, kept.matte = layer.cast, matte
             self.casts_drawn += 1
-            self.filters_drawn += layer.cast.simplify is not None
+            self.filters_drawn += layer.cast.is_filtered
         return kept if kept.box is not None else None
 
     def forget_except(self, scene: Scene) -> None:
@@ -69,7 +69,7 @@ class ShadowLayers:
         for coverage in self._by_layer.values():
             coverage.target.close()
         self._by_layer.clear()
-        self._simplify.close()
+        self._shape.close()
         self._cast.close()
         self._mattes.close()
 

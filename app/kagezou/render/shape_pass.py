@@ -1,68 +1,55 @@
-"""The pass that simplifies: the united shadow is blurred on its receiver and brought back to its area (paper 3.6.1)."""
+"""The pass that gives a shadow its shape: the united one is blurred on its receiver and brought back to its area.
 
-from dataclasses import dataclass, replace
-from math import ceil
+Simplification (paper 3.6.1), waves (3.6.2) and wide or moved edges all read this one blurred shadow.
+"""
+
+from dataclasses import replace
+from math import ceil, inf, log2
 
 import numpy as np
 
-from kagezou.geometry.bands import FINEST_SIGMA_PX, SHARP_SIGMA_PX, Blur, Extent, bands_of
+from kagezou.geometry.bands import FINEST_SIGMA_PX, bands_of
 from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
-from kagezou.geometry.ground import Plane, canvas_from_plane
-from kagezou.geometry.polygon import bounding_box, box_polygon, clipped, distance_form, seen_rectangle, shifted
-from kagezou.geometry.shadow import cast_card
+from kagezou.geometry.ground import canvas_from_plane
+from kagezou.geometry.polygon import bounding_box, seen_rectangle
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip, laid_out
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Window
-from kagezou.render.cast_uniforms import Frame, Grazing
 from kagezou.render.gl import GL
 from kagezou.render.level import Counted, area_preserving_level
 from kagezou.render.level import Floats as Texels
 from kagezou.render.mattes import PlacedMatte
-from kagezou.render.outline import outline_tiles
-from kagezou.render.program import Uniform, Variants
+from kagezou.render.outline import Reach, outline_tiles
+from kagezou.render.program import Variants
+from kagezou.render.shape_job import Job, blur_of, elongated, extent_of, stretched
+from kagezou.render.shape_uniforms import inverse, shape_uniforms, strength, width_uniforms
 from kagezou.render.targets import LAST_LEVEL, Format, Target
 from kagezou.render.tiles import CELLS
 from kagezou.render.tiles import Boxes as TileBoxes
 from kagezou.scene.scene import ShadowCast
 
-LARGEST_PLANE_PX = 8192
-"""A shadow that runs out further than this on its receiver is cut off there."""
-
-_MAX_BANDS = 20
 _MARGIN_TEXELS = 2
 _LEAST_SIGMA_TEXELS = 0.3
+_OUTLINED_TEXELS = 64
+_FAINT = 0.002
+"""Of the level: where the blur has so little, no edge can reach."""
+
 _REACHES = (8, 16, 32, 48, 64, 96, 128, 192, 256, 384, 512, 1024, 2048)
 """Over how many texels either way a blur may be summed up; each is a program of its own."""
 
 _ALONG_V, _ALONG_U = frozenset({"ALONG_V"}), frozenset({"ALONG_U"})
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Job:
-    """A cast on one receiver, how it is blurred, and the strips it is blurred in."""
-
-    cast: ShadowCast
-    matte: PlacedMatte
-    plane: Plane
-    blur: Blur
-    strips: tuple[Strip, ...]
-
-    @property
-    def canvas_from_plane(self) -> Matrix:
-        """The (3, 3) map from (u, v) of the receiver to canvas px."""
-        return canvas_from_plane(self.cast.camera, self.plane)
-
-
-class SimplifyPass:
-    """Draws simplified shadows, of shadows that another pass casts for it."""
+class ShapePass:
+    """Draws filtered shadows, of shadows that another pass casts for it."""
 
     def __init__(self, boxes: Boxes, caster: CastPass) -> None:
         self._boxes = boxes
         self._caster = caster
         self._blur = Variants("box.vert", "blur.frag")
-        self._show = Variants("box.vert", "simplify.frag")
+        self._show = Variants("box.vert", "shape.frag")
         self._fill = Variants("box.vert", "full.frag")
         self._atlases: tuple[Target, Target, Target] | None = None
         self._sharp: Target | None = None
@@ -71,18 +58,12 @@ class SimplifyPass:
         """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
         if old is not None:
             target.clear(old)
-        if matte is None or cast.simplify is None:
+        if matte is None or not cast.is_filtered:
             return None
-        blur = Blur(cast.simplify.amount_px, cast.simplify.distance_px)
         drawn: Box | None = None
         for receiver in cast.receivers:
-            one = replace(cast, receivers=(receiver,), simplify=None)
-            plane = contact_plane(cast.card, receiver)
-            extent = _extent(one, matte, plane)
-            if extent is None:
-                continue
-            job = _Job(one, matte, plane, blur, laid_out(bands_of(blur, extent)))
-            box = self._draw_one(job, target)
+            job = self._job(replace(cast, receivers=(receiver,)), matte)
+            box = None if job is None else self._draw_one(job, target)
             if box is not None:
                 drawn = box if drawn is None else drawn.union(box)
         return drawn
@@ -96,7 +77,36 @@ class SimplifyPass:
             if target is not None:
                 target.close()
 
-    def _draw_one(self, job: _Job, target: Target) -> Box | None:
+    def _job(self, cast: ShadowCast, matte: PlacedMatte) -> Job | None:
+        """Return what is to be done for a cast on one receiver, None where its shadow falls nowhere."""
+        plane = contact_plane(cast.card, cast.receivers[0])
+        on_canvas = canvas_from_plane(cast.camera, plane)
+        stretch = np.eye(2)
+        if cast.simplify is not None and cast.simplify.elongation > 0:
+            stretch = elongated(self._outlined(cast, matte, on_canvas), cast.simplify.elongation)
+        extent = extent_of(cast, matte, stretched(on_canvas, stretch))
+        if extent is None:
+            return None
+        blur = blur_of(cast, float(stretch[1, 1]))
+        return Job(cast, matte, plane, stretch, blur, laid_out(bands_of(blur, extent)))
+
+    def _outlined(self, cast: ShadowCast, matte: PlacedMatte, canvas_from_plane: Matrix) -> Texels:
+        """Return the whole shadow on its receiver in few texels, to see how long it is."""
+        extent = extent_of(cast, matte, canvas_from_plane)
+        if extent is None:
+            return np.zeros((0, 0), np.float32)
+        texel = max(extent.right - extent.left, extent.high - extent.low) / _OUTLINED_TEXELS
+        box = Box(0, 0, *(ceil(side / texel) for side in (extent.right - extent.left, extent.high - extent.low)))
+        shadow = self._atlases_of(box.width, box.height)[0]
+        shadow.clear(box)
+        plane_from_texel = np.array([[texel, 0.0, extent.left], [0.0, texel, extent.low], [0.0, 0.0, 1.0]])
+        cells = _cells_at(max(ceil(log2(texel)), 0))
+        self._caster.unite(
+            cast, matte, shadow, Window(box, canvas_from_plane @ plane_from_texel, cells, is_shape_only=True)
+        )
+        return shadow.read_floats(box)
+
+    def _draw_one(self, job: Job, target: Target) -> Box | None:
         shadow, half, blurred = self._atlases_for(job.strips)
         sharp_box = self._cast_sharp(job, target)
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
@@ -116,11 +126,12 @@ class SimplifyPass:
         box = self._box_of(job, target.box, sharp_box)
         if box is not None:
             pairs = [(strip, each.blurred) for strip, each in zip(job.strips, counted, strict=True)]
-            full, outline = outline_tiles(pairs, level, job.blur, _inverse(job.canvas_from_plane), box)
+            reach = _reach(job, level)
+            full, outline = outline_tiles(pairs, reach, job.blur, inverse(job.canvas_from_plane), box)
             self._show_tiles(job, target, box, (full, outline), level)
         return box
 
-    def _cast_sharp(self, job: _Job, like: Target) -> Box | None:
+    def _cast_sharp(self, job: Job, like: Target) -> Box | None:
         """Cast the shadow as it is, for where it stays so; return its box."""
         if self._sharp is not None and self._sharp.box != like.box:
             self._sharp.close()
@@ -128,11 +139,11 @@ class SimplifyPass:
         if self._sharp is None:
             self._sharp = Target(like.box.width, like.box.height, Format.ALPHA16)
         self._sharp.clear()
-        if job.blur.distance_px <= 0 and job.blur.amount_px >= FINEST_SIGMA_PX:
+        if job.blur.sigma_at(0.0) >= FINEST_SIGMA_PX:
             return None
         return self._caster.unite(job.cast, job.matte, self._sharp, Window(like.box, is_shape_only=True))
 
-    def _blur_strips(self, job: _Job, way: tuple[Target, Target], direction: frozenset[str]) -> None:
+    def _blur_strips(self, job: Job, way: tuple[Target, Target], direction: frozenset[str]) -> None:
         """Blur every strip from one atlas into the other: first across the contact line, then along it."""
         source, goal = way
         for strip in job.strips:
@@ -149,32 +160,31 @@ class SimplifyPass:
                     "u_first_v_px": strip.band.needed.low,
                     "u_first_row": float(strip.box.top),
                     "u_texel_px": strip.band.texel_px,
-                    "u_amount_px": job.blur.amount_px,
-                    "u_distance_px": job.blur.distance_px,
                     "u_least_sigma": _LEAST_SIGMA_TEXELS,
+                    **width_uniforms(job),
                 }
             )
             self._boxes.draw_one(strip.shown)
 
-    def _box_of(self, job: _Job, canvas: Box, sharp_box: Box | None) -> Box | None:
+    def _box_of(self, job: Job, canvas: Box, sharp_box: Box | None) -> Box | None:
         """Return the box of the canvas in which the simplified shadow can be seen."""
-        plane_from_canvas = _inverse(job.canvas_from_plane)
+        plane_from_canvas = inverse(job.canvas_from_plane)
+        u, v = job.moved_px
         box = sharp_box
         for strip in job.strips:
             core = strip.band.core
-            polygon = seen_rectangle(canvas, plane_from_canvas, (core.left, core.low), (core.right, core.high))
+            low, high = (core.left - u, core.low - v), (core.right + u, core.high + v)
+            polygon = seen_rectangle(canvas, plane_from_canvas, low, high)
             seen = bounding_box(polygon)
             if seen is not None:
                 box = seen if box is None else box.union(seen)
         return None if box is None else box.intersection(canvas)
 
-    def _show_tiles(
-        self, job: _Job, target: Target, box: Box, tiles: tuple[TileBoxes, TileBoxes], level: float
-    ) -> None:
+    def _show_tiles(self, job: Job, target: Target, box: Box, tiles: tuple[TileBoxes, TileBoxes], level: float) -> None:
         """Draw the tiles within the shape, and those its outline crosses, as strong as the light makes them."""
         assert self._sharp is not None
         full, outline = tiles
-        switches, common = _strength(job, box)
+        switches, common = strength(job, box)
         common["u_target_size_px"] = target.size_px
         target.bind()
         GL.glEnable(GL.GL_BLEND)
@@ -185,19 +195,25 @@ class SimplifyPass:
         if len(outline):
             self._atlases_for(job.strips)[2].texture.bind(0)
             self._sharp.texture.bind(1)
-            self._show[switches].use(common | _show_uniforms(job, box, level))
+            wanted, uniforms = shape_uniforms(job, box, level)
+            self._show[switches | wanted].use(common | uniforms)
             self._boxes.draw(outline)
 
     def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target, Target]:
-        """Return targets of at least the strips' size: for the shadow, and for it blurred one way and both ways.
+        """Return targets of at least the strips' size: for the shadow, and for it blurred one way and both ways."""
+        width = max((strip.box.right for strip in strips), default=1)
+        height = max((strip.box.bottom for strip in strips), default=1)
+        return self._atlases_of(width, height)
+
+    def _atlases_of(self, width: int, height: int) -> tuple[Target, Target, Target]:
+        """Return targets of at least a size.
 
         A wide blur of a small shadow leaves values so small that only floating point keeps them apart.
         """
-        width = max((strip.box.right for strip in strips), default=1)
-        height = max((strip.box.bottom for strip in strips), default=1)
         old = self._atlases
         if old is None or old[0].box.width < width or old[0].box.height < height:
             for target in old or ():
+                width, height = max(width, target.box.width), max(height, target.box.height)
                 target.close()
             forms = (Format.ALPHA16, Format.FLOAT, Format.FLOAT)
             shadow, half, blurred = (Target(width, height, form) for form in forms)
@@ -206,35 +222,11 @@ class SimplifyPass:
         return self._atlases
 
 
-def _frame(job: _Job, box: Box) -> Frame:
-    """Return the part of a canvas box in which the receiver is seen."""
-    lift = _inverse(job.canvas_from_plane)
-    return Frame(clipped(box_polygon(box), shifted(distance_form(lift[2]), -0.01)))
-
-
-def _strength(job: _Job, box: Box) -> tuple[frozenset[str], dict[str, Uniform]]:
-    """Return switches and uniforms of ``grazing.glsl``; the lights of one cast stand too close to differ in it."""
-    receiver, light = job.cast.receivers[0], job.cast.lights[0]
-    frame = _frame(job, box)
-    grazing = Grazing.of(receiver, light)
-    receiver_from_canvas = _inverse(canvas_from_plane(job.cast.camera, receiver))
-    uniforms: dict[str, Uniform] = {"u_origin_px": frame.origin}
-    return grazing.switches(receiver_from_canvas, frame), uniforms | grazing.uniforms(receiver_from_canvas, frame)
-
-
-def _show_uniforms(job: _Job, box: Box, level: float) -> dict[str, Uniform]:
-    """Return what ``simplify.frag`` wants but for the light's strength."""
-    plane_from_pixel = _inverse(job.canvas_from_plane) @ _frame(job, box).canvas_from_pixel
-    return {
-        "u_blurred": 0,
-        "u_sharp": 1,
-        "u_plane_from_pixel": plane_from_pixel / np.abs(plane_from_pixel[2]).max(),
-        "u_level": level,
-        "u_amount_px": job.blur.amount_px,
-        "u_distance_px": job.blur.distance_px,
-        "u_pass_over_px": (SHARP_SIGMA_PX, FINEST_SIGMA_PX),
-        **_band_uniforms(job.strips, whole=job.blur.distance_px <= 0),
-    }
+def _reach(job: Job, level: float) -> Reach:
+    """Return which values are surely no shadow and which surely nothing else."""
+    if job.cast.edge is not None:
+        return Reach(_FAINT * level, inf, job.moved_px)
+    return Reach(level, level, job.moved_px)
 
 
 def _cells_at(level: int) -> int:
@@ -250,36 +242,3 @@ def _counted(strip: Strip, before: Texels, after: Texels) -> Counted:
     shown = strip.shown
     part = (slice(shown.top, shown.bottom), slice(shown.left, shown.right))
     return Counted(before[part], after[part], strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS)
-
-
-def _extent(cast: ShadowCast, matte: PlacedMatte, plane: Plane) -> Extent | None:
-    """Return where on a plane a cast's shadow lies, None where there is none."""
-    limit = Box(-LARGEST_PLANE_PX, -LARGEST_PLANE_PX, LARGEST_PLANE_PX, LARGEST_PLANE_PX)
-    around: Box | None = None
-    seen_from_above = canvas_from_plane(cast.camera, plane)
-    for light in cast.lights:
-        for each in cast_card(cast.camera, cast.receivers[0], cast.card, light):
-            box = bounding_box(each.seen_through(seen_from_above).region(limit, matte.box))
-            if box is not None:
-                around = box if around is None else around.union(box)
-    return None if around is None else Extent(around.left, around.top, around.right, around.bottom)
-
-
-def _inverse(canvas_from_plane: Matrix) -> Matrix:
-    """Return the map back, its w positive where the plane is seen."""
-    return np.asarray(np.linalg.inv(canvas_from_plane))
-
-
-def _band_uniforms(strips: tuple[Strip, ...], *, whole: bool) -> dict[str, Uniform]:
-    """Return the arrays of ``simplify.frag``."""
-    cores, places, sizes = (np.zeros((_MAX_BANDS, 4)) for _ in range(3))
-    for index, strip in enumerate(strips):
-        core, shown = strip.band.core, strip.shown
-        ends = sorted((abs(core.low), abs(core.high)))
-        side = 0.0 if whole else (1.0 if core.high > 0 else -1.0)
-        texel = strip.band.texel_px
-        corner = strip.plane_from_atlas @ np.array([shown.left, shown.top, 1.0])
-        cores[index] = (ends[0], ends[1], side, texel)
-        places[index] = (corner[0], corner[1], shown.left, shown.top)
-        sizes[index] = (shown.width, shown.height, 0.0, 0.0)
-    return {"u_band_count": len(strips), "u_cores": cores, "u_places": places, "u_sizes": sizes}

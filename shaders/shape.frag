@@ -1,8 +1,18 @@
 #version 330 core
-// The simplified shadow on the canvas: where the blurred one is over its level, with a crisp edge (spec 3).
+// The filtered shadow on the canvas: where the blurred one is over its level (spec 3). Switches:
+//   WAVES   it is read where waves have moved it (paper 3.6.2, spec 4)
+//   EDGE    its outline is moved outward, or its edge is wider than a pixel
+//   LAMP_IS_LOW   see grazing.glsl
 
 #include "edge.glsl"
 #include "grazing.glsl"
+#include "blur_width.glsl"
+#ifdef WAVES
+#include "waves.glsl"
+#endif
+#ifdef EDGE
+#include "wide_edge.glsl"
+#endif
 
 const int MAX_BANDS = 20;
 
@@ -15,8 +25,6 @@ uniform vec4 u_cores[MAX_BANDS];       // |v| from, |v| to, side of v (0: both),
 uniform vec4 u_places[MAX_BANDS];      // u and v at the band's corner, px; its corner in the atlas, texels
 uniform vec4 u_sizes[MAX_BANDS];       // its size in texels; the rest is not used
 uniform float u_level;
-uniform float u_amount_px;
-uniform float u_distance_px;
 uniform vec2 u_pass_over_px;           // blurs between which the sharp shadow passes over into the blurred one
 
 out float o_coverage;
@@ -61,25 +69,33 @@ void main() {
     vec2 plane = h.xy / h.z;
     mat2 step_plane = mat2(u_plane_from_pixel[0].xy - plane * u_plane_from_pixel[0].z,
                            u_plane_from_pixel[1].xy - plane * u_plane_from_pixel[1].z) / h.z;
-    float sigma = u_amount_px * (u_distance_px > 0.0 ? min(abs(plane.y) / u_distance_px, 1.0) : 1.0);
-
+    vec2 here = plane;
+    mat2 step_here = mat2(1.0);
+#ifdef WAVES
+    step_here = moved_by_waves(here);
+#endif
     int band = -1;
     for (int i = 0; i < u_band_count; ++i) {
         vec4 core = u_cores[i];
-        bool here = core.z == 0.0 || (abs(plane.y) >= core.x && abs(plane.y) < core.y && plane.y * core.z >= 0.0);
-        band = here ? i : band;
+        bool inside = core.z == 0.0 || (abs(here.y) >= core.x && abs(here.y) < core.y && here.y * core.z >= 0.0);
+        band = inside ? i : band;
     }
     float blurred = 0.0;
     if (band >= 0) {
         float texel_px = u_cores[band].w;
         vec4 place = u_places[band];
-        vec3 b = value_and_slope((plane - place.xy) / texel_px, ivec2(place.zw), ivec2(u_sizes[band].xy));
-        vec2 slope = vec2(dot(b.yz, step_plane[0]), dot(b.yz, step_plane[1])) / texel_px;
+        vec3 b = value_and_slope((here - place.xy) / texel_px, ivec2(place.zw), ivec2(u_sizes[band].xy));
+        vec2 rise = (b.yz / texel_px) * step_here;
+        vec2 slope = rise * step_plane;
         // The slope of a wide blur is as small as one likes; only its direction and the distance to the level matter.
         float steep = max(length(slope), 1e-7);
+#ifdef EDGE
+        blurred = wide_edge(b.x, rise, slope / steep, steep, plane.y);
+#else
         blurred = cell_coverage((b.x - u_level) / steep, slope / steep);
+#endif
     }
     float sharp = texelFetch(u_sharp, ivec2(gl_FragCoord.xy), 0).r;
-    float shape = mix(sharp, blurred, smoothstep(u_pass_over_px.x, u_pass_over_px.y, sigma));
+    float shape = mix(sharp, blurred, smoothstep(u_pass_over_px.x, u_pass_over_px.y, sigma_at(plane.y)));
     o_coverage = shape * grazing_strength(pixel);
 }

@@ -1,0 +1,148 @@
+"""What is to be filtered: a cast on one receiver, the coordinates it is blurred in, and how."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.geometry.bands import FINEST_SIGMA_PX, Blur, Extent
+from kagezou.geometry.box import Box
+from kagezou.geometry.ground import Plane, canvas_from_plane
+from kagezou.geometry.polygon import bounding_box
+from kagezou.geometry.shadow import cast_card
+from kagezou.geometry.vectors import Matrix
+from kagezou.render.atlas import Strip
+from kagezou.render.mattes import PlacedMatte
+from kagezou.scene.scene import ShadowCast
+
+LARGEST_PLANE_PX = 8192
+"""A shadow that runs out further than this on its receiver is cut off there."""
+
+RAMP = 0.75
+"""How much of its width a soft edge takes up on either side."""
+
+_EDGE_SIGMAS = 2.5
+"""How many standard deviations of its own blur an edge may be away from the outline."""
+
+_FULL_AT_ONCE = 2.5
+"""Already half a px of growth, softness or waves has the finest blur, so that nothing of the sharp shadow is left."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Job:
+    """A cast on one receiver, how it is blurred, and the strips it is blurred in.
+
+    The blur is round in coordinates of its own: u along the contact line and v away from it, for an elongated one
+    stretched and sheared so that v alone still says how far from the line a place is.
+
+    Parameters
+    ----------
+    cast
+        With one receiver.
+    plane
+        The receiver with its u axis along the contact line.
+    ground_from_blurred
+        (2, 2): u and v of ``plane`` from those of the blur, its lower left corner 0.
+    """
+
+    cast: ShadowCast
+    matte: PlacedMatte
+    plane: Plane
+    ground_from_blurred: Matrix
+    blur: Blur
+    strips: tuple[Strip, ...]
+
+    @property
+    def canvas_from_plane(self) -> Matrix:
+        """The (3, 3) map from (u, v) of the blur to canvas px."""
+        return stretched(canvas_from_plane(self.cast.camera, self.plane), self.ground_from_blurred)
+
+    @property
+    def receiver_from_blurred(self) -> Matrix:
+        """The (2, 3) map from (u, v, 1) of the blur to the receiver's own (u, v)."""
+        receiver, plane = self.cast.receivers[0], self.plane
+        axes = np.array([receiver.u, receiver.v])
+        turn = axes @ np.array([plane.u, plane.v]).T
+        shift = axes @ (np.array(plane.origin) - np.array(receiver.origin))
+        return np.column_stack([turn @ self.ground_from_blurred, shift])
+
+    @property
+    def heave(self) -> Matrix:
+        """The (2, 2) map from a displacement on the receiver to one in u and v of the blur."""
+        return np.asarray(np.linalg.inv(self.receiver_from_blurred[:, :2]))
+
+    @property
+    def moved_px(self) -> tuple[float, float]:
+        """How far waves may move a place, in u and v of the blur."""
+        if self.cast.water is None:
+            return (0.0, 0.0)
+        amplitude = sum(ripple.wave.amplitude_px for ripple in self.cast.water.ripples)
+        u, v = np.hypot(*self.heave.T) * amplitude
+        return (float(u), float(v))
+
+
+def stretched(canvas_from_plane: Matrix, ground_from_blurred: Matrix) -> Matrix:
+    """Return the (3, 3) map from (u, v) of a blur to the canvas."""
+    whole = np.eye(3)
+    whole[:2, :2] = ground_from_blurred
+    return np.asarray(canvas_from_plane @ whole)
+
+
+def blur_of(cast: ShadowCast, away_scale: float) -> Blur:
+    """Return the blur that simplifying, edges and waves need together.
+
+    Parameters
+    ----------
+    away_scale
+        How many px of the receiver one px of v is.
+    """
+    amount = 0.0 if cast.simplify is None else cast.simplify.amount_px
+    distance = 0.0 if cast.simplify is None else cast.simplify.distance_px / away_scale
+    width = slope = grow = moved = 0.0
+    if cast.edge is not None:
+        width, grow = cast.edge.softness_px, abs(cast.edge.grow_px)
+        slope = RAMP * cast.edge.penumbra / _EDGE_SIGMAS * away_scale
+    if cast.water is not None:
+        moved = sum(ripple.wave.amplitude_px for ripple in cast.water.ripples)
+    needed = (RAMP * width + grow) / _EDGE_SIGMAS
+    finest = min(FINEST_SIGMA_PX, _FULL_AT_ONCE * (width + grow + moved))
+    return Blur(amount, distance, max(needed, finest), slope if slope > 1e-6 else 0.0)
+
+
+def extent_of(cast: ShadowCast, matte: PlacedMatte, canvas_from_blurred: Matrix) -> Extent | None:
+    """Return where on its receiver a cast's shadow lies, in (u, v) of the blur; None where there is none."""
+    limit = Box(-LARGEST_PLANE_PX, -LARGEST_PLANE_PX, LARGEST_PLANE_PX, LARGEST_PLANE_PX)
+    around: Box | None = None
+    for light in cast.lights:
+        for each in cast_card(cast.camera, cast.receivers[0], cast.card, light):
+            box = bounding_box(each.seen_through(canvas_from_blurred).region(limit, matte.box))
+            if box is not None:
+                around = box if around is None else around.union(box)
+    return None if around is None else Extent(around.left, around.top, around.right, around.bottom)
+
+
+def elongated(covered: NDArray[np.float32], elongation: float) -> Matrix:
+    """Return the ``ground_from_blurred`` of a kernel Σ = σ²[(1 - e)I + e·C/√det C] (spec 3).
+
+    Parameters
+    ----------
+    covered
+        (H, W): the shadow on the receiver, in square texels; columns along the contact line, rows away from it.
+    elongation
+        e, 0 to 1.
+    """
+    weights = np.maximum(covered, 0.0).astype(np.float64)
+    total = float(weights.sum())
+    if total <= 0 or elongation <= 0:
+        return np.eye(2)
+    y, x = np.mgrid[0 : weights.shape[0], 0 : weights.shape[1]] + 0.5
+    x, y = (each - (weights * each).sum() / total for each in (x, y))
+    # A texel is not a point: it has a twelfth of its width squared of its own, so that no shadow is infinitely thin.
+    xx, xy, yy = (
+        (weights * each).sum() / total + extra for each, extra in ((x * x, 1 / 12), (x * y, 0), (y * y, 1 / 12))
+    )
+    shape = np.array([[xx, xy], [xy, yy]]) / np.sqrt(xx * yy - xy * xy)
+    (a, b), (_, c) = (1 - elongation) * np.eye(2) + elongation * shape
+    # The root of this matrix that leaves v alone: an upper triangle.
+    along = b / np.sqrt(c)
+    return np.array([[np.sqrt(a - along * along), along], [0.0, np.sqrt(c)]])

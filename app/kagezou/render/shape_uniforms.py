@@ -1,0 +1,120 @@
+"""The numbers of a filtered shadow as ``shape.frag`` wants them."""
+
+from math import pi
+from statistics import NormalDist
+
+import numpy as np
+
+from kagezou.geometry.bands import FINEST_SIGMA_PX, SHARP_SIGMA_PX
+from kagezou.geometry.box import Box
+from kagezou.geometry.ground import canvas_from_plane
+from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
+from kagezou.geometry.vectors import Matrix
+from kagezou.render.atlas import Strip
+from kagezou.render.cast_uniforms import Frame, Grazing
+from kagezou.render.program import Uniform
+from kagezou.render.shape_job import Job
+from kagezou.scene.scene import Edge, Water
+
+_MAX_BANDS = 20
+_MAX_RIPPLES = 2
+_NONE: frozenset[str] = frozenset()
+
+Uniforms = dict[str, Uniform]
+
+
+def width_uniforms(job: Job) -> Uniforms:
+    """Return what ``blur_width.glsl`` wants."""
+    blur = job.blur
+    return {
+        "u_amount_px": blur.amount_px,
+        "u_distance_px": blur.distance_px,
+        "u_base_px": blur.base_px,
+        "u_slope": blur.slope,
+    }
+
+
+def strength(job: Job, box: Box) -> tuple[frozenset[str], Uniforms]:
+    """Return switches and uniforms of ``grazing.glsl``; the lights of one cast stand too close to differ in it."""
+    receiver, light = job.cast.receivers[0], job.cast.lights[0]
+    frame = _frame(job, box)
+    grazing = Grazing.of(receiver, light)
+    receiver_from_canvas = inverse(canvas_from_plane(job.cast.camera, receiver))
+    uniforms: Uniforms = {"u_origin_px": frame.origin}
+    return grazing.switches(receiver_from_canvas, frame), uniforms | grazing.uniforms(receiver_from_canvas, frame)
+
+
+def shape_uniforms(job: Job, box: Box, level: float) -> tuple[frozenset[str], Uniforms]:
+    """Return the switches and uniforms of ``shape.frag`` but for the light's strength."""
+    plane_from_pixel = inverse(job.canvas_from_plane) @ _frame(job, box).canvas_from_pixel
+    uniforms: Uniforms = {
+        "u_blurred": 0,
+        "u_sharp": 1,
+        "u_plane_from_pixel": plane_from_pixel / np.abs(plane_from_pixel[2]).max(),
+        "u_pass_over_px": (SHARP_SIGMA_PX, FINEST_SIGMA_PX),
+        **width_uniforms(job),
+        **_band_uniforms(job.strips, whole=job.blur.is_even),
+    }
+    switches = _NONE
+    if job.cast.water is not None:
+        switches |= {"WAVES"}
+        uniforms |= _wave_uniforms(job, job.cast.water)
+    if job.cast.edge is not None:
+        switches |= {"EDGE"}
+        uniforms |= _edge_uniforms(job, job.cast.edge, level)
+    else:
+        uniforms["u_level"] = level
+    return switches, uniforms
+
+
+def inverse(canvas_from_plane: Matrix) -> Matrix:
+    """Return the map back, its w positive where the plane is seen."""
+    return np.asarray(np.linalg.inv(canvas_from_plane))
+
+
+def _frame(job: Job, box: Box) -> Frame:
+    """Return the part of a canvas box in which the receiver is seen."""
+    lift = inverse(job.canvas_from_plane)
+    return Frame(clipped(box_polygon(box), shifted(distance_form(lift[2]), -0.01)))
+
+
+def _wave_uniforms(job: Job, water: Water) -> Uniforms:
+    """Return what ``waves.glsl`` wants: the ripples of the receiver, told in u and v of the blur."""
+    to_receiver = job.receiver_from_blurred
+    ripples = np.zeros((_MAX_RIPPLES, 4))
+    for index, ripple in enumerate(water.ripples):
+        k = np.array(ripple.k)
+        phase = (ripple.phase + float(k @ to_receiver[:, 2])) % (2 * pi)
+        ripples[index] = (*(k @ to_receiver[:, :2]), phase, ripple.wave.amplitude_px)
+    return {
+        "u_ripple_count": len(water.ripples),
+        "u_ripples": ripples,
+        "u_heave": job.heave.ravel(),
+        "u_anchor_px": water.anchor_px / float(job.ground_from_blurred[1, 1]),
+    }
+
+
+def _edge_uniforms(job: Job, edge: Edge, level: float) -> Uniforms:
+    """Return what ``wide_edge.glsl`` wants."""
+    return {
+        "u_softness_px": edge.softness_px,
+        "u_penumbra": edge.penumbra * float(job.ground_from_blurred[1, 1]),
+        "u_grow_px": edge.grow_px,
+        "u_level_deviations": NormalDist().inv_cdf(min(max(level, 1e-5), 1 - 1e-5)),
+        "u_blurred_from_ground": inverse(job.ground_from_blurred).ravel(),
+    }
+
+
+def _band_uniforms(strips: tuple[Strip, ...], *, whole: bool) -> Uniforms:
+    """Return the arrays of ``shape.frag``."""
+    cores, places, sizes = (np.zeros((_MAX_BANDS, 4)) for _ in range(3))
+    for index, strip in enumerate(strips):
+        core, shown = strip.band.core, strip.shown
+        ends = sorted((abs(core.low), abs(core.high)))
+        side = 0.0 if whole else (1.0 if core.high > 0 else -1.0)
+        texel = strip.band.texel_px
+        corner = strip.plane_from_atlas @ np.array([shown.left, shown.top, 1.0])
+        cores[index] = (ends[0], ends[1], side, texel)
+        places[index] = (corner[0], corner[1], shown.left, shown.top)
+        sizes[index] = (shown.width, shown.height, 0.0, 0.0)
+    return {"u_band_count": len(strips), "u_cores": cores, "u_places": places, "u_sizes": sizes}
