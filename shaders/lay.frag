@@ -2,6 +2,8 @@
 // Lays one source over what is under it and writes the whole result: straight alpha, sRGB-coded as compositing is done.
 // The source is a picture (character, background) or one colour with a covered part of its own (shadow).
 
+#include "look.glsl"
+
 uniform sampler2D u_under;          // copy of the target's pixels
 uniform sampler2D u_source;         // RGBA picture, or covered part in red
 uniform vec2 u_source_corner_px;  // canvas px of the source's first texel
@@ -16,7 +18,7 @@ void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     vec4 under = texelFetch(u_under, here, 0);
     vec4 texel = texelFetch(u_source, here - ivec2(u_source_corner_px), 0);
-    vec4 source = u_is_picture ? texel : vec4(u_color, texel.r * u_opacity);
+    vec4 source = u_is_picture ? texel : vec4(color_at(gl_FragCoord.xy, u_color), texel.r * opacity_at(gl_FragCoord.xy, u_opacity));
     vec3 mixed = u_multiply ? source.rgb * under.rgb : source.rgb;
     float alpha = source.a + under.a * (1.0 - source.a);
     vec3 sum = source.a * (1.0 - under.a) * source.rgb + source.a * under.a * mixed

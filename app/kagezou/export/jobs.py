@@ -14,7 +14,6 @@ from kagezou.export.request import SUFFIXES, ExportRequest
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast, ShadowLook
 
-Rgb = tuple[int, int, int]
 COMPOSITE: Final = "composite"
 """The folder and the first part of the files of composites."""
 
@@ -24,8 +23,7 @@ class ShadowContent:
     """All that decides a shadow picture but its size and format; without a cast it is empty."""
 
     cast: ShadowCast | None
-    color: Rgb
-    opacity: float
+    look: ShadowLook
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,8 +144,9 @@ def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple
     if seen is None or seen.cast is None:
         text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
         red, green, blue = bytes.fromhex(text.removeprefix("#"))
-        return ShadowContent(None, (red, green, blue), 0.0), None
-    return ShadowContent(seen.cast, seen.look.color, seen.look.opacity), seen
+        return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True)), None
+    # How it is laid on what is under it does not change the layer itself.
+    return ShadowContent(seen.cast, replace(seen.look, multiply=True)), seen
 
 
 def _composite(scene: Scene) -> CompositeContent:

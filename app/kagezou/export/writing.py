@@ -41,4 +41,4 @@ def blank_image(job: Job, content: ShadowContent, depth: int) -> ShadowImage:
     """Return the shadow of an empty cel or a hidden layer: its colour, clear everywhere."""
     canvas = job.scene.canvas
     alpha = np.zeros((0, 0), np.uint8 if depth == 8 else np.uint16)
-    return ShadowImage(canvas.width, canvas.height, content.color, alpha, Box(0, 0, 0, 0))
+    return ShadowImage(canvas.width, canvas.height, content.look.color, alpha, Box(0, 0, 0, 0))

@@ -5,7 +5,7 @@ a writer that notices a full disk; TGA and OpenEXR are read back and compared be
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -35,7 +35,7 @@ FORMATS: Final = (".png", ".tga", ".tif", ".tiff", ".exr")
 
 @dataclass(frozen=True, eq=False)
 class ShadowImage:
-    """A full canvas of one colour whose alpha is clear outside a box.
+    """A full canvas whose alpha is clear outside a box, of one colour but for what ``colors`` says.
 
     Attributes
     ----------
@@ -47,6 +47,8 @@ class ShadowImage:
         (box.height, box.width) ``uint8`` or ``uint16``, straight; it chooses the depth of the file.
     box
         Its place on the canvas, px, y down; it may be empty, and lies inside the canvas.
+    colors
+        (box.height, box.width, 3), sRGB in the depth of ``alpha``, where the shadow is not of one colour.
     """
 
     width_px: int
@@ -54,6 +56,7 @@ class ShadowImage:
     color: tuple[int, int, int]
     alpha: Pixels
     box: Box
+    colors: Pixels | None = None
 
     def __post_init__(self) -> None:
         box = self.box
@@ -69,12 +72,17 @@ class ShadowImage:
         one: Pixels = clear.astype(self.alpha.dtype).view(f"u{4 * self.alpha.itemsize}")  # filled as one number
         pixels = np.full((self.height_px, self.width_px, 1), one).view(self.alpha.dtype)
         if not self.box.is_empty:
-            pixels[self.box.top : self.box.bottom, self.box.left : self.box.right, 3] = self.alpha
+            part = pixels[self.box.top : self.box.bottom, self.box.left : self.box.right]
+            part[..., 3] = self.alpha
+            if self.colors is not None:
+                part[..., :3] = self.colors
         return pixels
 
 
 def encode_png(image: ShadowImage) -> bytes:
     """Return the PNG of ``image``; held frames may write the same bytes again."""
+    if image.colors is not None:
+        return pack_rgba(image.rgba())
     box = Box(0, 0, 0, 0) if image.box.is_empty else image.box
     alpha = np.zeros((0, 0), image.alpha.dtype) if image.box.is_empty else image.alpha
     return pack_layer((image.width_px, image.height_px), image.color, alpha, box)
@@ -134,13 +142,10 @@ def _light_of(image: ShadowImage) -> NDArray[np.float16]:
     """Return the canvas as linear light multiplied by alpha, which is 0 outside the box."""
     light = np.zeros((image.height_px, image.width_px, 4), np.float16)
     if not image.box.is_empty:
-        part = ShadowImage(image.box.width, image.box.height, image.color, image.alpha, _at_origin(image.box))
+        box = image.box.moved(-image.box.left, -image.box.top)
+        part = replace(image, width_px=image.box.width, height_px=image.box.height, box=box)
         light[image.box.top : image.box.bottom, image.box.left : image.box.right] = light_from_rgba(part.rgba())
     return light
-
-
-def _at_origin(box: Box) -> Box:
-    return box.moved(-box.left, -box.top)
 
 
 def _eight_bit(pixels: Pixels) -> Pixels:

@@ -9,10 +9,11 @@ from kagezou.io.images import Cel, read_cel
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.boxes import Boxes
 from kagezou.render.gl import GL
-from kagezou.render.program import Program, Uniform
+from kagezou.render.look import look_uniforms, unit_rgb
+from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.shelf import Shelf
 from kagezou.render.targets import Format, Target, Texture
-from kagezou.scene.scene import ShadowLook
+from kagezou.scene.scene import ShadowCast, ShadowLook
 
 _NO_COLOR = (0.0, 0.0, 0.0)
 
@@ -31,7 +32,7 @@ class Picture:
     def __init__(self, boxes: Boxes, canvas: Box, form: Format, color_budget_bytes: int) -> None:
         self._boxes = boxes
         self._backdrop_program = Program("box.vert", "backdrop.frag")
-        self._lay_program = Program("box.vert", "lay.frag")
+        self._lay_programs = Variants("box.vert", "lay.frag")
         self._copy_program = Program("box.vert", "copy.frag")
         self._target = Target(canvas.width, canvas.height, form)
         self._base_target = Target(canvas.width, canvas.height, form)
@@ -56,9 +57,9 @@ class Picture:
             self._copy_base(box)
         self._drawn_over = []
 
-    def lay_shadow(self, coverage: Texture, box: Box, look: ShadowLook) -> None:
-        """Lay a shadow of one colour over the picture; ``coverage`` is of the canvas' size."""
-        red, green, blue = look.color
+    def lay_shadow(self, coverage: Texture, box: Box, cast: ShadowCast, look: ShadowLook) -> None:
+        """Lay a shadow over the picture; ``coverage`` is of the canvas' size."""
+        switches, uniforms = look_uniforms(cast, look, box)
         self._lay(
             self._target,
             box,
@@ -66,10 +67,11 @@ class Picture:
             {
                 "u_source_corner_px": (0.0, 0.0),
                 "u_is_picture": False,
-                "u_color": (red / 255, green / 255, blue / 255),
-                "u_opacity": look.opacity,
+                "u_color": unit_rgb(look.color),
                 "u_multiply": look.multiply,
+                **uniforms,
             },
+            switches,
         )
 
     def lay_cel(self, cel: Cel) -> None:
@@ -89,7 +91,7 @@ class Picture:
         self._under_target.close()
         self._base_target.close()
         self._target.close()
-        self._lay_program.close()
+        self._lay_programs.close()
         self._copy_program.close()
         self._backdrop_program.close()
 
@@ -132,12 +134,20 @@ class Picture:
             },
         )
 
-    def _lay(self, target: Target, box: Box, source: Texture, uniforms: dict[str, Uniform]) -> None:
+    def _lay(
+        self,
+        target: Target,
+        box: Box,
+        source: Texture,
+        uniforms: dict[str, Uniform],
+        switches: frozenset[str] = frozenset(),
+    ) -> None:
         self._copy_under(target, box)
         target.bind(box)
         self._under_target.texture.bind(0)
         source.bind(1)
-        self._lay_program.use({"u_target_size_px": self._target.size_px, "u_under": 0, "u_source": 1, **uniforms})
+        common: dict[str, Uniform] = {"u_target_size_px": self._target.size_px, "u_under": 0, "u_source": 1}
+        self._lay_programs[switches].use(common | uniforms)
         self._boxes.draw_one(box)
         if target is self._target:
             self._drawn_over.append(box)

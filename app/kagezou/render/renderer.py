@@ -12,15 +12,18 @@ from kagezou.render.boxes import Boxes
 from kagezou.render.depth_map import DepthMapPass
 from kagezou.render.gl import GL, check
 from kagezou.render.info import read_info
+from kagezou.render.look import look_uniforms, unit_rgb
 from kagezou.render.picture import Picture
 from kagezou.render.presenter import Presenter, WindowView
-from kagezou.render.program import Program
+from kagezou.render.program import Variants
 from kagezou.render.shadow_layers import ShadowLayers
 from kagezou.render.targets import Format, Target
 from kagezou.scene.scene import LayerScene, Scene
 
 MATTE_BUDGET_BYTES = 128 << 20
 COLOR_BUDGET_BYTES = 256 << 20
+
+_DEPTHS = {8: np.uint8, 16: np.uint16}
 
 
 class Renderer:
@@ -45,7 +48,7 @@ class Renderer:
         self._cels = cels
         self._boxes = Boxes()
         self._shadows = ShadowLayers(self._boxes, cels, MATTE_BUDGET_BYTES)
-        self._shade_program = Program("box.vert", "shade.frag")
+        self._shade_programs = Variants("box.vert", "shade.frag")
         self._presenter = Presenter(self._boxes)
         self._picture: Picture | None = None
         self._shaded: dict[Format, Target] = {}
@@ -62,7 +65,7 @@ class Renderer:
         return self._shadows.filters_drawn
 
     def shadow(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
-        """Return a layer's shadow: one colour, straight alpha = covered part × opacity (spec 6).
+        """Return a layer's shadow: straight alpha = covered part × opacity (spec 6), one colour unless it has a tip.
 
         Parameters
         ----------
@@ -73,25 +76,27 @@ class Renderer:
         depth
             Bits of alpha, 8 or 16.
         """
-        canvas = scene.canvas
-        form = Format.ALPHA8 if depth == 8 else Format.ALPHA16
+        canvas, look = scene.canvas, layer.look
         coverage = self._shadows.coverage(scene, layer)
-        box = Box(0, 0, 0, 0) if coverage is None or coverage.box is None else coverage.box
-        target = self._shaded_target(canvas, form)
-        if coverage is not None:
-            target.bind(box)
-            coverage.target.texture.bind(0)
-            self._shade_program.use(
-                {
-                    "u_target_size_px": target.size_px,
-                    "u_coverage": 0,
-                    "u_opacity": layer.look.opacity,
-                }
+        if coverage is None or coverage.box is None or layer.cast is None:
+            return ShadowImage(
+                canvas.width, canvas.height, look.color, np.zeros((0, 0), _DEPTHS[depth]), Box(0, 0, 0, 0)
             )
-            self._boxes.draw_one(box)
-        alpha = target.read(box)
+        box = coverage.box
+        switches, uniforms = look_uniforms(layer.cast, look, box)
+        forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
+        target = self._shaded_target(canvas, forms[depth != 8])
+        if look.tip:
+            uniforms["u_color"] = unit_rgb(look.color)
+        target.bind(box)
+        coverage.target.texture.bind(0)
+        self._shade_programs[switches].use({"u_target_size_px": target.size_px, "u_coverage": 0, **uniforms})
+        self._boxes.draw_one(box)
+        drawn = target.read(box)
         check("drawing a shadow")
-        return ShadowImage(canvas.width, canvas.height, layer.look.color, alpha, box)
+        if look.tip:
+            return ShadowImage(canvas.width, canvas.height, look.color, drawn[..., 3], box, drawn[..., :3])
+        return ShadowImage(canvas.width, canvas.height, look.color, drawn, box)
 
     def depth_map_coverage(self, scene: Scene, layer: LayerScene, map_px: int = 4096) -> Steps:
         """Return a layer's covered parts, (H, W) 16 bit, found by a literal depth map: a cross-check, not a picture."""
@@ -124,8 +129,8 @@ class Renderer:
         cels = [self._cels.cel(layer.drawing.path) for layer in scene.layers if layer.drawing is not None]
         for layer in scene.layers:
             coverage = self._shadows.coverage(scene, layer)
-            if coverage is not None and coverage.box is not None:
-                picture.lay_shadow(coverage.target.texture, coverage.box, layer.look)
+            if coverage is not None and coverage.box is not None and layer.cast is not None:
+                picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look)
         for cel in cels:
             picture.lay_cel(cel)
         check("drawing the picture")
@@ -155,7 +160,7 @@ class Renderer:
         for target in self._shaded.values():
             target.close()
         self._shadows.close()
-        self._shade_program.close()
+        self._shade_programs.close()
         self._presenter.close()
         self._boxes.close()
 

@@ -1,0 +1,42 @@
+"""How a shadow changes over its receiver, as ``look.glsl`` wants it."""
+
+import numpy as np
+
+from kagezou.geometry.box import Box
+from kagezou.geometry.contact import contact_plane
+from kagezou.geometry.ground import canvas_from_plane
+from kagezou.render.program import Uniform
+from kagezou.scene.scene import ShadowCast, ShadowLook
+
+Rgb = tuple[float, float, float]
+
+
+def look_uniforms(cast: ShadowCast, look: ShadowLook, box: Box) -> tuple[frozenset[str], dict[str, Uniform]]:
+    """Return the switches of ``look.glsl`` and its uniforms for a part of the canvas."""
+    switches: set[str] = set()
+    uniforms: dict[str, Uniform] = {"u_opacity": look.opacity}
+    if look.fade is not None:
+        switches.add("FADING")
+        uniforms |= {"u_fade_px": look.fade.range_px, "u_fade_curve": look.fade.curve}
+    if look.tip is not None:
+        switches.add("TINTED")
+        uniforms |= {"u_tip_color": unit_rgb(look.tip.color), "u_tip_px": look.tip.distance_px}
+    if switches:
+        uniforms |= _distance_uniforms(cast, box)
+    return frozenset(switches), uniforms
+
+
+def unit_rgb(color: tuple[int, int, int]) -> Rgb:
+    """Return an 8 bit colour as numbers from 0 to 1."""
+    red, green, blue = color
+    return (red / 255, green / 255, blue / 255)
+
+
+def _distance_uniforms(cast: ShadowCast, box: Box) -> dict[str, Uniform]:
+    receiver = cast.receivers[0]
+    plane_from_canvas = np.linalg.inv(canvas_from_plane(cast.camera, contact_plane(cast.card, receiver)))
+    origin = ((box.left + box.right) // 2 + 0.5, (box.top + box.bottom) // 2 + 0.5)
+    shift = np.array([[1.0, 0.0, origin[0]], [0.0, 1.0, origin[1]], [0.0, 0.0, 1.0]])
+    forms = plane_from_canvas @ shift
+    forms = forms / np.abs(forms[2]).max()
+    return {"u_origin_px": origin, "u_away": forms[1], "u_lift": forms[2]}
