@@ -132,3 +132,26 @@ def test_every_sound_document_can_be_evaluated_and_equally_twice(document: Docum
     for layer in document.layers:
         track = layer.tracks.get("visible")
         assert (layer.id in shown) == (track is None or track.value_at(frame))
+
+
+class TestTiming:
+    """A shadow on ones moves every frame; with the exposures it waits for the next drawing."""
+
+    def lights(self, timing: str) -> list[object]:
+        cels = Cels((Drawing("1", Path("/c/1.png")), Drawing("2", Path("/c/2.png"))), (Exposure(1, 0), Exposure(4, 1)))
+        document = edits.add_layer(Document(Canvas(400, 300, length_frames=6)), "A", cels, Box(100, 50, 200, 250))
+        light = Address(OF_DOCUMENT["light.position"])
+        document = edits.set_key(document, light, 1, [0, -500, 900])
+        document = edits.set_key(document, light, 6, [500, -500, 900])
+        document = edits.set_constant(document, Address(OF_LAYER["shadow.timing"], "layer-1"), timing)
+        casts = [evaluate(document, frame).layers[0].cast for frame in range(1, 7)]
+        return [cast.lights for cast in casts if cast is not None]
+
+    def test_on_ones(self) -> None:
+        assert len(set(self.lights("ones"))) == 6
+
+    def test_with_the_exposures(self) -> None:
+        lights = self.lights("exposures")
+        assert [lights.index(each) for each in lights] == [0, 0, 0, 3, 3, 3]
+        ones = self.lights("ones")
+        assert (lights[0], lights[3]) == (ones[0], ones[3])
