@@ -65,7 +65,7 @@ def test_every_format_holds_the_colours(renderer: Renderer, figure: Path, tmp_pa
 
 
 def test_the_composite_shows_the_same_as_the_layer(renderer: Renderer, figure: Path) -> None:
-    named = {SHADOW + name: value for name, value in {"fade": 500.0, "tip_distance": 300.0, "blend": "normal"}.items()}
+    named = {SHADOW + name: value for name, value in {"fade": 3000.0, "tip_distance": 300.0, "blend": "normal"}.items()}
     scene = evaluate(with_values(standing(figure), named), 1)
     layer = renderer.shadow(scene, scene.layers[0], 16).rgba() / 65535
     renderer.draw_picture(scene, Backdrop.WHITE, depth=16)

@@ -1,5 +1,6 @@
 """Waves, elongation and edges (spec 3, 4): against their formulas, and what they must never do."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
@@ -25,7 +26,7 @@ CALM = {"wave1.amplitude": 7.0, "wave1.wavelength": 90.0, "wave1.direction": 75.
 TORN = {"wave1.amplitude": 16.0, "wave2.amplitude": 9.0, "wave1.wavelength": 70.0, "wave2.wavelength": 44.0}
 
 
-def document_with(figure: Path, look: dict[str, object], scene: dict[str, object] | None = None) -> Document:
+def document_with(figure: Path, look: Mapping[str, object], scene: Mapping[str, object] | None = None) -> Document:
     named = {SHADOW + name: value for name, value in look.items()}
     return with_values(with_values(standing(figure), scene or {}), named)
 
@@ -91,7 +92,7 @@ class TestWaves:
         ],
     )
     def test_they_are_the_formula(
-        self, renderer: Renderer, figure: Path, look: dict[str, object], scene: dict[str, object]
+        self, renderer: Renderer, figure: Path, look: Mapping[str, object], scene: Mapping[str, object]
     ) -> None:
         document = document_with(figure, look, scene)
         cast = cast_in(document)
@@ -161,7 +162,7 @@ class TestElongation:
 
 
 class TestEdge:
-    def disc(self, renderer: Renderer, figure: Path, look: dict[str, object]) -> tuple[Array, Array]:
+    def disc(self, renderer: Renderer, figure: Path, look: Mapping[str, object]) -> tuple[Array, Array]:
         """A shadow rounded to a disc on the ground: its coverage by the distance from its middle, in ground px."""
         document = document_with(figure, {"simplify": 500.0, **look})
         cast = cast_in(document)

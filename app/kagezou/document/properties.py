@@ -32,6 +32,7 @@ GROUND_DECLINATION = Property(
     Words("Angle between drawing and ground; 90 is seen edge-on, less is seen from higher.",
           "セル面と地面の角度。90 で真横、小さいほど上から見下ろす。"),
     unit="°", low=1.0, high=90.0,
+    slides=(1.0, 90.0),
 )  # fmt: skip
 LIGHT_KIND = Property(
     "light.kind", Kind.CHOICE, Scope.DOCUMENT, "point",
@@ -99,6 +100,7 @@ SIMPLIFY = Property(
     Words("How far the shape is rounded toward an ellipse; its edge stays crisp and its area stays the same.",
           "影の形を楕円へ近づける度合い。輪郭はくっきりしたまま、面積も変わらない。"),
     unit="px", low=0.0, high=500.0,
+    slides=(0.0, 200.0),
 )  # fmt: skip
 DISTANCE = Property(
     "shadow.distance", Kind.NUMBER, Scope.LAYER, 0.0,
@@ -106,6 +108,7 @@ DISTANCE = Property(
     Words("Over this distance from the feet the rounding grows to its full strength; 0 rounds everywhere alike.",
           "足元からこの距離までに単純化が強まる。0 なら全体に同じ強さ。"),
     unit="px", low=0.0, high=5000.0,
+    slides=(0.0, 600.0),
 )  # fmt: skip
 SIMPLIFY_ON = Property(
     "shadow.simplify_on", Kind.SWITCH, Scope.LAYER, True,  # noqa: FBT003 - a default, named by its column
@@ -119,18 +122,21 @@ ELONGATION = Property(
     Words("0 rounds toward a disc on the ground, 1 toward the shadow's own long ellipse.",
           "0 で地面上の円へ、1 で影そのものの細長い楕円へ近づく。"),
     low=0.0, high=1.0,
+    slides=(0.0, 1.0),
 )  # fmt: skip
 GROW = Property(
     "shadow.grow", Kind.NUMBER, Scope.LAYER, 0.0,
     Words("Grow", "拡張"),
     Words("Moves the outline outward, or inward below 0.", "輪郭を外側へ広げる。負の値で縮める。"),
     unit="px", low=-100.0, high=100.0,
+    slides=(-20.0, 20.0),
 )  # fmt: skip
 SOFTNESS = Property(
     "shadow.softness", Kind.NUMBER, Scope.LAYER, 0.0,
     Words("Softness", "ぼかし"),
     Words("Width of the edge; 0 is a crisp cel edge.", "エッジの幅。0 でくっきりしたセルのエッジ。"),
     unit="px", low=0.0, high=200.0,
+    slides=(0.0, 60.0),
 )  # fmt: skip
 PENUMBRA = Property(
     "shadow.penumbra", Kind.NUMBER, Scope.LAYER, 0.0,
@@ -138,6 +144,7 @@ PENUMBRA = Property(
     Words("How much wider the edge grows with every px of distance from the feet.",
           "足元から 1px 離れるごとにエッジが広がる量。"),
     low=0.0, high=1.0,
+    slides=(0.0, 0.3),
 )  # fmt: skip
 FADE = Property(
     "shadow.fade", Kind.NUMBER, Scope.LAYER, 0.0,
@@ -145,12 +152,14 @@ FADE = Property(
     Words("At this distance from the feet the shadow has faded away; 0 does not fade.",
           "足元からこの距離で影が消える。0 で消えない。"),
     unit="px", low=0.0, high=10000.0,
+    slides=(0.0, 2000.0),
 )  # fmt: skip
 FADE_CURVE = Property(
     "shadow.fade_curve", Kind.NUMBER, Scope.LAYER, 1.0,
     Words("Fade curve", "フェードの曲線"),
     Words("1 fades evenly, more fades early, less fades late.", "1 で均一、大きいと早く、小さいと遅く薄れる。"),
     low=0.1, high=10.0,
+    slides=(0.1, 4.0),
 )  # fmt: skip
 TIP_COLOR = Property(
     "shadow.tip_color", Kind.COLOR, Scope.LAYER, "#4A4A7A",
@@ -163,6 +172,7 @@ TIP_DISTANCE = Property(
     Words("At this distance from the feet the shadow has the tip colour; 0 keeps one colour.",
           "足元からこの距離で先端の色になる。0 で一色のまま。"),
     unit="px", low=0.0, high=10000.0,
+    slides=(0.0, 2000.0),
 )  # fmt: skip
 TIMING = Property(
     "shadow.timing", Kind.CHOICE, Scope.LAYER, "ones",
@@ -181,6 +191,7 @@ OPACITY = Property(
     Words("Opacity", "不透明度"),
     Words("Opacity of the shadow, 0 to 1.", "影の不透明度（0〜1）。"),
     low=0.0, high=1.0,
+    slides=(0.0, 1.0),
 )  # fmt: skip
 BLEND = Property(
     "shadow.blend", Kind.CHOICE, Scope.LAYER, "multiply",
@@ -228,13 +239,13 @@ def _wave(number: int, wavelength_px: float, direction_deg: float, velocity_px: 
             f"{path}.amplitude", Kind.NUMBER, Scope.LAYER, 0.0,
             Words(f"Wave {number} amplitude", f"波{number} 振幅"),
             Words("How far the waves move the shadow; 0 is no wave.", "波が影を動かす量。0 で波なし。"),
-            unit="px", low=0.0, high=500.0,
+            unit="px", low=0.0, high=500.0, slides=(0.0, 60.0),
         ),
         Property(
             f"{path}.wavelength", Kind.NUMBER, Scope.LAYER, wavelength_px,
             Words(f"Wave {number} length", f"波{number} 波長"),
             Words("From crest to crest on the ground.", "地面上での山から山までの長さ。"),
-            unit="px", low=4.0, high=10000.0,
+            unit="px", low=4.0, high=10000.0, slides=(10.0, 300.0),
         ),
         Property(
             f"{path}.direction", Kind.NUMBER, Scope.LAYER, direction_deg,
@@ -247,7 +258,7 @@ def _wave(number: int, wavelength_px: float, direction_deg: float, velocity_px: 
             f"{path}.velocity", Kind.NUMBER, Scope.LAYER, velocity_px,
             Words(f"Wave {number} speed", f"波{number} 速さ"),
             Words("How far the crests go in a frame.", "1 コマで波が進む距離。"),
-            unit="px", low=-1000.0, high=1000.0,
+            unit="px", low=-1000.0, high=1000.0, slides=(-20.0, 20.0),
         ),
     )  # fmt: skip
 

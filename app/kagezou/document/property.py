@@ -56,6 +56,8 @@ class Property:
         The range of a number, both ends included.
     choices
         The words a choice may take.
+    slides
+        The part of the range that a slider offers, where a slider is natural.
     label, help
         What the window and the help print.
     """
@@ -70,6 +72,7 @@ class Property:
     low: float = -MAX_COORDINATE_PX
     high: float = MAX_COORDINATE_PX
     choices: tuple[str, ...] = ()
+    slides: tuple[float, float] | None = None
 
     @property
     def holds_only(self) -> bool:

@@ -28,5 +28,7 @@ def choice_word(choice: str) -> str:
         "translucent": QCoreApplication.translate("Choice", "Translucent"),
         "multiply": QCoreApplication.translate("Choice", "Multiply"),
         "normal": QCoreApplication.translate("Choice", "Normal"),
+        "ones": QCoreApplication.translate("Choice", "On ones"),
+        "exposures": QCoreApplication.translate("Choice", "With the drawings"),
     }
     return spoken.get(choice, choice)

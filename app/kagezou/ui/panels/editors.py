@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushBu
 from kagezou.animation.track import Value
 from kagezou.document.property import Kind, Property
 from kagezou.ui.panels.color_button import ColorField
+from kagezou.ui.panels.range_slider import RangeSlider
 from kagezou.ui.panels.scrub_field import ScrubField
 from kagezou.ui.words import choice_word, said
 
@@ -56,6 +57,15 @@ class NumbersEditor(Editor):
             field.entered.connect(lambda number, at=index: self.entered.emit(self._with(at, number)))
             field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-00000") + 12)
             self.row.addWidget(field, 1)
+        self.slider = RangeSlider(*line.slides) if line.slides else None
+        if self.slider is not None:
+            self.slider.setAccessibleName(said(line.label))
+            self.slider.setToolTip(said(line.help))
+            self.slider.began.connect(self.began)
+            self.slider.tried.connect(self.tried)
+            self.slider.ended.connect(self.ended)
+            self.slider.entered.connect(self.entered)
+            self.row.addWidget(self.slider, 1)
 
     @property
     def scrubbed_by_label(self) -> ScrubField | None:
@@ -66,6 +76,8 @@ class NumbersEditor(Editor):
         self._values = [float(number) for number in numbers if isinstance(number, (int, float))]
         for field, number in zip(self.fields, self._values, strict=True):
             field.set_value(number)
+        if self.slider is not None:
+            self.slider.show_value(self._values[0])
 
     def _with(self, index: int, number: float) -> Value:
         numbers = [number if at == index else old for at, old in enumerate(self._values)]

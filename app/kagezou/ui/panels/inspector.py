@@ -22,6 +22,12 @@ _ONLY_FOR_LIGHT = {
 }
 """Properties that mean nothing for the other kind of light and are hidden then."""
 
+_SHAPE = (
+    properties.SIMPLIFY_ON, properties.SIMPLIFY, properties.DISTANCE, properties.ELONGATION,
+    properties.GROW, properties.SOFTNESS, properties.PENUMBRA,
+)  # fmt: skip
+_FADING = (properties.FADE, properties.FADE_CURVE, properties.TIP_COLOR, properties.TIP_DISTANCE)
+
 
 class Inspector(QScrollArea):
     """Iterates the property table; a new line there appears here by itself."""
@@ -92,15 +98,17 @@ class Inspector(QScrollArea):
         return list(made.values())
 
     def _title(self, line: Property) -> str:
-        group = line.name.rpartition(".")[0]
         titles: dict[str, Callable[[], str]] = {
             "camera": lambda: self.tr("Camera"),
             "ground": lambda: self.tr("Ground"),
             "light": lambda: self.tr("Light"),
             "shadow": lambda: self.tr("Shadow"),
+            "shape": lambda: self.tr("Shape"),
+            "fading": lambda: self.tr("Fading"),
+            "waves": lambda: self.tr("Waves"),
             "": lambda: self.tr("Character"),
         }
-        return titles[group]() if group in titles else group
+        return titles[_group_of(line)]()
 
     def _show_relevant(self) -> None:
         document, frame = self._bridge.document, self._bridge.frame
@@ -121,6 +129,16 @@ class Inspector(QScrollArea):
         row.set_editable(editable=len(card.contacts) < 2)
         if len(card.contacts) >= 2:
             row.editor.show_value(card.tilt_deg)
+
+
+def _group_of(line: Property) -> str:
+    """Return which section a property is shown in."""
+    group, _, last = line.name.rpartition(".")
+    if line in _SHAPE:
+        return "shape"
+    if line in _FADING:
+        return "fading"
+    return "waves" if last.startswith("wave") or group.startswith("shadow.wave") else group
 
 
 def _align(sections: list[Section]) -> None:
