@@ -27,6 +27,9 @@ REACH_SIGMAS = 3.2
 MOST_TEXELS = 2048
 """A shadow that is longer than this many texels, under a low light, is blurred on coarser ones."""
 
+_TRIES = 12
+"""How often a bound is made narrower by what follows from it."""
+
 BICUBIC_TEXELS = 2
 """How far a cubic spline reaches."""
 
@@ -149,23 +152,30 @@ def _disc(shadow: Extent) -> float:
 def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
     """Yield the bands on one side of the contact line, the width growing by GROWTH in each."""
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
-    # Across the contact line a shadow is at least as many standard deviations away as d/s.
-    is_apart = blur.base_px <= 0 and blur.slope <= 0 and blur.distance_px >= REACH_SIGMAS * blur.amount_px
-    if is_apart and outer <= blur.distance_of(SHARP_SIGMA_PX):
-        return
     grown = _growth(blur, shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
-    top = blur.sigma_at(max(outer + grown, 0.0))
+    farthest = _farthest(blur, outer, grown)
+    if farthest <= 0:
+        return
+    top = blur.sigma_at(farthest)
     sigma = max(SHARP_SIGMA_PX, blur.sigma_at(0.0))
     while sigma < top or sigma == top > SHARP_SIGMA_PX:
         widest = min(sigma * GROWTH, top)
         last = inf if widest == top else blur.distance_of(widest)
-        low, high = max(blur.distance_of(sigma), inner - grown), min(last, outer + grown)
+        low, high = max(blur.distance_of(sigma), inner - grown), min(last, farthest)
         if low < high:
             core = (low, high) if side > 0 else (-high, -low)
             yield _band(shadow, core, (sigma, widest), _growth(blur, shadow, widest))
         if widest == top:
             return
         sigma = widest
+
+
+def _farthest(blur: Blur, outer: float, grown: float) -> float:
+    """Return the distance beyond which no blur reaches a shadow that ends at ``outer``."""
+    farthest = outer + grown
+    for _ in range(_TRIES):
+        farthest = min(farthest, outer + REACH_SIGMAS * blur.sigma_at(max(farthest, 0.0)))
+    return farthest
 
 
 def _band(shadow: Extent, core: tuple[float, float], sigmas: tuple[float, float], grown: float) -> Band:
