@@ -20,6 +20,7 @@ VERBS: Final = {
     "set": "set properties, for the whole cut or by keys",
     "get": "print the value of a property",
     "info": "say what is in a project, and what is missing",
+    "style": "put a named look on a character, or list the looks",
     "render": "write the shadow layers as numbered frames",
     "bench": "measure how fast this machine draws and exports",
     "doctor": "say what this machine has and what it lacks",

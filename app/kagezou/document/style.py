@@ -1,0 +1,68 @@
+"""Styles: named sets of a shadow's properties that are put on a character at one stroke."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from kagezou.animation.track import Value
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.document.edits import set_value
+from kagezou.document.model import Document
+from kagezou.document.property import Kind, Property, Words
+
+NOT_OF_A_STYLE = frozenset({properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name})
+"""Properties that belong to a cut, not to a look."""
+
+LINES = tuple(
+    line for line in properties.OF_LAYER.values() if line.name.startswith("shadow.") and line.name not in NOT_OF_A_STYLE
+)
+"""What a style may hold of a layer."""
+
+Values = Mapping[str, Value]
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """A look by name.
+
+    Parameters
+    ----------
+    name
+        What people call it.
+    figure_px
+        How tall a character its lengths are meant for; on another they grow and shrink with it.
+    values
+        By names of a layer's properties.
+    scene
+        By names of the scene's properties, where the look needs a light of its own.
+    """
+
+    name: Words
+    figure_px: float
+    values: Values
+    scene: Values = field(default_factory=lambda: MappingProxyType({}))
+
+
+def apply_style(document: Document, layer_id: str, style: Style, frame: int) -> Document:
+    """Put a style on a layer: keyed properties get a key on ``frame``, the others a new constant."""
+    scale = document.layer(layer_id).figure.height / style.figure_px
+    for name, value in style.values.items():
+        line = properties.OF_LAYER[name]
+        document = set_value(document, Address(line, layer_id), _scaled(line, value, scale), frame)
+    for name, value in style.scene.items():
+        document = set_value(document, Address(properties.OF_DOCUMENT[name]), value, frame)
+    return document
+
+
+def style_of(document: Document, layer_id: str, frame: int, name: str) -> Style:
+    """Return the look that a layer has at a frame; the light of the scene is no part of it."""
+    values = {line.name: value_of(document, Address(line, layer_id), frame) for line in LINES}
+    height = float(document.layer(layer_id).figure.height)
+    return Style(Words(name, name), height, MappingProxyType(values))
+
+
+def _scaled(line: Property, value: Value, scale: float) -> Value:
+    if line.kind is not Kind.NUMBER or line.unit != "px" or not isinstance(value, float):
+        return value
+    return min(max(value * scale, line.low), line.high)
