@@ -27,6 +27,14 @@
         <source>Normal</source>
         <translation>通常</translation>
     </message>
+    <message>
+        <source>On ones</source>
+        <translation>1コマ打ち</translation>
+    </message>
+    <message>
+        <source>With the drawings</source>
+        <translation>絵に合わせる</translation>
+    </message>
 </context>
 <context>
     <name>ColorField</name>
@@ -478,6 +486,18 @@
     <message>
         <source>Shadow</source>
         <translation>影</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>Fading</source>
+        <translation>フェード</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>波</translation>
     </message>
     <message>
         <source>Character</source>
