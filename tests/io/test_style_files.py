@@ -31,7 +31,7 @@ def value(of: Document, name: str, frame: int = 1) -> object:
 class TestBundled:
     def test_all_looks_are_there_in_both_languages(self) -> None:
         names = [each.style.name.en for each in bundled_styles()]
-        assert names == ["Natural", "Simple", "Round under the feet", "Long evening", "Water", "Torn water", "High key"]
+        assert names == ["Natural", "Simple", "Round shadow", "Long evening", "Water", "Torn water", "High key"]
         assert all(each.style.name.ja != each.style.name.en for each in bundled_styles())
 
     def test_each_replaces_the_one_before_wholly(self) -> None:

@@ -16,6 +16,7 @@ from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
+from kagezou.ui.panels.style_list import StyleList
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
 from kagezou.ui.prefetch import Prefetch
@@ -30,8 +31,11 @@ from kagezou.ui.wiring import connect_messages, connect_playback, connect_projec
 
 _BUTTONS = ("first", "key_previous", "back", "play", "forward", "key_next", "last", None, "loop")
 
+_DOCKS = 2
+"""Counts up with every new dock: a layout remembered without it is not restored, as it would squeeze the dock in."""
+
 _DOCK_LETTERS = 38
-_LAYERS_SHARE = 30
+_LAYERS_SHARE = 36
 """Of 100 parts of the height."""
 
 
@@ -81,6 +85,7 @@ class MainWindow(QMainWindow):
         self.pages.setCurrentWidget(self.welcome if blank else self.viewport)
         self.transport.setVisible(not blank)
         self.inspector.setEnabled(not blank)
+        self.styles.setEnabled(not blank)
         for name in ("save_as", "export", "delete", "rename_layer", "play"):
             self.actions_of[name].setEnabled(not blank)
         self.actions_of["no_background"].setEnabled(self.desk.bridge.document.background is not None)
@@ -100,9 +105,10 @@ class MainWindow(QMainWindow):
         if self.demo is not None:
             self.demo.finish()
         self.thumbnails.wait()
+        self.styles.pictures.finish()
         self.prefetch.finish()
         self.settings.set_layout("geometry", self.saveGeometry())
-        self.settings.set_layout("state", self.saveState())
+        self.settings.set_layout("state", self.saveState(_DOCKS))
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -144,6 +150,7 @@ class MainWindow(QMainWindow):
         self.viewport = Viewport(bridge, self.desk.cels, self.space)
         self.layers = LayerList(bridge, self.thumbnails)
         self.inspector = Inspector(bridge)
+        self.styles = StyleList(bridge, self.settings.style_folder)
         self.transport = Transport(bridge, self.player, [self.actions_of[name] if name else None for name in _BUTTONS])
         self.exporting = Exporting(self.bar)
         self.status = Status(bridge, self.exporting)
@@ -167,21 +174,25 @@ class MainWindow(QMainWindow):
         self.docks = (
             Dock("layers", self.tr("Layers"), self.layers),
             Dock("inspector", self.tr("Inspector"), self.inspector),
+            Dock("styles", self.tr("Styles"), self.styles),
         )
         for dock in self.docks:
             self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
             self.menus.view.addAction(dock.toggleViewAction())
+        layers, inspector, styles = self.docks
+        self.tabifyDockWidget(layers, styles)
+        layers.raise_()
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
         self.resize(1360, 860)
         # In letters, so that it holds at any font size.
         letter = self.fontMetrics().horizontalAdvance("0")
-        self.resizeDocks(list(self.docks), [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)
-        self.resizeDocks(list(self.docks), [_LAYERS_SHARE, 100 - _LAYERS_SHARE], Qt.Orientation.Vertical)
+        self.resizeDocks([layers, inspector], [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)
+        self.resizeDocks([layers, inspector], [_LAYERS_SHARE, 100 - _LAYERS_SHARE], Qt.Orientation.Vertical)
 
     def _restore_layout(self) -> None:
         geometry, state = self.settings.layout("geometry"), self.settings.layout("state")
         if not geometry.isEmpty():
             self.restoreGeometry(geometry)
         if not state.isEmpty():
-            self.restoreState(state)
+            self.restoreState(state, _DOCKS)

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from platformdirs import user_config_path
 from PySide6.QtCore import QByteArray, QSettings
 
 MAX_RECENT = 8
@@ -14,10 +15,18 @@ class Settings:
     ----------
     store
         Where they are kept; by default the user's own store of this program.
+    style_folder
+        Where styles are kept; by default the folder of the user's own settings.
     """
 
-    def __init__(self, store: QSettings | None = None) -> None:
+    def __init__(self, store: QSettings | None = None, style_folder: Path | None = None) -> None:
         self._store = store or QSettings("Kagezou", "Kagezou")
+        self._style_folder = style_folder or user_config_path("kagezou", appauthor=False) / "styles"
+
+    @property
+    def style_folder(self) -> Path:
+        """Where the user's own styles are kept."""
+        return self._style_folder
 
     @property
     def language(self) -> str:

@@ -127,6 +127,7 @@ def connect_messages(window: "MainWindow") -> None:
 
     viewport.failed.connect(lambda sentence: bar.say("graphics", sentence), _QUEUED)
     viewport.broken_changed.connect(show_broken, _QUEUED)
+    window.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(window.status.show_device, _QUEUED)
     window.desk.noted.connect(lambda sentence: bar.say(sentence, sentence, Severity.WARNING))

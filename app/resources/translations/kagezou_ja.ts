@@ -617,6 +617,10 @@ Drop a folder of cels here.</source>
         <source>Inspector</source>
         <translation>プロパティ</translation>
     </message>
+    <message>
+        <source>Styles</source>
+        <translation>スタイル</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -812,6 +816,33 @@ Drop a folder of cels here.</source>
     <message>
         <source>Drag the lamp to move the shadow; double-click on the character to add a grounding point</source>
         <translation>ランプをドラッグすると影が動きます。キャラクターをダブルクリックすると接地点を追加します</translation>
+    </message>
+</context>
+<context>
+    <name>StyleList</name>
+    <message>
+        <source>Style: %1</source>
+        <translation>スタイル：%1</translation>
+    </message>
+    <message>
+        <source>Styles</source>
+        <translation>スタイル</translation>
+    </message>
+    <message>
+        <source>Keep this look as a style of your own</source>
+        <translation>この見た目を自分のスタイルとして保存</translation>
+    </message>
+    <message>
+        <source>Remove your style</source>
+        <translation>自分のスタイルを削除</translation>
+    </message>
+    <message>
+        <source>Keep as a style</source>
+        <translation>スタイルとして保存</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
     </message>
 </context>
 <context>

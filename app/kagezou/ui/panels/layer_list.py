@@ -89,9 +89,9 @@ class LayerList(QWidget):
         footer.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         row = QHBoxLayout(footer)
         row.setContentsMargins(4, 2, 4, 2)
-        row.addWidget(_tool("add", self.tr("Add cels as a new layer"), self.add_asked.emit))
+        row.addWidget(tool_button("add", self.tr("Add cels as a new layer"), self.add_asked.emit))
         row.addStretch(1)
-        self._remove = _tool("remove", self.tr("Remove layer"), self.remove_current)
+        self._remove = tool_button("remove", self.tr("Remove layer"), self.remove_current)
         row.addWidget(self._remove)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -133,7 +133,8 @@ class LayerList(QWidget):
         menu.popup(self.view.viewport().mapToGlobal(at))
 
 
-def _tool(name: str, words: str, do: object) -> QToolButton:
+def tool_button(name: str, words: str, do: object) -> QToolButton:
+    """Return a small button for the footer of a panel."""
     button = QToolButton()
     button.setIcon(icon(name))
     button.setIconSize(icon_size(button.fontMetrics()))

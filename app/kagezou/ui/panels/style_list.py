@@ -1,0 +1,158 @@
+"""The styles: the present drawing in every look there is; a click puts one on the character."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QModelIndex, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QIcon, QImage, QPixmap, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QInputDialog, QListView, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+
+from kagezou.document.style import apply_style, style_of
+from kagezou.errors import Problem
+from kagezou.io.style_files import StyleFile, bundled_styles, own_styles, save_style
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.panels.layer_list import tool_button
+from kagezou.ui.panels.style_pictures import StylePictures, Wanted
+from kagezou.ui.words import said
+
+_PAUSE_MS = 500
+"""Pictures are drawn anew when the hand has rested this long."""
+
+_ICON_LETTERS = 10
+
+
+class StyleList(QWidget):
+    """The panel: pictures over a small footer.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    folder
+        Where the user's own styles are kept.
+    """
+
+    failed = Signal(str)
+
+    def __init__(self, bridge: Bridge, folder: Path) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._folder = folder
+        self._files: tuple[StyleFile, ...] = ()
+        self.pictures = StylePictures()
+        self.pictures.made.connect(self._show_picture)
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(_PAUSE_MS)
+        self._rest.timeout.connect(self._ask)
+        self.list = self._made_list()
+        self._lay_out()
+        for signal in (bridge.document_changed, bridge.frame_changed, bridge.selection_changed):
+            signal.connect(self._rest.start)
+        self.reload()
+
+    def reload(self) -> None:
+        """Read the styles again."""
+        own, problems = own_styles(self._folder)
+        for problem in problems:
+            self.failed.emit(str(problem))
+        self._files = (*bundled_styles(), *own)
+        self.list.clear()
+        blank = QPixmap(self.list.iconSize())
+        blank.fill(Qt.GlobalColor.transparent)
+        for each in self._files:
+            item = QListWidgetItem(said(each.style.name))
+            item.setToolTip(said(each.style.name))
+            item.setSizeHint(self.list.gridSize())
+            item.setIcon(QIcon(blank))
+            self.list.addItem(item)
+        self._show_choice()
+        self._rest.start()
+
+    def apply(self, index: int) -> None:
+        """Put a style on the layer worked on, as one step."""
+        layer_id = self._bridge.layer_id
+        if layer_id is None or not 0 <= index < len(self._files):
+            return
+        style = self._files[index].style
+        document = apply_style(self._bridge.document, layer_id, style, self._bridge.frame)
+        self._bridge.session.edit(self.tr("Style: %1").replace("%1", said(style.name)), document)
+
+    def save(self, name: str) -> None:
+        """Keep the look of the layer worked on under a name."""
+        layer_id = self._bridge.layer_id
+        if layer_id is None:
+            return
+        try:
+            save_style(self._folder, style_of(self._bridge.document, layer_id, self._bridge.frame, name))
+        except Problem as problem:
+            self.failed.emit(str(problem))
+        self.reload()
+
+    def remove_current(self) -> None:
+        """Take the chosen style away, if it is the user's own."""
+        index = self.list.currentRow()
+        if 0 <= index < len(self._files) and self._files[index].is_own:
+            try:
+                self._files[index].path.unlink(missing_ok=True)
+            except OSError as error:
+                self.failed.emit(f"{self._files[index].path}: {error.strerror}")
+            self.reload()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._rest.start()
+
+    def _made_list(self) -> QListWidget:
+        made = QListWidget()
+        letter = made.fontMetrics().horizontalAdvance("0")
+        side = _ICON_LETTERS * letter
+        made.setViewMode(QListView.ViewMode.IconMode)
+        made.setResizeMode(QListView.ResizeMode.Adjust)
+        made.setMovement(QListView.Movement.Static)
+        made.setIconSize(QSize(side, side))
+        made.setGridSize(QSize(side + 2 * letter, side + round(1.8 * made.fontMetrics().height())))
+        made.setTextElideMode(Qt.TextElideMode.ElideRight)
+        made.setAccessibleName(self.tr("Styles"))
+        made.clicked.connect(self._choose)
+        made.activated.connect(self._choose)
+        made.currentRowChanged.connect(lambda _: self._show_choice())
+        return made
+
+    def _lay_out(self) -> None:
+        footer = QWidget()
+        footer.setObjectName("panel_footer")
+        footer.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        row = QHBoxLayout(footer)
+        row.setContentsMargins(4, 2, 4, 2)
+        row.addWidget(tool_button("add", self.tr("Keep this look as a style of your own"), self._ask_name))
+        row.addStretch(1)
+        self._remove = tool_button("remove", self.tr("Remove your style"), self.remove_current)
+        row.addWidget(self._remove)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.list, 1)
+        column.addWidget(footer)
+
+    def _choose(self, index: QModelIndex) -> None:
+        self.apply(index.row())
+
+    def _ask_name(self) -> None:
+        name, given = QInputDialog.getText(self, self.tr("Keep as a style"), self.tr("Name"))
+        if given:
+            self.save(name)
+
+    def _show_choice(self) -> None:
+        index = self.list.currentRow()
+        self._remove.setEnabled(0 <= index < len(self._files) and self._files[index].is_own)
+
+    def _ask(self) -> None:
+        layer_id = self._bridge.layer_id
+        if layer_id is not None and self.isVisible():
+            styles = tuple(each.style for each in self._files)
+            self.pictures.ask(Wanted(self._bridge.document, layer_id, self._bridge.frame, styles))
+
+    def _show_picture(self, index: int, image: QImage) -> None:
+        item = self.list.item(index)
+        if item is not None:
+            item.setIcon(QIcon(QPixmap.fromImage(image)))
