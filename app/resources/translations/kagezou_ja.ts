@@ -871,6 +871,37 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>WaveNote</name>
+    <message>
+        <source>The tear number is 2π · amplitude / length, summed over both sets; the outline tears from 1 on.</source>
+        <translation>ちぎれ値は 2π × 振幅 ÷ 波長（二つの波の合計）。1 以上で輪郭がちぎれます。</translation>
+    </message>
+    <message>
+        <source>Loop over the cut</source>
+        <translation>カットの長さでループ</translation>
+    </message>
+    <message>
+        <source>Set both speeds to the nearest at which the last frame leads into the first</source>
+        <translation>最後のコマが最初のコマにつながる、最も近い速さにします</translation>
+    </message>
+    <message>
+        <source>No waves</source>
+        <translation>波なし</translation>
+    </message>
+    <message>
+        <source>Tear %1: the outline wobbles</source>
+        <translation>ちぎれ値 %1：輪郭がゆれます</translation>
+    </message>
+    <message>
+        <source>Tear %1: the outline is torn into stripes</source>
+        <translation>ちぎれ値 %1：輪郭が縞にちぎれます</translation>
+    </message>
+    <message>
+        <source>Loop waves</source>
+        <translation>波をループ</translation>
+    </message>
+</context>
+<context>
     <name>Welcome</name>
     <message>
         <source>Recent projects</source>

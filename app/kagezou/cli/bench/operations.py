@@ -101,6 +101,15 @@ def _changes(document: Document) -> Iterator[tuple[str, Change]]:
         "light, simplified",
         _upon(simplified, _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))),
     )
+    first, second = (Address(lines.amplitude, layer.id) for lines in (properties.WAVE1, properties.WAVE2))
+    waved = _with(simplified, {first: 10.0, second: 6.0})
+    yield (
+        "light, simplified, waves",
+        _upon(waved, _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))),
+    )
+    yield "wave", _upon(waved, _setting(first, lambda n: 10.0 + _sweep(n, 4.0)))
+    yield "softness", _setting(Address(properties.SOFTNESS, layer.id), lambda n: 10.0 + _sweep(n, 6.0))
+    yield "fade", _setting(Address(properties.FADE, layer.id), lambda n: 600.0 + _sweep(n, 200.0))
     yield "frame step", lambda same, n: (same, 1 + n % same.canvas.length_frames)
 
 

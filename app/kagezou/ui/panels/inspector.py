@@ -13,6 +13,7 @@ from kagezou.scene.evaluate import camera_at, card_at, ground_at
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
+from kagezou.ui.panels.wave_note import WaveNote
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
@@ -38,6 +39,7 @@ class Inspector(QScrollArea):
         self._built_for: tuple[object, str | None] | None = None
         self._scene_sections: list[Section] = []
         self._layer_sections: list[Section] = []
+        self.waves: WaveNote | None = None
         self._inner = QWidget()
         self._column = QVBoxLayout(self._inner)
         self._column.setContentsMargins(0, 0, 0, 0)
@@ -66,6 +68,8 @@ class Inspector(QScrollArea):
         self._follow_selection()
         for row in self.rows:
             row.refresh()
+        if self.waves is not None:
+            self.waves.refresh()
         self._show_relevant()
         self._show_measured_tilt()
 
@@ -80,6 +84,10 @@ class Inspector(QScrollArea):
             section.deleteLater()
         layer_id = self._bridge.layer_id
         self._layer_sections = [] if layer_id is None else self._sections(Scope.LAYER, layer_id)
+        self.waves = None if layer_id is None else WaveNote(self._bridge, layer_id)
+        if self.waves is not None:
+            of_waves = [each for each in self._layer_sections if each.rows[0].address.property is properties.WAVES_ON]
+            of_waves[0].add_note(self.waves)
         _align([*self._scene_sections, *self._layer_sections])
         bar = self.verticalScrollBar().sizeHint().width()
         self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)

@@ -43,6 +43,10 @@ class Section(QWidget):
         self._grid.addWidget(row.label, at, 1)
         self._grid.addWidget(row.editor, at, 2)
 
+    def add_note(self, note: QWidget) -> None:
+        """Put something that is no row under all of them."""
+        self._grid.addWidget(note, len(self.rows), 0, 1, 3)
+
     def align(self, label_width: int) -> None:
         """Give the names' column a width, so that the editors of all sections stand in one line."""
         self._grid.setColumnMinimumWidth(1, label_width)

@@ -1,0 +1,65 @@
+"""What the waves of a layer will do: whether they tear the outline, and a way to make them loop."""
+
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+
+from kagezou.document import properties
+from kagezou.document.address import Address
+from kagezou.document.edits import set_constant
+from kagezou.geometry.waves import tear_of
+from kagezou.scene.evaluate import wave_of
+from kagezou.ui.bridge import Bridge
+
+_SETS = (properties.WAVE1, properties.WAVE2)
+
+
+class WaveNote(QWidget):
+    """The foot of the section of waves.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    layer_id
+        Whose waves they are.
+    """
+
+    def __init__(self, bridge: Bridge, layer_id: str) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._layer_id = layer_id
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.words.setToolTip(
+            self.tr("The tear number is 2π · amplitude / length, summed over both sets; the outline tears from 1 on.")
+        )
+        self.loop = QPushButton(self.tr("Loop over the cut"))
+        self.loop.setObjectName("small_button")
+        self.loop.setToolTip(self.tr("Set both speeds to the nearest at which the last frame leads into the first"))
+        self.loop.clicked.connect(self.snap_to_loop)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(26, 2, 8, 6)
+        column.setSpacing(4)
+        column.addWidget(self.words)
+        column.addWidget(self.loop)
+
+    def refresh(self) -> None:
+        """Show what is set at the frame looked at."""
+        tracks = self._bridge.document.layer(self._layer_id).tracks
+        tear = tear_of(tuple(wave_of(tracks, lines, self._bridge.frame) for lines in _SETS))
+        if tear == 0:
+            said = self.tr("No waves")
+        elif tear < 1:
+            said = self.tr("Tear %1: the outline wobbles")
+        else:
+            said = self.tr("Tear %1: the outline is torn into stripes")
+        self.words.setText(said.replace("%1", f"{tear:.2f}"))
+        self.loop.setEnabled(tear > 0)
+
+    def snap_to_loop(self) -> None:
+        """Make the waves come back after the cut, as one step; keyed speeds become constant."""
+        document, frame = self._bridge.document, self._bridge.frame
+        tracks = document.layer(self._layer_id).tracks
+        for lines in _SETS:
+            wave = wave_of(tracks, lines, frame).looping(document.canvas.length_frames)
+            document = set_constant(document, Address(lines.velocity, self._layer_id), wave.velocity_px)
+        self._bridge.session.edit(self.tr("Loop waves"), document)
