@@ -22,8 +22,7 @@ def note(qtbot: QtBot, filled: Desk) -> Iterator[WaveNote]:
     qtbot.addWidget(inspector)
     inspector.show()
     assert inspector.waves is not None
-    # Yielded, so that the panel around it lives as long.
-    yield inspector.waves
+    yield inspector.waves  # noqa: PT022 - not returned, as the panel around it would go with the fixture
 
 
 def put(desk: Desk, line: Property, value: float) -> None:
