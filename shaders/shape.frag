@@ -14,7 +14,7 @@
 #include "wide_edge.glsl"
 #endif
 
-const int MAX_BANDS = 20;
+const int MAX_BANDS = 28;
 
 uniform sampler2D u_blurred;
 uniform sampler2D u_sharp;             // the shadow as it was cast, on the canvas
@@ -28,11 +28,6 @@ uniform float u_level;
 uniform vec2 u_pass_over_px;           // blurs between which the sharp shadow passes over into the blurred one
 
 out float o_coverage;
-
-float texel(ivec2 at, ivec2 corner, ivec2 size) {
-    bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size));
-    return inside ? texelFetch(u_blurred, at + corner, 0).r : 0.0;
-}
 
 vec4 spline(float f) {
     float g = 1.0 - f;
@@ -52,11 +47,15 @@ vec3 value_and_slope(vec2 place, ivec2 corner, ivec2 size) {
     vec4 wy = spline(f.y);
     vec4 dx = spline_slope(f.x);
     vec4 dy = spline_slope(f.y);
+    // A band is empty at its ends along the contact line, and holds more rows than are shown.
+    ivec4 columns = clamp(int(cell.x) + ivec4(-1, 0, 1, 2), 0, size.x - 1) + corner.x;
+    ivec4 rows = clamp(int(cell.y) + ivec4(-1, 0, 1, 2), 0, size.y - 1) + corner.y;
     vec3 sum = vec3(0.0);
     for (int j = 0; j < 4; ++j) {
-        ivec2 row = ivec2(cell) + ivec2(-1, j - 1);
-        vec4 a = vec4(texel(row, corner, size), texel(row + ivec2(1, 0), corner, size),
-                      texel(row + ivec2(2, 0), corner, size), texel(row + ivec2(3, 0), corner, size));
+        vec4 a = vec4(texelFetch(u_blurred, ivec2(columns.x, rows[j]), 0).r,
+                      texelFetch(u_blurred, ivec2(columns.y, rows[j]), 0).r,
+                      texelFetch(u_blurred, ivec2(columns.z, rows[j]), 0).r,
+                      texelFetch(u_blurred, ivec2(columns.w, rows[j]), 0).r);
         float across = dot(a, wx);
         sum += vec3(across * wy[j], dot(a, dx) * wy[j], across * dy[j]);
     }

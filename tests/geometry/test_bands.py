@@ -8,12 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kagezou.geometry.bands import (
-    FINEST_SIGMA_PX,
-    GROWTH,
+    LARGEST_TEXEL_PX,
     MOST_TEXELS,
-    MOST_WORK,
+    MOST_TEXELS_A_SIGMA,
     REACH_SIGMAS,
     SHARP_SIGMA_PX,
+    TEXELS_A_DISTANCE,
+    TEXELS_A_SIGMA,
     Band,
     Blur,
     Extent,
@@ -68,9 +69,9 @@ def test_a_blur_too_small_to_see_has_no_bands(amount: float) -> None:
 @given(st.floats(0.8, 500.0))
 def test_the_same_blur_everywhere_is_one_band_of_some_texels_a_sigma(amount: float) -> None:
     (band,) = bands_of(Blur(amount, 0.0), BEHIND)
-    assert band.level == 0 or amount / band.texel_px >= FINEST_SIGMA_PX
-    texels = (band.shown.right - band.shown.left) * (band.shown.high - band.shown.low) / band.texel_px**2
-    assert amount < 2 * FINEST_SIGMA_PX or 2 * (2 * band.reach_texels + 1) * texels < 1.3 * MOST_WORK
+    assert band.level == 0 or amount / band.texel_px >= TEXELS_A_SIGMA
+    assert band.texel_px <= max(LARGEST_TEXEL_PX, amount / MOST_TEXELS_A_SIGMA)
+    assert band.reach_texels <= REACH_SIGMAS * max(2 * TEXELS_A_SIGMA, 2 * MOST_TEXELS_A_SIGMA)
     assert band.core.low < BEHIND.low < BEHIND.high < band.core.high
 
 
@@ -103,8 +104,11 @@ def test_no_band_is_coarser_than_its_blur_allows(amount: float, distance: float)
     for band in bands_of(blur, Extent(-200.0, -600.0, 300.0, 400.0)):
         inner, outer = inner_and_outer(band)
         if band.level > 0:
-            assert blur.sigma_at(inner) >= 0.999 * FINEST_SIGMA_PX * band.texel_px
-        assert blur.sigma_at(outer) <= 1.001 * GROWTH * max(blur.sigma_at(inner), SHARP_SIGMA_PX)
+            assert blur.sigma_at(inner) >= 0.999 * TEXELS_A_SIGMA * band.texel_px
+            assert inner >= 0.999 * TEXELS_A_DISTANCE * band.texel_px
+            assert outer <= 2.001 * inner
+        assert not inner < distance < outer
+        assert (band.needed.left % band.texel_px, band.needed.low % band.texel_px) == (0.0, 0.0)
 
 
 def test_the_side_without_shadow_is_left_alone_where_no_blur_reaches_over() -> None:

@@ -1,8 +1,8 @@
 """Which part of a receiver is blurred how finely: bands along the contact line, each as coarse as its blur allows.
 
-A Gaussian of some texels' width looks the same on coarse texels as on fine ones. The width grows with the distance from
-the contact line, so the receiver is cut into bands along that line in which it doubles, and each has texels twice as
-large as the one before. The work then hardly depends on the width at all.
+A Gaussian of some texels' width looks the same on coarse texels as on fine ones. Where the width grows with the
+distance from the contact line, the receiver is cut into bands along that line, each twice as far away as the one before
+and with texels as large as its narrowest blur allows. The work then hardly depends on the width at all.
 """
 
 from collections.abc import Iterator
@@ -10,13 +10,25 @@ from dataclasses import dataclass
 from math import ceil, floor, hypot, inf, log2, pi, sqrt
 
 FINEST_SIGMA_PX = 1.25
-"""The smallest blur, in texels of its band."""
+"""The smallest blur, in px of the receiver."""
 
-GROWTH = 4.0
-"""Where the width grows with the distance, a band holds blurs up to this many times its narrowest."""
+TEXELS_A_SIGMA = 2.5
+"""The narrowest blur of a band, in its texels."""
 
-MOST_WORK = 16e6
-"""How many texels may be summed up for one band before it is made coarser."""
+TEXELS_A_DISTANCE = 8.0
+"""How many texels a band is away from the contact line, as a width that grows fast bends the blur over as little."""
+
+LARGEST_TEXEL_PX = 8.0
+"""No coarser, so that the tiles in which an outline may lie stay few, unless the blur is as wide as ..."""
+
+MOST_TEXELS_A_SIGMA = 25.0
+"""... this many of them."""
+
+TEXELS_A_SHAPE = 24.0
+"""How many texels the radius of a shape has at least."""
+
+FIRST_PX = 16.0
+"""The first band ends here, every other one at twice the distance of the one before."""
 
 SHARP_SIGMA_PX = 0.7
 """Below this blur the shadow is left as it was cast; up to FINEST_SIGMA_PX it passes over into the blurred one."""
@@ -132,7 +144,13 @@ def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     if sigma <= SHARP_SIGMA_PX:
         return ()
     grown = _growth(blur, shadow, sigma)
-    return (_band(shadow, (shadow.low - grown, shadow.high + grown), (sigma, sigma), grown),)
+    return (_band(shadow, (shadow.low - grown, shadow.high + grown), sigma, grown, _texel(shadow, sigma)),)
+
+
+def _texel(shadow: Extent, sigma_px: float) -> float:
+    """Return how large texels may be for a blur and all wider ones."""
+    largest = max(LARGEST_TEXEL_PX, sigma_px / MOST_TEXELS_A_SIGMA)
+    return min(sigma_px / TEXELS_A_SIGMA, largest, _disc(shadow) / TEXELS_A_SHAPE)
 
 
 def _growth(blur: Blur, shadow: Extent, sigma_px: float) -> float:
@@ -150,24 +168,22 @@ def _disc(shadow: Extent) -> float:
 
 
 def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
-    """Yield the bands on one side of the contact line, the width growing by GROWTH in each."""
+    """Yield the bands on one side of the contact line, the distance doubling in each."""
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
     grown = _growth(blur, shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
     farthest = _farthest(blur, outer, grown)
-    if farthest <= 0:
+    if farthest <= 0 or blur.sigma_at(farthest) <= SHARP_SIGMA_PX:
         return
-    top = blur.sigma_at(farthest)
-    sigma = max(SHARP_SIGMA_PX, blur.sigma_at(0.0))
-    while sigma < top or sigma == top > SHARP_SIGMA_PX:
-        widest = min(sigma * GROWTH, top)
-        last = inf if widest == top else blur.distance_of(widest)
-        low, high = max(blur.distance_of(sigma), inner - grown), min(last, farthest)
-        if low < high:
-            core = (low, high) if side > 0 else (-high, -low)
-            yield _band(shadow, core, (sigma, widest), _growth(blur, shadow, widest))
-        if widest == top:
-            return
-        sigma = widest
+    low = max(blur.distance_of(SHARP_SIGMA_PX), inner - grown)
+    while low < farthest:
+        high = min(max(2 * low, FIRST_PX), farthest)
+        # The width stops growing all at once.
+        high = blur.distance_px if low < blur.distance_px < high else high
+        core = (low, high) if side > 0 else (-high, -low)
+        widest = blur.sigma_at(high)
+        texel = min(_texel(shadow, blur.sigma_at(low)), low / TEXELS_A_DISTANCE)
+        yield _band(shadow, core, widest, _growth(blur, shadow, widest), texel)
+        low = high
 
 
 def _farthest(blur: Blur, outer: float, grown: float) -> float:
@@ -178,36 +194,23 @@ def _farthest(blur: Blur, outer: float, grown: float) -> float:
     return farthest
 
 
-def _band(shadow: Extent, core: tuple[float, float], sigmas: tuple[float, float], grown: float) -> Band:
+def _band(shadow: Extent, core: tuple[float, float], widest: float, grown: float, largest_texel_px: float) -> Band:
     low, high = core
-    narrowest, widest = sigmas
     # Nothing is summed up from beyond the shadow, however wide the blur.
     across, along = shadow.high - shadow.low, shadow.right - shadow.left
     reach = min(REACH_SIGMAS * widest, max(across, along) + grown)
-    level = _level((along + 2 * grown, high - low), narrowest, reach)
-    margin = (BICUBIC_TEXELS + 1) * 2.0**level
+    # A shadow that runs very far, under a low light, is blurred on coarser texels all the same.
+    size = max(along, across, 1.0)
+    level = max(floor(log2(max(largest_texel_px, 1.0))), ceil(log2(size / MOST_TEXELS)))
+    texel = 2.0**level
+    margin = (BICUBIC_TEXELS + 1) * texel
     seen = Extent(shadow.left - grown, low, shadow.right + grown, high)
     shown = Extent(seen.left - margin, low - margin, seen.right + margin, high + margin)
     needed = Extent(
-        shown.left,
-        max(shown.low - reach - margin, min(shown.low, shadow.low - margin)),
+        # On whole texels, so that those of a coarse band are made of whole ones of a finer.
+        floor(shown.left / texel) * texel,
+        floor(max(shown.low - reach - margin, min(shown.low, shadow.low - margin)) / texel) * texel,
         shown.right,
         min(shown.high + reach + margin, max(shown.high, shadow.high + margin)),
     )
-    return Band(level, reach / 2.0**level, seen, shown, needed)
-
-
-def _level(size: tuple[float, float], narrowest: float, reach: float) -> int:
-    """Return the finest level whose blur is within the budget; never one that its narrowest blur does not allow.
-
-    A shadow that runs very far, under a low light, is blurred on coarser texels all the same.
-    """
-    coarsest = max(floor(log2(narrowest / FINEST_SIGMA_PX)), 0)
-    level = next((each for each in range(coarsest) if _work(size, reach, each) <= MOST_WORK), coarsest)
-    return max(level, ceil(log2(max(*size, 1.0) / MOST_TEXELS)))
-
-
-def _work(size: tuple[float, float], reach: float, level: int) -> float:
-    """Return how many texels are summed up in blurring a band both ways."""
-    texel = 2.0**level
-    return 2 * (2 * reach / texel + 1) * (size[0] / texel) * (size[1] / texel)
+    return Band(level, reach / texel, seen, shown, needed)

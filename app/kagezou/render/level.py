@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 SMALL_TEXELS = 6000
-"""A band of fewer texels than this is counted on a finer grid."""
+"""A blur of fewer texels than this is counted on a finer grid."""
 
 FINER = 4
 
@@ -57,6 +57,14 @@ class _Slopes:
         parts = np.clip((self.values - np.float32(level)) / self.reach + np.float32(0.5), 0, 1)
         return float((parts * self.areas).sum(dtype=np.float64))
 
+    def between(self, low: float, high: float) -> "tuple[float, _Slopes]":
+        """Return the area that is over every level from ``low`` to ``high``, and the texels that may be crossed."""
+        half = self.reach / 2
+        is_over = self.values - half >= high
+        is_crossed = ~is_over & (self.values + half > low)
+        rest = _Slopes(self.values[is_crossed], self.reach[is_crossed], self.areas[is_crossed])
+        return float(self.areas[is_over].sum(dtype=np.float64)), rest
+
 
 def area_preserving_level(bands: Sequence[Counted]) -> float:
     """Return the level, 0 to 1, over which the blurred shadow has the area of the sharp one.
@@ -66,24 +74,28 @@ def area_preserving_level(bands: Sequence[Counted]) -> float:
     area = sum(band.area for band in bands)
     if area <= 0:
         return 0.5
-    slopes = [_slopes(band) for band in bands]
+    # An outline of a few texels is not straight within one.
+    finer = FINER if sum(band.blurred.size for band in bands) < SMALL_TEXELS else 1
+    slopes = [_slopes(band, finer) for band in bands]
     joined = _Slopes(*(np.concatenate([getattr(each, name) for each in slopes]) for name in _Slopes.__slots__))
     low, high = 0.0, float(joined.values.max(initial=0.0))
-    for _ in range(_HALVINGS):
+    for number in range(_HALVINGS):
         middle = (low + high) / 2
         if joined.area_over(middle) > area:
             low = middle
         else:
             high = middle
+        if number % 4 == 3:
+            # What lies on one side of both bounds need not be asked about again.
+            whole, joined = joined.between(low, high)
+            area -= whole
     return (low + high) / 2
 
 
-def _slopes(band: Counted) -> _Slopes:
+def _slopes(band: Counted, finer: int) -> _Slopes:
     """Return the places of a band that hold anything: texels, of a small band finer ones."""
     m = band.margin
     texels = band.blurred
-    # An outline of a few texels is not straight within one.
-    finer = FINER if texels.size < SMALL_TEXELS else 1
     rows, columns = (_places(side, m, finer) for side in texels.shape)
     values = _spline(_spline(texels, rows, 0), columns, 1)
     # One place more on each side, for the slopes; the outline crosses a place half a step either way.

@@ -43,12 +43,15 @@ class Job:
         The receiver with its u axis along the contact line.
     ground_from_blurred
         (2, 2): u and v of ``plane`` from those of the blur, its lower left corner 0.
+    extent
+        Where the shadow lies, in u and v of the blur.
     """
 
     cast: ShadowCast
     matte: PlacedMatte
     plane: Plane
     ground_from_blurred: Matrix
+    extent: Extent
     blur: Blur
     strips: tuple[Strip, ...]
 

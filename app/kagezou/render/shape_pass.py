@@ -4,7 +4,7 @@ Simplification (paper 3.6.1), waves (3.6.2) and wide or moved edges all read thi
 """
 
 from dataclasses import replace
-from math import ceil, inf, log2
+from math import ceil, floor, inf, log2
 
 import numpy as np
 
@@ -22,8 +22,8 @@ from kagezou.render.level import Counted, area_preserving_level
 from kagezou.render.level import Floats as Texels
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.outline import Reach, outline_tiles
-from kagezou.render.program import Variants
-from kagezou.render.shape_job import Job, blur_of, elongated, extent_of, stretched
+from kagezou.render.program import Program, Variants
+from kagezou.render.shape_job import LARGEST_PLANE_PX, Job, blur_of, elongated, extent_of, stretched
 from kagezou.render.shape_uniforms import inverse, shape_uniforms, strength, width_uniforms
 from kagezou.render.targets import LAST_LEVEL, Format, Target
 from kagezou.render.tiles import CELLS
@@ -51,8 +51,11 @@ class ShapePass:
         self._blur = Variants("box.vert", "blur.frag")
         self._show = Variants("box.vert", "shape.frag")
         self._fill = Variants("box.vert", "full.frag")
+        self._reduce = Program("box.vert", "reduce.frag")
+        self._whole: Target | None = None
         self._atlases: tuple[Target, Target, Target] | None = None
         self._sharp: Target | None = None
+        self._sharp_box: Box | None = None
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
         """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
@@ -73,7 +76,8 @@ class ShapePass:
         self._blur.close()
         self._show.close()
         self._fill.close()
-        for target in (*(self._atlases or ()), self._sharp):
+        self._reduce.close()
+        for target in (*(self._atlases or ()), self._sharp, self._whole):
             if target is not None:
                 target.close()
 
@@ -88,7 +92,7 @@ class ShapePass:
         if extent is None:
             return None
         blur = blur_of(cast, float(stretch[1, 1]))
-        return Job(cast, matte, plane, stretch, blur, laid_out(bands_of(blur, extent)))
+        return Job(cast, matte, plane, stretch, extent, blur, laid_out(bands_of(blur, extent)))
 
     def _outlined(self, cast: ShadowCast, matte: PlacedMatte, canvas_from_plane: Matrix) -> Texels:
         """Return the whole shadow on its receiver in few texels, to see how long it is."""
@@ -111,11 +115,7 @@ class ShapePass:
         sharp_box = self._cast_sharp(job, target)
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
         shadow.clear(used)
-        for strip in job.strips:
-            canvas_from_atlas = job.canvas_from_plane @ strip.plane_from_atlas
-            # The shape alone is simplified; how strong it is under a low light is told where it is shown.
-            window = Window(strip.box, canvas_from_atlas, _cells_at(strip.band.level), is_shape_only=True)
-            self._caster.unite(job.cast, job.matte, shadow, window)
+        self._cast_strips(job, shadow)
         # All strips are read at once: each reading waits for everything drawn before it.
         before = shadow.read_floats(used)
         self._blur_strips(job, (shadow, half), _ALONG_V)
@@ -131,17 +131,60 @@ class ShapePass:
             self._show_tiles(job, target, box, (full, outline), level)
         return box
 
+    def _cast_strips(self, job: Job, shadow: Target) -> None:
+        """Cast the shadow once, as fine as any strip wants it, and fill the strips with means of it."""
+        level = min((strip.band.level for strip in job.strips), default=0)
+        texel = 2.0**level
+        low, high = (job.extent.left, job.extent.low), (job.extent.right, job.extent.high)
+        first = tuple(floor(each / texel) - 1 for each in low)
+        width, height = (ceil(end / texel) + 1 - start for end, start in zip(high, first, strict=True))
+        box = Box(0, 0, width, height)
+        whole = self._whole_of(width, height)
+        whole.clear(box)
+        plane_from_whole = np.array([[texel, 0.0, first[0] * texel], [0.0, texel, first[1] * texel], [0.0, 0.0, 1.0]])
+        # The shape alone is filtered; how strong it is under a low light is told where it is shown.
+        window = Window(box, job.canvas_from_plane @ plane_from_whole, _cells_at(level), is_shape_only=True)
+        self._caster.unite(job.cast, job.matte, whole, window)
+        for strip in job.strips:
+            corner = (round(strip.band.needed.left / texel) - first[0], round(strip.band.needed.low / texel) - first[1])
+            shadow.bind(strip.box)
+            whole.texture.bind(0)
+            self._reduce.use(
+                {
+                    "u_target_size_px": shadow.size_px,
+                    "u_source": 0,
+                    "u_corner": (float(corner[0]), float(corner[1])),
+                    "u_first": (float(strip.box.left), float(strip.box.top)),
+                    "u_known": (0.0, 0.0, float(width - 1), float(height - 1)),
+                    "u_side": 1 << (strip.band.level - level),
+                }
+            )
+            self._boxes.draw_one(strip.box)
+
     def _cast_sharp(self, job: Job, like: Target) -> Box | None:
         """Cast the shadow as it is, for where it stays so; return its box."""
         if self._sharp is not None and self._sharp.box != like.box:
             self._sharp.close()
             self._sharp = None
+            self._sharp_box = None
         if self._sharp is None:
             self._sharp = Target(like.box.width, like.box.height, Format.ALPHA16)
-        self._sharp.clear()
+            self._sharp.clear()
+        if self._sharp_box is not None:
+            self._sharp.clear(self._sharp_box)
+        self._sharp_box = self._box_near_contact(job, like.box)
+        if self._sharp_box is None:
+            return None
+        return self._caster.unite(job.cast, job.matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
+
+    def _box_near_contact(self, job: Job, canvas: Box) -> Box | None:
+        """Return where on the canvas the shadow is not wholly blurred."""
         if job.blur.sigma_at(0.0) >= FINEST_SIGMA_PX:
             return None
-        return self._caster.unite(job.cast, job.matte, self._sharp, Window(like.box, is_shape_only=True))
+        away = min(job.blur.distance_of(FINEST_SIGMA_PX), LARGEST_PLANE_PX)
+        ends = (job.extent.left, max(job.extent.low, -away)), (job.extent.right, min(job.extent.high, away))
+        seen = bounding_box(seen_rectangle(canvas, inverse(job.canvas_from_plane), *ends))
+        return None if seen is None else seen.grown(1).intersection(canvas)
 
     def _blur_strips(self, job: Job, way: tuple[Target, Target], direction: frozenset[str]) -> None:
         """Blur every strip from one atlas into the other: first across the contact line, then along it."""
@@ -198,6 +241,17 @@ class ShapePass:
             wanted, uniforms = shape_uniforms(job, box, level)
             self._show[switches | wanted].use(common | uniforms)
             self._boxes.draw(outline)
+
+    def _whole_of(self, width: int, height: int) -> Target:
+        """Return a target of at least a size for the shadow before it is blurred."""
+        old = self._whole
+        if old is None or old.box.width < width or old.box.height < height:
+            if old is not None:
+                width, height = max(width, old.box.width), max(height, old.box.height)
+                old.close()
+            self._whole = Target(width, height, Format.ALPHA16)
+        assert self._whole is not None
+        return self._whole
 
     def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target, Target]:
         """Return targets of at least the strips' size: for the shadow, and for it blurred one way and both ways."""

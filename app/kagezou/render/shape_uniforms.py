@@ -16,7 +16,7 @@ from kagezou.render.program import Uniform
 from kagezou.render.shape_job import Job
 from kagezou.scene.scene import Edge, Water
 
-_MAX_BANDS = 20
+_MAX_BANDS = 28
 _MAX_RIPPLES = 2
 _NONE: frozenset[str] = frozenset()
 
