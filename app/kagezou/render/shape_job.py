@@ -1,6 +1,7 @@
 """What is to be filtered: a cast on one receiver, the coordinates it is blurred in, and how."""
 
 from dataclasses import dataclass
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,6 +83,22 @@ class Job:
         amplitude = sum(ripple.wave.amplitude_px for ripple in self.cast.water.ripples)
         u, v = np.hypot(*self.heave.T) * amplitude
         return (float(u), float(v))
+
+    @property
+    def edge_deviations(self) -> float:
+        """How many standard deviations of the blur the edge reaches from the outline."""
+        edge = self.cast.edge
+        if edge is None:
+            return 0.0
+        scale = float(self.ground_from_blurred[1, 1])
+        farthest = max(abs(self.extent.low), abs(self.extent.high))
+        # The narrowest blur of what is blurred at all, its kink, and the far end.
+        places = (self.blur.distance_of(FINEST_SIGMA_PX), self.blur.distance_px, farthest)
+        return max(
+            (RAMP * (edge.softness_px + edge.penumbra * scale * v) + abs(edge.grow_px)) / self.blur.sigma_at(v)
+            for v in places
+            if isfinite(v) and self.blur.sigma_at(v) > 0
+        )
 
 
 def stretched(canvas_from_plane: Matrix, ground_from_blurred: Matrix) -> Matrix:
