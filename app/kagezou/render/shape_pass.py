@@ -3,8 +3,9 @@
 Simplification (paper 3.6.1), waves (3.6.2) and wide or moved edges all read this one blurred shadow.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
-from math import ceil, floor, log2
+from math import ceil
 from statistics import NormalDist
 
 import numpy as np
@@ -14,26 +15,25 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.polygon import bounding_box, seen_rectangle
-from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip, laid_out
 from kagezou.render.boxes import Boxes
+from kagezou.render.busy import busy_tiles
 from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.gl import GL
 from kagezou.render.level import Counted, area_preserving_level
 from kagezou.render.level import Floats as Texels
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.outline import Reach, outline_tiles
-from kagezou.render.program import Program, Variants
+from kagezou.render.plane_cast import PlaneCast
+from kagezou.render.program import Variants
 from kagezou.render.shape_job import LARGEST_PLANE_PX, Job, blur_of, elongated, extent_of, stretched
 from kagezou.render.shape_uniforms import inverse, shape_uniforms, strength, width_uniforms
-from kagezou.render.targets import LAST_LEVEL, Format, Target
-from kagezou.render.tiles import CELLS
+from kagezou.render.targets import Format, Target
 from kagezou.render.tiles import Boxes as TileBoxes
 from kagezou.scene.scene import ShadowCast
 
 _MARGIN_TEXELS = 2
 _LEAST_SIGMA_TEXELS = 0.3
-_OUTLINED_TEXELS = 64
 _FAINT = 1e-5
 _SAFELY, _SAFELY_BESIDES = 1.15, 0.05
 """By how much an edge is taken for wider than it is, as the width of the blur changes over the receiver."""
@@ -53,8 +53,7 @@ class ShapePass:
         self._blur = Variants("box.vert", "blur.frag")
         self._show = Variants("box.vert", "shape.frag")
         self._fill = Variants("box.vert", "full.frag")
-        self._reduce = Program("box.vert", "reduce.frag")
-        self._whole: Target | None = None
+        self._plane = PlaneCast(boxes, caster)
         self._atlases: tuple[Target, Target, Target] | None = None
         self._sharp: Target | None = None
         self._sharp_box: Box | None = None
@@ -78,8 +77,8 @@ class ShapePass:
         self._blur.close()
         self._show.close()
         self._fill.close()
-        self._reduce.close()
-        for target in (*(self._atlases or ()), self._sharp, self._whole):
+        self._plane.close()
+        for target in (*(self._atlases or ()), self._sharp):
             if target is not None:
                 target.close()
 
@@ -89,39 +88,26 @@ class ShapePass:
         on_canvas = canvas_from_plane(cast.camera, plane)
         stretch = np.eye(2)
         if cast.simplify is not None and cast.simplify.elongation > 0:
-            stretch = elongated(self._outlined(cast, matte, on_canvas), cast.simplify.elongation)
+            stretch = elongated(self._plane.outlined(cast, matte, on_canvas), cast.simplify.elongation)
         extent = extent_of(cast, matte, stretched(on_canvas, stretch))
         if extent is None:
             return None
         blur = blur_of(cast, float(stretch[1, 1]))
         return Job(cast, matte, plane, stretch, extent, blur, laid_out(bands_of(blur, extent)))
 
-    def _outlined(self, cast: ShadowCast, matte: PlacedMatte, canvas_from_plane: Matrix) -> Texels:
-        """Return the whole shadow on its receiver in few texels, to see how long it is."""
-        extent = extent_of(cast, matte, canvas_from_plane)
-        if extent is None:
-            return np.zeros((0, 0), np.float32)
-        texel = max(extent.right - extent.left, extent.high - extent.low) / _OUTLINED_TEXELS
-        box = Box(0, 0, *(ceil(side / texel) for side in (extent.right - extent.left, extent.high - extent.low)))
-        shadow = self._atlases_of(box.width, box.height)[0]
-        shadow.clear(box)
-        plane_from_texel = np.array([[texel, 0.0, extent.left], [0.0, texel, extent.low], [0.0, 0.0, 1.0]])
-        cells = _cells_at(max(ceil(log2(texel)), 0))
-        self._caster.unite(
-            cast, matte, shadow, Window(box, canvas_from_plane @ plane_from_texel, cells, is_shape_only=True)
-        )
-        return shadow.read_floats(box)
-
     def _draw_one(self, job: Job, target: Target) -> Box | None:
         shadow, half, blurred = self._atlases_for(job.strips)
         sharp_box = self._cast_sharp(job, target)
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
         shadow.clear(used)
-        self._cast_strips(job, shadow)
+        self._plane.fill(job, shadow)
         # All strips are read at once: each reading waits for everything drawn before it.
         before = shadow.read_floats(used)
-        self._blur_strips(job, (shadow, half), _ALONG_V)
-        self._blur_strips(job, (half, blurred), _ALONG_U)
+        busy = [busy_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
+        half.clear(used)
+        blurred.clear(used)
+        self._blur_strips(job, (shadow, half), _ALONG_V, [across for across, _ in busy])
+        self._blur_strips(job, (half, blurred), _ALONG_U, [along for _, along in busy])
         after = blurred.read_floats(used)
         counted = [_counted(strip, before, after) for strip in job.strips]
         level = area_preserving_level(counted)
@@ -132,36 +118,6 @@ class ShapePass:
             full, outline = outline_tiles(pairs, reach, job.blur, inverse(job.canvas_from_plane), box)
             self._show_tiles(job, target, box, (full, outline), level)
         return box
-
-    def _cast_strips(self, job: Job, shadow: Target) -> None:
-        """Cast the shadow once, as fine as any strip wants it, and fill the strips with means of it."""
-        level = min((strip.band.level for strip in job.strips), default=0)
-        texel = 2.0**level
-        low, high = (job.extent.left, job.extent.low), (job.extent.right, job.extent.high)
-        first = tuple(floor(each / texel) - 1 for each in low)
-        width, height = (ceil(end / texel) + 1 - start for end, start in zip(high, first, strict=True))
-        box = Box(0, 0, width, height)
-        whole = self._whole_of(width, height)
-        whole.clear(box)
-        plane_from_whole = np.array([[texel, 0.0, first[0] * texel], [0.0, texel, first[1] * texel], [0.0, 0.0, 1.0]])
-        # The shape alone is filtered; how strong it is under a low light is told where it is shown.
-        window = Window(box, job.canvas_from_plane @ plane_from_whole, _cells_at(level), is_shape_only=True)
-        self._caster.unite(job.cast, job.matte, whole, window)
-        for strip in job.strips:
-            corner = (round(strip.band.needed.left / texel) - first[0], round(strip.band.needed.low / texel) - first[1])
-            shadow.bind(strip.box)
-            whole.texture.bind(0)
-            self._reduce.use(
-                {
-                    "u_target_size_px": shadow.size_px,
-                    "u_source": 0,
-                    "u_corner": (float(corner[0]), float(corner[1])),
-                    "u_first": (float(strip.box.left), float(strip.box.top)),
-                    "u_known": (0.0, 0.0, float(width - 1), float(height - 1)),
-                    "u_side": 1 << (strip.band.level - level),
-                }
-            )
-            self._boxes.draw_one(strip.box)
 
     def _cast_sharp(self, job: Job, like: Target) -> Box | None:
         """Cast the shadow as it is, for where it stays so; return its box."""
@@ -188,12 +144,13 @@ class ShapePass:
         seen = bounding_box(seen_rectangle(canvas, inverse(job.canvas_from_plane), *ends))
         return None if seen is None else seen.grown(1).intersection(canvas)
 
-    def _blur_strips(self, job: Job, way: tuple[Target, Target], direction: frozenset[str]) -> None:
+    def _blur_strips(
+        self, job: Job, way: tuple[Target, Target], direction: frozenset[str], busy: Sequence[TileBoxes]
+    ) -> None:
         """Blur every strip from one atlas into the other: first across the contact line, then along it."""
         source, goal = way
-        for strip in job.strips:
-            reach = next(each for each in _REACHES if each >= min(ceil(strip.band.reach_texels), _REACHES[-1]))
-            program = self._blur[direction | {f"REACH {reach}"}]
+        for strip, tiles in zip(job.strips, busy, strict=True):
+            program = self._blur[direction | {f"REACH {_reach_of(strip)}"}]
             known = strip.box if direction == _ALONG_V else strip.shown
             goal.bind(strip.shown)
             source.texture.bind(0)
@@ -209,7 +166,7 @@ class ShapePass:
                     **width_uniforms(job),
                 }
             )
-            self._boxes.draw_one(strip.shown)
+            self._boxes.draw(tiles)
 
     def _box_of(self, job: Job, canvas: Box, sharp_box: Box | None) -> Box | None:
         """Return the box of the canvas in which the simplified shadow can be seen."""
@@ -244,17 +201,6 @@ class ShapePass:
             self._show[switches | wanted].use(common | uniforms)
             self._boxes.draw(outline)
 
-    def _whole_of(self, width: int, height: int) -> Target:
-        """Return a target of at least a size for the shadow before it is blurred."""
-        old = self._whole
-        if old is None or old.box.width < width or old.box.height < height:
-            if old is not None:
-                width, height = max(width, old.box.width), max(height, old.box.height)
-                old.close()
-            self._whole = Target(width, height, Format.ALPHA16)
-        assert self._whole is not None
-        return self._whole
-
     def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target, Target]:
         """Return targets of at least the strips' size: for the shadow, and for it blurred one way and both ways."""
         width = max((strip.box.right for strip in strips), default=1)
@@ -278,6 +224,11 @@ class ShapePass:
         return self._atlases
 
 
+def _reach_of(strip: Strip) -> int:
+    """Return over how many texels either way a strip's blur is summed up."""
+    return next(each for each in _REACHES if each >= min(ceil(strip.band.reach_texels), _REACHES[-1]))
+
+
 def _reach(job: Job, level: float) -> Reach:
     """Return which values are surely no shadow and which surely nothing else.
 
@@ -289,15 +240,6 @@ def _reach(job: Job, level: float) -> Reach:
     normal, deviations = NormalDist(), job.edge_deviations * _SAFELY + _SAFELY_BESIDES
     middle = normal.inv_cdf(min(max(level, _FAINT), 1 - _FAINT))
     return Reach(normal.cdf(middle - deviations), normal.cdf(middle + deviations), job.moved_px)
-
-
-def _cells_at(level: int) -> int:
-    """Return into how many cells a texel of a level may be split.
-
-    Coarse texels, to be blurred anyway, are means of few cells; where squares of the matte's coarsest mipmap no longer
-    fill a cell there have to be more of them again.
-    """
-    return CELLS[-1] if level < 2 else min(max(16, 1 << max(level - LAST_LEVEL + 3, 0)), CELLS[-1])
 
 
 def _counted(strip: Strip, before: Texels, after: Texels) -> Counted:
