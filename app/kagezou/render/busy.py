@@ -60,7 +60,6 @@ def _widened(mask: Mask, reach: int, axis: int) -> Mask:
 def _boxes(mask: Mask, strip: Strip) -> Boxes:
     box, shown = strip.box, strip.shown
     boxes, _ = runs_of(mask.astype(np.int64), (0, 0), Box(0, 0, box.width, box.height))
-    boxes = np.clip(
-        boxes + np.array([box.left, box.top] * 2), [shown.left, shown.top] * 2, [shown.right, shown.bottom] * 2
-    )
-    return boxes[(boxes[:, 2] > boxes[:, 0]) & (boxes[:, 3] > boxes[:, 1])]
+    low, high = [shown.left, shown.top] * 2, [shown.right, shown.bottom] * 2
+    boxes = np.clip(boxes + np.array([box.left, box.top] * 2), low, high)
+    return np.asarray(boxes[(boxes[:, 2] > boxes[:, 0]) & (boxes[:, 3] > boxes[:, 1])])
