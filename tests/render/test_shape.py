@@ -1,7 +1,8 @@
 """Waves, elongation and edges (spec 3, 4): against their formulas, and what they must never do."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import pi
 from pathlib import Path
 
@@ -14,6 +15,8 @@ from figures import figure_alpha, standing, with_values
 from outlines import Shift
 from raycast import Array
 
+from kagezou.document.address import resolve
+from kagezou.document.edits import set_key
 from kagezou.document.model import Document
 from kagezou.geometry.waves import Ripple
 from kagezou.render.renderer import Renderer
@@ -220,3 +223,38 @@ class TestEdge:
         none = {"softness": 0.0, "grow": 0.0, "penumbra": 0.0, "simplify": 30.0, "simplify_on": False}
         assert np.array_equal(coverage(renderer, document_with(figure, none)), plain)
         assert renderer.filters_drawn == filtered
+
+
+class TestNoBoiling:
+    """A held drawing under slowly keyed values: the outline goes one way, and nowhere jumps."""
+
+    FRAMES = 12
+
+    @pytest.mark.parametrize(
+        ("keyed", "held"),
+        [
+            ({"simplify": (50.0, 62.0)}, {"distance": 200.0}),
+            ({"simplify": (50.0, 62.0)}, {}),
+            ({"distance": (120.0, 190.0)}, {"simplify": 40.0}),
+            ({"wave1.amplitude": (4.0, 10.0)}, {"simplify": 40.0, "wave1.velocity": 0.0}),
+            ({"softness": (2.0, 8.0)}, {"simplify": 50.0}),
+            ({"light": (200.0, 290.0)}, {"simplify": 40.0, "distance": 200.0}),
+        ],
+    )
+    def test_the_outline_moves_steadily(
+        self, renderer: Renderer, figure: Path, keyed: Mapping[str, tuple[float, float]], held: Mapping[str, object]
+    ) -> None:
+        document = document_with(figure, held)
+        ((name, (start, end)),) = keyed.items()
+        document = replace(document, canvas=replace(document.canvas, length_frames=self.FRAMES))
+        path = "light.position" if name == "light" else SHADOW + name
+        address = resolve(document, path)
+        for frame, value in ((1, start), (self.FRAMES, end)):
+            raw = [value, -200.0, 900.0] if name == "light" else value
+            document = set_key(document, address, frame, raw)
+        shapes = [coverage(renderer, document, frame) for frame in range(1, self.FRAMES + 1)]
+        steps = [Shift.between(before, after) for before, after in pairwise(shapes)]
+        assert max(step.largest for step in steps) < 4 * max(step.mean for step in steps) + 0.5
+        assert max(step.mean for step in steps) < 3 * min(step.mean for step in steps) + 0.05
+        gone = sum(float(np.abs(after - before).sum()) for before, after in pairwise(shapes))
+        assert np.abs(shapes[-1] - shapes[0]).sum() > 0.9 * gone

@@ -22,6 +22,7 @@ VERBS: Final = {
     "info": "say what is in a project, and what is missing",
     "style": "put a named look on a character, or list the looks",
     "render": "write the shadow layers as numbered frames",
+    "sheet": "draw a contact sheet of characters, their shadows step by step",
     "bench": "measure how fast this machine draws and exports",
     "doctor": "say what this machine has and what it lacks",
     "demo": "make and render a small project to look at",

@@ -1,0 +1,127 @@
+"""Contact sheets: a character in a row of pictures, one more adjustment in each, as the paper shows its steps."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import ceil
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.animation.track import Value
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.document.edits import set_constant
+from kagezou.document.model import Document
+from kagezou.document.property import Property
+from kagezou.render.backdrop import Backdrop
+from kagezou.render.renderer import Renderer
+from kagezou.scene.evaluate import evaluate
+from kagezou.session.staging import CharacterSource, Staged, new_document
+
+CELL_PX: Final = 320
+_GAP_PX: Final = 6
+_GREY: Final = 160
+_ROOM: Final = 1.3
+
+Picture = NDArray[np.uint8]
+Adjust = Callable[[Document], Document]
+
+
+def roomy(sources: Sequence[CharacterSource]) -> Staged:
+    """Return a new cut with room around the drawings for their shadows."""
+    drawn = new_document(sources).document.canvas
+    side = ceil(_ROOM * max(drawn.width_px, drawn.height_px))
+    return new_document(sources, size=(side, side))
+
+
+def steps_of(document: Document) -> Iterator[tuple[str, Document]]:
+    """Yield the name of each step and the cut after it: the paper's Figures 7 and 8, 11 and 12."""
+    yield "initial", document
+    for name, adjust in _STEPS.items():
+        document = adjust(document)
+        yield name, document
+
+
+def sheet_of(documents: Sequence[Document], renderer: Renderer, frame: int = 1) -> Picture:
+    """Return rows of cells (H, W, 4), one row a cut, with the context that is current."""
+    rows = [np.concatenate([_cell(each, renderer, frame) for _, each in steps_of(cut)], axis=1) for cut in documents]
+    return np.ascontiguousarray(np.concatenate(rows, axis=0)[: -_GAP_PX or None, : -_GAP_PX or None])
+
+
+def _cell(document: Document, renderer: Renderer, frame: int) -> Picture:
+    """Return one picture, small, with a gap to the right and below."""
+    renderer.draw_picture(evaluate(document, frame), Backdrop.BACKGROUND if document.background else Backdrop.WHITE)
+    small = _shrunk(renderer.read_picture()[..., :3])
+    cell = np.full((CELL_PX + _GAP_PX, CELL_PX + _GAP_PX, 4), (_GREY, _GREY, _GREY, 255), np.uint8)
+    top, left = ((CELL_PX - side) // 2 for side in small.shape[:2])
+    cell[top : top + small.shape[0], left : left + small.shape[1], :3] = small
+    return cell
+
+
+def _shrunk(picture: NDArray[np.uint8] | NDArray[np.uint16]) -> Picture:
+    """Return a picture of which no side is over a cell's, each pixel the mean of those it stands for."""
+    longest = max(picture.shape[:2])
+    height, width = (max(round(side * min(CELL_PX / longest, 1.0)), 1) for side in picture.shape[:2])
+    rows, columns = (_means(whole, small) for whole, small in ((picture.shape[0], height), (picture.shape[1], width)))
+    fewer = (rows @ picture.astype(np.float32).reshape(picture.shape[0], -1)).reshape(height, picture.shape[1], -1)
+    return np.asarray(np.rint(columns @ fewer), np.uint8)
+
+
+def _means(whole: int, small: int) -> NDArray[np.float32]:
+    """Return the (small, whole) matrix of means over equal parts."""
+    edges = np.linspace(0, whole, small + 1)
+    starts, stops = edges[:-1, np.newaxis], edges[1:, np.newaxis]
+    at = np.arange(whole)
+    inside = np.clip(np.minimum(stops, at + 1) - np.maximum(starts, at), 0, None)
+    return np.asarray(inside / inside.sum(axis=1, keepdims=True), np.float32)
+
+
+def _on_layers(values: Mapping[Property, float]) -> Adjust:
+    """Return an adjustment of every layer; lengths are given as parts of the figure's height."""
+
+    def adjust(document: Document) -> Document:
+        for layer in document.layers:
+            for line, part in values.items():
+                value = part * layer.figure.height if line.unit == "px" else part
+                document = set_constant(document, Address(line, layer.id), min(max(value, line.low), line.high))
+        return document
+
+    return adjust
+
+
+def _light(document: Document) -> Document:
+    """Put the lamp on the other side, as far from the middle of the first character."""
+    address = Address(properties.LIGHT_POSITION)
+    x, y, z = _numbers(value_of(document, address, 1))
+    figure = document.layers[0].figure
+    return set_constant(document, address, (figure.left + figure.right - x, y, z))
+
+
+def _ground(document: Document) -> Document:
+    """Put the ground line a little higher than the lowest foot."""
+    address = Address(properties.GROUND_POSITION)
+    x, y = _numbers(value_of(document, address, 1))
+    return set_constant(document, address, (x, y - ceil(0.02 * document.layers[0].figure.height)))
+
+
+def _declination(document: Document) -> Document:
+    return set_constant(document, Address(properties.GROUND_DECLINATION), 42.0)
+
+
+def _numbers(value: Value) -> tuple[float, ...]:
+    assert isinstance(value, tuple)
+    return tuple(part for part in value if isinstance(part, float))
+
+
+_CALM: Final = {properties.WAVE1.amplitude: 0.012, properties.WAVE1.wavelength: 0.1, properties.WAVE_ANCHOR: 0.1}
+_TORN: Final = {properties.WAVE1.amplitude: 0.035, properties.WAVE2.amplitude: 0.012, properties.WAVE2.wavelength: 0.06}
+_STEPS: Final[Mapping[str, Adjust]] = {
+    "light": _light,
+    "ground": _ground,
+    "declination": _declination,
+    "simplify": _on_layers({properties.SIMPLIFY: 0.035}),
+    "distance": _on_layers({properties.DISTANCE: 0.4}),
+    "waves": _on_layers(_CALM),
+    "torn": _on_layers(_TORN),
+}
+STEP_NAMES: Final = ("initial", *_STEPS)

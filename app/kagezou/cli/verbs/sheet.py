@@ -1,0 +1,50 @@
+"""``kagezou sheet``: a contact sheet, each character's shadow step by step from its initial state to torn water."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from kagezou.cli.arguments import Parser, named_source
+from kagezou.cli.doors import Doors
+from kagezou.cli.terminal import give, note
+
+DESCRIPTION = """\
+Draw a contact sheet: a row for each character, a column for each step from the initial shadow over light, ground,
+declination, simplification and its distance to waves. Prints the steps, from left to right."""
+EXAMPLES = """\
+  kagezou sheet -o sheet.png --character Hero=drawings/hero
+  kagezou sheet -o sheet.png --character A=cels/A --character B=cels/B --frame 12
+"""
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="the picture to write")
+    parser.add_argument(
+        "--character",
+        type=named_source,
+        action="append",
+        required=True,
+        metavar="NAME=DIR_OR_FILE",
+        help="a row; may be given several times",
+    )
+    parser.add_argument("--frame", type=int, default=1, metavar="N", help="the frame shown (1)")
+
+
+def run(options: Namespace, doors: Doors) -> int:
+    """Draw the sheet and write it."""
+    from kagezou.cli.contact_sheet import STEP_NAMES, roomy, sheet_of
+    from kagezou.io.cels import CelCache
+    from kagezou.io.encode import write_rgba
+    from kagezou.render.renderer import Renderer
+    from kagezou.session.staging import CharacterSource
+
+    staged = [roomy([CharacterSource(name, source)]) for name, source in options.character]
+    with doors.open_context():
+        renderer = Renderer(CelCache())
+        sheet = sheet_of([each.document for each in staged], renderer, options.frame)
+        renderer.close()
+    write_rgba(options.output, sheet)
+    for sentence in (each for one in staged for each in one.notes):
+        note(sentence)
+    give(", ".join(STEP_NAMES))
+    return 0
