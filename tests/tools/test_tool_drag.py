@@ -16,15 +16,21 @@ from kagezou.tools.view import View
 
 LAMP = document_with((properties.GROUNDING, ((450.0, 900.0), (550.0, 890.0))), (properties.LIGHT_POSITION, (0, 0, 500)))
 TILTABLE = document_with((properties.LIGHT_KIND, "sun"), (properties.LIGHT_AZIMUTH, 170.0))
+FILTERED = document_with(
+    (properties.LIGHT_POSITION, (0, 0, 500)), (properties.SIMPLIFY, 40.0), (properties.DISTANCE, 150.0),
+    (properties.WAVE1.amplitude, 5.0), (properties.WAVE2.amplitude, 5.0),
+)  # fmt: skip
 EVERY_HANDLE = [
-    (document, handle.id) for document in (LAMP, TILTABLE) for handle in handles_of(document, 1, LAYER, View()).handles
+    (document, handle.id)
+    for document in (LAMP, TILTABLE, FILTERED)
+    for handle in handles_of(document, 1, LAYER, View()).handles
 ]
 
 
 def test_every_handle_there_is_takes_part() -> None:
     assert {handle_id for _, handle_id in EVERY_HANDLE} == {
         "ground.position", "ground.end", "ground.declination", "grounding.0", "grounding.1", "tilt.lever",
-        "light.lamp", "light.foot", "light.sun", "shadow.tip",
+        "light.lamp", "light.foot", "light.sun", "shadow.tip", "filter.distance", "filter.wave1", "filter.wave2",
     }  # fmt: skip
 
 

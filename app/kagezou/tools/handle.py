@@ -39,6 +39,8 @@ class Shape(StrEnum):
     """A grounding point."""
     RING = "ring"
     """The tip of the shadow."""
+    ARROW = "arrow"
+    """The end of a wave's arrow."""
 
 
 class Cursor(StrEnum):
@@ -58,7 +60,8 @@ class Handle:
     ----------
     id
         Stable while the same thing is edited: ``light.lamp``, ``light.foot``, ``light.sun``, ``ground.position``,
-        ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``grounding.0``, ``grounding.1`` …
+        ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``filter.distance``, ``filter.wave1``,
+        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …
     shape
         Its look, of constant size on screen.
     canvas_px
@@ -114,6 +117,10 @@ class GuideKind(StrEnum):
     """Where the card meets the ground through the grounding points."""
     SHADOW_RAY = "shadow-ray"
     """From the head to the tip of its shadow."""
+    FILTER_DISTANCE = "filter-distance"
+    """Across the shadow, where simplifying is at its full strength."""
+    WAVE = "wave"
+    """From crest to crest."""
 
 
 @dataclass(frozen=True, slots=True)

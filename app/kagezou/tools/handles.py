@@ -3,14 +3,14 @@
 from types import MappingProxyType
 
 from kagezou.document.model import Document
-from kagezou.tools import ground, grounding, light, shadow, sun, tilt
+from kagezou.tools import filters, ground, grounding, light, shadow, sun, tilt
 from kagezou.tools.drag import Drag, Move, dragging
 from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.pointer import Modifiers, Pointer
 from kagezou.tools.setting import Setting
 from kagezou.tools.view import View
 
-_ROOMS = (ground, tilt, grounding, shadow, light, sun)
+_ROOMS = (ground, tilt, filters, grounding, shadow, light, sun)
 """Whose handles lie over whose: the last one's are topmost."""
 
 _MOVES: MappingProxyType[str, Move] = MappingProxyType(
@@ -21,6 +21,9 @@ _MOVES: MappingProxyType[str, Move] = MappingProxyType(
         tilt.TILT: tilt.move_tilt,
         grounding.GROUNDING: grounding.move_point,
         shadow.TIP: shadow.move_tip,
+        filters.DISTANCE: filters.move_distance,
+        filters.WAVE1: filters.move_wave,
+        filters.WAVE2: filters.move_wave,
         light.FOOT: light.move_foot,
         light.LAMP: light.move_lamp,
         sun.SUN: sun.move_sun,

@@ -37,7 +37,7 @@ MIN_HEIGHT_OF_FIGURE = 0.1
 
 def handles(setting: Setting) -> tuple[Handle, ...]:
     """Return the shadow's tip, where there is one."""
-    head, tip = _head(setting), _tip(setting)
+    head, tip = _head(setting), tip_of(setting)
     if setting.layer is None or head is None or tip is None:
         return ()
     lines = (properties.LIGHT_AZIMUTH, properties.LIGHT_ELEVATION) if setting.is_sun else (properties.LIGHT_POSITION,)
@@ -52,7 +52,7 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
 
 def guides(setting: Setting) -> tuple[Guide, ...]:
     """Return the line from the head to its shadow."""
-    head, tip = _head(setting), _tip(setting)
+    head, tip = _head(setting), tip_of(setting)
     if head is None or tip is None:
         return ()
     return (Guide(GuideKind.SHADOW_RAY, (seen(setting.camera, head), seen(setting.camera, tip))),)
@@ -60,7 +60,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
 
 def move_tip(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     """Move the light so that the head's shadow falls where it is wanted."""
-    ground, head, tip = setting.ground, _head(setting), _tip(setting)
+    ground, head, tip = setting.ground, _head(setting), tip_of(setting)
     if head is None or tip is None:
         return setting.document
     wanted = place_seen_at(setting.camera, tip, ground.normal, aim.straightened(setting.along).target)
@@ -107,7 +107,7 @@ def _on_card(setting: Setting, card: Card, canvas_px: Point2) -> Vector3 | None:
     return place if place is None or max(map(abs, place)) <= REACH_PX else None
 
 
-def _tip(setting: Setting) -> Vector3 | None:
+def tip_of(setting: Setting) -> Vector3 | None:
     """Return where the head's shadow falls on the ground, world px, or None if it does not, or out of sight."""
     head = _head(setting)
     ground, light = setting.ground, setting.light

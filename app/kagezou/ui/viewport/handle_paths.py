@@ -32,6 +32,8 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.TILT_ARM: (_CLEAR, Qt.PenStyle.SolidLine),
     GuideKind.CARD_FOOT: (_STRONG, Qt.PenStyle.SolidLine),
     GuideKind.SHADOW_RAY: (_FAINT, Qt.PenStyle.DotLine),
+    GuideKind.FILTER_DISTANCE: (_CLEAR, Qt.PenStyle.DashLine),
+    GuideKind.WAVE: (_STRONG, Qt.PenStyle.SolidLine),
 }
 
 
@@ -70,6 +72,9 @@ def handle_path(shape: Shape, radius: float, cursor: Cursor) -> QPainterPath:
             path.addRoundedRect(QRectF(-wide, -high, 2 * wide, 2 * high), radius * 0.8, radius * 0.8)
         case Shape.DIAMOND:
             path.addPolygon(QPolygonF([QPointF(x * radius * 1.3, y * radius * 1.3) for x, y in _COMPASS]))
+            path.closeSubpath()
+        case Shape.ARROW:
+            path.addPolygon(_star(3, radius * 1.5, radius * 0.75))
             path.closeSubpath()
         case Shape.RING:
             path.addEllipse(QPointF(0, 0), radius * 1.2, radius * 1.2)
