@@ -228,14 +228,14 @@ class TestEdge:
 class TestNoBoiling:
     """A held drawing under slowly keyed values: the outline goes one way, and nowhere jumps."""
 
-    FRAMES = 12
+    FRAMES = 24
 
     @pytest.mark.parametrize(
         ("keyed", "held"),
         [
             ({"simplify": (50.0, 62.0)}, {"distance": 200.0}),
             ({"simplify": (50.0, 62.0)}, {}),
-            ({"distance": (120.0, 150.0)}, {"simplify": 40.0}),
+            ({"distance": (120.0, 190.0)}, {"simplify": 40.0}),
             ({"wave1.amplitude": (4.0, 10.0)}, {"simplify": 40.0, "wave1.velocity": 0.0}),
             ({"softness": (2.0, 8.0)}, {"simplify": 50.0}),
             ({"light": (200.0, 290.0)}, {"simplify": 40.0, "distance": 200.0}),
