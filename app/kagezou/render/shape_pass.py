@@ -38,7 +38,7 @@ _FAINT = 1e-5
 _SAFELY, _SAFELY_BESIDES = 1.15, 0.05
 """By how much an edge is taken for wider than it is, as the width of the blur changes over the receiver."""
 
-_REACHES = (8, 16, 32, 48, 64, 96, 128, 192, 256, 384, 512, 1024, 2048)
+_REACHES = (5, 7, 10, 14, 20, 28, 40, 56, 80, 112, 160, 224, 320, 448, 640, 896, 1280, 2048)
 """Over how many texels either way a blur may be summed up; each is a program of its own."""
 
 _ALONG_V, _ALONG_U = frozenset({"ALONG_V"}), frozenset({"ALONG_U"})
