@@ -22,7 +22,7 @@ LARGEST_TEXEL_PX = 8.0
 """No coarser, so that the tiles in which an outline may lie stay few, unless the blur is as wide as ..."""
 
 MOST_TEXELS_A_SIGMA = 25.0
-"""... this many of them."""
+"""... this many of them; twice as large where the blur is the same everywhere."""
 
 TEXELS_A_SHAPE = 24.0
 """How many texels the radius of a shape has at least."""
@@ -144,12 +144,20 @@ def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     if sigma <= SHARP_SIGMA_PX:
         return ()
     grown = _growth(blur, shadow, sigma)
-    return (_band(shadow, (shadow.low - grown, shadow.high + grown), sigma, grown, _texel(shadow, sigma)),)
+    return (
+        _band(
+            shadow,
+            (shadow.low - grown, shadow.high + grown),
+            sigma,
+            grown,
+            _texel(shadow, sigma, min(2 * LARGEST_TEXEL_PX, sigma / 4)),
+        ),
+    )
 
 
-def _texel(shadow: Extent, sigma_px: float) -> float:
+def _texel(shadow: Extent, sigma_px: float, largest_px: float = LARGEST_TEXEL_PX) -> float:
     """Return how large texels may be for a blur and all wider ones."""
-    largest = max(LARGEST_TEXEL_PX, sigma_px / MOST_TEXELS_A_SIGMA)
+    largest = max(largest_px, sigma_px / MOST_TEXELS_A_SIGMA)
     return min(sigma_px / TEXELS_A_SIGMA, largest, _disc(shadow) / TEXELS_A_SHAPE)
 
 

@@ -18,6 +18,9 @@ from kagezou.scene.scene import ShadowCast
 
 _OUTLINED_TEXELS = 64
 
+_COARSEST_CAST = 1
+"""Means of a finer cast cost less than one whose every texel is split into many cells."""
+
 
 class PlaneCast:
     """Draws whole shadows on their receivers, seen by the canvas or not."""
@@ -35,8 +38,8 @@ class PlaneCast:
             self._whole.close()
 
     def fill(self, job: Job, shadow: Target) -> None:
-        """Cast the shadow once, as fine as any strip wants it, and fill the strips with means of it."""
-        level = min((strip.band.level for strip in job.strips), default=0)
+        """Cast the shadow once, at least as fine as any strip wants it, and fill the strips with means of it."""
+        level = min((_COARSEST_CAST, *(strip.band.level for strip in job.strips)))
         texel = 2.0**level
         low, high = (job.extent.left, job.extent.low), (job.extent.right, job.extent.high)
         first = tuple(floor(each / texel) - 1 for each in low)
