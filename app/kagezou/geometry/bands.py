@@ -144,15 +144,10 @@ def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     if sigma <= SHARP_SIGMA_PX:
         return ()
     grown = _growth(blur, shadow, sigma)
-    return (
-        _band(
-            shadow,
-            (shadow.low - grown, shadow.high + grown),
-            sigma,
-            grown,
-            _texel(shadow, sigma, min(2 * LARGEST_TEXEL_PX, sigma / 4)),
-        ),
-    )
+    # Nothing bends an even blur over: where it is wide, still larger texels will do.
+    largest = min(max(LARGEST_TEXEL_PX, sigma / 4), 2 * LARGEST_TEXEL_PX)
+    core = (shadow.low - grown, shadow.high + grown)
+    return (_band(shadow, core, sigma, grown, _texel(shadow, sigma, largest)),)
 
 
 def _texel(shadow: Extent, sigma_px: float, largest_px: float = LARGEST_TEXEL_PX) -> float:
