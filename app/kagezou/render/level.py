@@ -94,10 +94,11 @@ def area_preserving_level(bands: Sequence[Counted]) -> float:
 
 def _slopes(band: Counted, finer: int) -> _Slopes:
     """Return the places of a band that hold anything: texels, of a small band finer ones."""
-    m = band.margin
-    texels = band.blurred
-    rows, columns = (_places(side, m, finer) for side in texels.shape)
-    values = _spline(_spline(texels, rows, 0), columns, 1)
+    if finer == 1:
+        values = _at_texels(band.blurred, band.margin)
+    else:
+        rows, columns = (_places(side, band.margin, finer) for side in band.blurred.shape)
+        values = _spline(_spline(band.blurred, rows, 0), columns, 1)
     # One place more on each side, for the slopes; the outline crosses a place half a step either way.
     middle = values[1:-1, 1:-1]
     reach = (np.abs(values[1:-1, 2:] - values[1:-1, :-2]) + np.abs(values[2:, 1:-1] - values[:-2, 1:-1])) / 4
@@ -108,6 +109,14 @@ def _slopes(band: Counted, finer: int) -> _Slopes:
         np.maximum(reach[held], np.float32(1e-12)),
         np.broadcast_to(areas[:, np.newaxis], middle.shape)[held],
     )
+
+
+def _at_texels(texels: Floats, margin: int) -> Floats:
+    """Return the spline in the middle of each texel that counts, and of one more on every side."""
+    cut = margin - 2
+    inner = texels[cut : texels.shape[0] - cut, cut : texels.shape[1] - cut]
+    rows = (inner[:-2] + 4 * inner[1:-1] + inner[2:]) / np.float32(6)
+    return np.asarray((rows[:, :-2] + 4 * rows[:, 1:-1] + rows[:, 2:]) / np.float32(6))
 
 
 def _places(texels: int, margin: int, finer: int) -> NDArray[np.float64]:

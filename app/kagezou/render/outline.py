@@ -50,42 +50,57 @@ def outline_tiles(
     plane = seen[:, :2] / np.where(seen[:, 2] > 0, seen[:, 2], 1.0)[:, np.newaxis]
     moved = np.array(reach.moved_px)[:, np.newaxis]
     low, high = plane.min(axis=0) - moved, plane.max(axis=0) + moved
-    codes = np.full(low.shape[1], OUTLINE)
+    tiles = _Tiles(low[:, bounded], high[:, bounded])
     for strip, values in strips:
-        sides = (values > reach.empty, values > reach.full)
-        _decide(codes, strip, sides, (low, high), bounded & (blur.is_even | _within(strip, low, high)))
-    if not blur.is_even:
-        nearest = np.where(low[1] * high[1] <= 0, 0.0, np.minimum(np.abs(low[1]), np.abs(high[1])))
-        codes[nearest < blur.distance_of(FINEST_SIGMA_PX)] = OUTLINE
+        tiles.look_at(strip, values, reach, is_whole=blur.is_even)
+    codes = np.full(low.shape[1], OUTLINE)
+    codes[bounded] = tiles.codes
+    # Where the blur is narrow the shadow as it was cast is seen too, which the strips do not tell of.
+    nearest = np.where(low[1] * high[1] <= 0, 0.0, np.minimum(np.abs(low[1]), np.abs(high[1])))
+    codes[nearest < blur.distance_of(FINEST_SIGMA_PX)] = OUTLINE
     boxes, kinds = runs_of(codes.reshape(len(rows), len(columns)), (int(columns[0]), int(rows[0])), box)
     return boxes[kinds == FULL], boxes[kinds == OUTLINE]
 
 
-def _within(strip: Strip, low: Matrix, high: Matrix) -> NDArray[np.bool_]:
-    """Tell which tiles lie within the rows that are shown from a strip."""
-    core = strip.band.core
-    return np.asarray((low[1] >= core.low) & (high[1] <= core.high))
+class _Tiles:
+    """What is known of tiles, by the strips looked at so far.
 
+    Parameters
+    ----------
+    low, high
+        (2, N): the least and the largest u and v from which each tile takes its shadow.
+    """
 
-def _decide(
-    codes: NDArray[np.int64],
-    strip: Strip,
-    sides: tuple[NDArray[np.bool_], NDArray[np.bool_]],
-    reach: tuple[Matrix, Matrix],
-    inside: NDArray[np.bool_],
-) -> None:
-    """Mark the tiles among ``inside`` in which one strip has no shadow, or nothing else."""
-    texel = strip.band.texel_px
-    low, high = reach
-    some, full = sides
-    corner = (strip.plane_from_atlas @ np.array([strip.shown.left, strip.shown.top, 1.0]))[:2, np.newaxis]
-    limit = np.array([some.shape[1], some.shape[0]])
-    first = np.floor((low[:, inside] - corner) / texel).T - _SPLINE_TEXELS
-    last = np.floor((high[:, inside] - corner) / texel).T + _SPLINE_TEXELS + 1
-    leaves = ((first < 0) | (last > limit)).any(axis=1)
-    start = np.clip(first, 0, limit).astype(np.intp)
-    stop = np.maximum(np.clip(last, 0, limit).astype(np.intp), start)
-    texels = (stop - start).prod(axis=1)
-    is_full = ~leaves & (count_in(summed(full), start, stop) == texels)
-    is_empty = count_in(summed(some), start, stop) == 0
-    codes[inside] = np.where(is_empty, EMPTY, np.where(is_full, FULL, OUTLINE))
+    def __init__(self, low: Matrix, high: Matrix) -> None:
+        self._low, self._high = low, high
+        count = low.shape[1]
+        self._is_empty = np.ones(count, np.bool_)
+        self._is_full = np.ones(count, np.bool_)
+        self._seen_px = np.zeros(count)
+
+    @property
+    def codes(self) -> NDArray[np.int64]:
+        """The code of each tile; what no strip shows is empty."""
+        whole = self._seen_px >= (self._high[1] - self._low[1]) * (1 - 1e-9)
+        return np.where(self._is_empty, EMPTY, np.where(self._is_full & whole, FULL, OUTLINE))
+
+    def look_at(self, strip: Strip, values: NDArray[np.float32], reach: Reach, *, is_whole: bool) -> None:
+        """Look at the tiles that a strip shows, or at all if it is the only one."""
+        core, texel = strip.band.core, strip.band.texel_px
+        near, far = np.maximum(self._low[1], core.low), np.minimum(self._high[1], core.high)
+        at = np.nonzero((near < far) | is_whole)[0]
+        if is_whole:
+            near, far = self._low[1], self._high[1]
+        low, high = np.stack([self._low[0, at], near[at]]), np.stack([self._high[0, at], far[at]])
+        corner = (strip.plane_from_atlas @ np.array([strip.shown.left, strip.shown.top, 1.0]))[:2, np.newaxis]
+        limit = np.array([values.shape[1], values.shape[0]])
+        first = np.floor((low - corner) / texel).T - _SPLINE_TEXELS
+        last = np.floor((high - corner) / texel).T + _SPLINE_TEXELS + 1
+        leaves = (first[:, 0] < 0) | (last[:, 0] > limit[0])
+        start = np.clip(first, 0, limit).astype(np.intp)
+        stop = np.maximum(np.clip(last, 0, limit).astype(np.intp), start)
+        some = count_in(summed(values > reach.empty), start, stop)
+        full = some if reach.full == reach.empty else count_in(summed(values > reach.full), start, stop)
+        self._is_empty[at] &= some == 0
+        self._is_full[at] &= ~leaves & (full == (stop - start).prod(axis=1))
+        self._seen_px[at] += far[at] - near[at]

@@ -173,11 +173,11 @@ class ShapePass:
         plane_from_canvas = inverse(job.canvas_from_plane)
         u, v = job.moved_px
         box = sharp_box
-        for strip in job.strips:
-            core = strip.band.core
-            low, high = (core.left - u, core.low - v), (core.right + u, core.high + v)
-            polygon = seen_rectangle(canvas, plane_from_canvas, low, high)
-            seen = bounding_box(polygon)
+        cores = [strip.band.core for strip in job.strips]
+        if cores:
+            low = (min(core.left for core in cores) - u, min(core.low for core in cores) - v)
+            high = (max(core.right for core in cores) + u, max(core.high for core in cores) + v)
+            seen = bounding_box(seen_rectangle(canvas, plane_from_canvas, low, high))
             if seen is not None:
                 box = seen if box is None else box.union(seen)
         return None if box is None else box.intersection(canvas)
