@@ -89,8 +89,56 @@ def playback_commands() -> tuple[Command, ...]:
         Command("forward", translate("Commands", "&Next Frame"), ("PgDown", ".", "Ctrl+Right"), "step-forward"),
         Command("forward_10", translate("Commands", "10 Frames On"), ("Shift+PgDown", "Ctrl+Shift+Right")),
         Command("last", translate("Commands", "La&st Frame"), ("End",), "last"),
+        Command("ping_pong", translate("Commands", "Play There and &Back"), ("Shift+L",), "", checkable=True),
         Command("key_previous", translate("Commands", "Previous &Key"), ("J",), "key-previous"),
         Command("key_next", translate("Commands", "Next Ke&y"), ("K",), "key-next"),
+    )
+
+
+def key_commands() -> tuple[Command, ...]:
+    """Return the commands about keys, work area and markers."""
+    translate = QCoreApplication.translate
+    return (
+        Command("set_keys", translate("Commands", "Set &Keys Here"), ("F6",), "key"),
+        Command("copy_keys", translate("Commands", "&Copy Keys"), ("Ctrl+C",)),
+        Command("cut_keys", translate("Commands", "C&ut Keys"), ("Ctrl+X",)),
+        Command("paste_keys", translate("Commands", "&Paste Keys"), ("Ctrl+V",)),
+        Command("paste_in_place", translate("Commands", "Paste Keys at Their &Old Time"), ("Ctrl+Shift+V",)),
+        Command("select_keys", translate("Commands", "Select &All Keys"), ("Ctrl+A",)),
+        Command("keys_back", translate("Commands", "Move Keys 1 Frame &Back"), ("Alt+Left",)),
+        Command("keys_on", translate("Commands", "Move Keys 1 Frame O&n"), ("Alt+Right",)),
+        Command("keys_back_10", translate("Commands", "Move Keys 10 Frames Back"), ("Alt+Shift+Left",)),
+        Command("keys_on_10", translate("Commands", "Move Keys 10 Frames On"), ("Alt+Shift+Right",)),
+        Command("ease_both", translate("Commands", "&Easy Ease"), ("F9",)),
+        Command("ease_in", translate("Commands", "Ease &In"), ("Shift+F9",)),
+        Command("ease_out", translate("Commands", "Ease &Out"), ("Ctrl+Shift+F9",)),
+        Command("hold", translate("Commands", "&Hold"), ("Ctrl+Alt+H",)),
+        Command("linear", translate("Commands", "&Linear"), ("Ctrl+Alt+L",)),
+        Command("work_in", translate("Commands", "Work Area &Begins Here"), ("B",)),
+        Command("work_out", translate("Commands", "Work Area E&nds Here"), ("N",)),
+        Command("work_clear", translate("Commands", "Clea&r Work Area"), ("Ctrl+Alt+B",)),
+        Command("work_first", translate("Commands", "First Frame of the Work Area"), ("Shift+Home",)),
+        Command("work_last", translate("Commands", "Last Frame of the Work Area"), ("Shift+End",)),
+        Command("marker", translate("Commands", "Add or Name &Marker"), ("M",)),
+    )
+
+
+def timeline_commands() -> tuple[Command, ...]:
+    """Return the commands about what the timeline shows."""
+    translate = QCoreApplication.translate
+    return (
+        Command("timeline_fit", translate("Commands", "Fit the Cut in the &Timeline"), ("Shift+F",)),
+        Command("timeline_in", translate("Commands", "Zoom &In on Time"), ("=", "Ctrl+Alt+Up")),
+        Command("timeline_out", translate("Commands", "Zoom &Out of Time"), ("-", "Ctrl+Alt+Down")),
+        Command("reveal_animated", translate("Commands", "Show Keyed Properties; Again: Cha&nged Ones"), ("U",)),
+        Command("reveal_light", translate("Commands", "Show &Light"), ("P",)),
+        Command("reveal_ground", translate("Commands", "Show &Ground"), ("G",)),
+        Command("reveal_contacts", translate("Commands", "Show Grounding &Points"), ("C",)),
+        Command("reveal_shape", translate("Commands", "Show &Shape"), ("S",)),
+        Command("reveal_tilt", translate("Commands", "Show Body T&ilt"), ("R",)),
+        Command("reveal_opacity", translate("Commands", "Show &Opacity and Fading"), ("T",)),
+        Command("reveal_waves", translate("Commands", "Show &Waves"), ("W",)),
+        Command("reveal_softness", translate("Commands", "Show So&ftness"), ("Y",)),
     )
 
 
@@ -113,8 +161,8 @@ class Actions:
     """
 
     def __init__(self, owner: QWidget) -> None:
-        groups = (file_commands(), edit_commands(), view_commands(), playback_commands(), help_commands())
-        self.commands = tuple(command for group in groups for command in group)
+        groups = (file_commands, edit_commands, view_commands, playback_commands, key_commands, timeline_commands)
+        self.commands = tuple(command for group in (*groups, help_commands) for command in group())
         self._actions = {command.name: _action(command, owner) for command in self.commands}
 
     def __getitem__(self, name: str) -> QAction:

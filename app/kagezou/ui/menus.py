@@ -74,6 +74,11 @@ class Menus(QObject):
             action.setText(words if step is None else self.tr("%1 %2").replace("%1", words).replace("%2", step))
             action.setToolTip(f"{plain(action.text())}  ({action.shortcut().toString()})")
 
+    def fill_keys(self, menu: QMenu) -> None:
+        """Fill a menu with what can be done to the selected keys."""
+        self._fill(menu, ["set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete"])
+        self._fill(menu, [_SEPARATOR, "ease_both", "ease_in", "ease_out", "linear", "hold"])
+
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
         bar = QToolBar(self.tr("Tools"), self._window)
@@ -105,13 +110,21 @@ class Menus(QObject):
         self._fill(file, [_SEPARATOR, "export", _SEPARATOR, "quit"])
         edit = bar.addMenu(self.tr("&Edit"))
         self._fill(edit, ["undo", "redo", _SEPARATOR, "rename_layer", "delete"])
+        keys = bar.addMenu(self.tr("&Keys"))
+        self.fill_keys(keys)
+        self._fill(keys, [_SEPARATOR, "select_keys", "keys_back", "keys_on", "keys_back_10", "keys_on_10"])
         bar.addMenu(self.view)
         self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])
         self.view.addMenu(self.backdrops)
         self._fill(self.view, ["handles", _SEPARATOR])
+        reveal = self.view.addMenu(self.tr("&Timeline Shows"))
+        self._fill(reveal, [command.name for command in self._actions.commands if command.name.startswith("reveal")])
+        self._fill(reveal, [_SEPARATOR, "timeline_fit", "timeline_in", "timeline_out"])
+        self.view.addSeparator()
         playback = bar.addMenu(self.tr("&Playback"))
-        self._fill(playback, ["play", "loop", "every_frame", _SEPARATOR, "first", "back_10", "back", "forward"])
-        self._fill(playback, ["forward_10", "last", _SEPARATOR, "key_previous", "key_next"])
+        self._fill(playback, ["play", "loop", "ping_pong", "every_frame", _SEPARATOR, "first", "back_10", "back"])
+        self._fill(playback, ["forward", "forward_10", "last", _SEPARATOR, "key_previous", "key_next", _SEPARATOR])
+        self._fill(playback, ["work_in", "work_out", "work_clear", "work_first", "work_last", _SEPARATOR, "marker"])
         help_menu = bar.addMenu(self.tr("&Help"))
         self._fill(help_menu, ["shortcuts", _SEPARATOR, "about"])
 
