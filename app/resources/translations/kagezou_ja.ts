@@ -163,7 +163,7 @@
     </message>
     <message>
         <source>Play There and &amp;Back</source>
-        <translation>往復再生 (&B)</translation>
+        <translation>往復再生 (&amp;B)</translation>
     </message>
     <message>
         <source>Previous &amp;Key</source>
@@ -175,35 +175,35 @@
     </message>
     <message>
         <source>Set &amp;Keys Here</source>
-        <translation>ここにキーを設定 (&K)</translation>
+        <translation>ここにキーを設定 (&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Copy Keys</source>
-        <translation>キーをコピー (&C)</translation>
+        <translation>キーをコピー (&amp;C)</translation>
     </message>
     <message>
         <source>C&amp;ut Keys</source>
-        <translation>キーを切り取り (&U)</translation>
+        <translation>キーを切り取り (&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Paste Keys</source>
-        <translation>キーを貼り付け (&P)</translation>
+        <translation>キーを貼り付け (&amp;P)</translation>
     </message>
     <message>
         <source>Paste Keys at Their &amp;Old Time</source>
-        <translation>元の時間にキーを貼り付け (&O)</translation>
+        <translation>元の時間にキーを貼り付け (&amp;O)</translation>
     </message>
     <message>
         <source>Select &amp;All Keys</source>
-        <translation>すべてのキーを選択 (&A)</translation>
+        <translation>すべてのキーを選択 (&amp;A)</translation>
     </message>
     <message>
         <source>Move Keys 1 Frame &amp;Back</source>
-        <translation>キーを1フレーム前へ (&B)</translation>
+        <translation>キーを1フレーム前へ (&amp;B)</translation>
     </message>
     <message>
         <source>Move Keys 1 Frame O&amp;n</source>
-        <translation>キーを1フレーム後へ (&N)</translation>
+        <translation>キーを1フレーム後へ (&amp;N)</translation>
     </message>
     <message>
         <source>Move Keys 10 Frames Back</source>
@@ -215,35 +215,35 @@
     </message>
     <message>
         <source>&amp;Easy Ease</source>
-        <translation>イージーイーズ (&E)</translation>
+        <translation>イージーイーズ (&amp;E)</translation>
     </message>
     <message>
         <source>Ease &amp;In</source>
-        <translation>イーズイン (&I)</translation>
+        <translation>イーズイン (&amp;I)</translation>
     </message>
     <message>
         <source>Ease &amp;Out</source>
-        <translation>イーズアウト (&O)</translation>
+        <translation>イーズアウト (&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Hold</source>
-        <translation>停止 (&H)</translation>
+        <translation>停止 (&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
-        <translation>リニア (&L)</translation>
+        <translation>リニア (&amp;L)</translation>
     </message>
     <message>
         <source>Work Area &amp;Begins Here</source>
-        <translation>ワークエリアの開始をここに (&B)</translation>
+        <translation>ワークエリアの開始をここに (&amp;B)</translation>
     </message>
     <message>
         <source>Work Area E&amp;nds Here</source>
-        <translation>ワークエリアの終了をここに (&N)</translation>
+        <translation>ワークエリアの終了をここに (&amp;N)</translation>
     </message>
     <message>
         <source>Clea&amp;r Work Area</source>
-        <translation>ワークエリアを解除 (&R)</translation>
+        <translation>ワークエリアを解除 (&amp;R)</translation>
     </message>
     <message>
         <source>First Frame of the Work Area</source>
@@ -255,55 +255,55 @@
     </message>
     <message>
         <source>Add or Name &amp;Marker</source>
-        <translation>マーカーを追加/名前を変更 (&M)</translation>
+        <translation>マーカーを追加/名前を変更 (&amp;M)</translation>
     </message>
     <message>
         <source>Fit the Cut in the &amp;Timeline</source>
-        <translation>カット全体をタイムラインに表示 (&T)</translation>
+        <translation>カット全体をタイムラインに表示 (&amp;T)</translation>
     </message>
     <message>
         <source>Zoom &amp;In on Time</source>
-        <translation>時間を拡大 (&I)</translation>
+        <translation>時間を拡大 (&amp;I)</translation>
     </message>
     <message>
         <source>Zoom &amp;Out of Time</source>
-        <translation>時間を縮小 (&O)</translation>
+        <translation>時間を縮小 (&amp;O)</translation>
     </message>
     <message>
         <source>Show Keyed Properties; Again: Cha&amp;nged Ones</source>
-        <translation>キーのあるプロパティを表示 / もう一度で変更したもの (&N)</translation>
+        <translation>キーのあるプロパティを表示 / もう一度で変更したもの (&amp;N)</translation>
     </message>
     <message>
         <source>Show &amp;Light</source>
-        <translation>ライトを表示 (&L)</translation>
+        <translation>ライトを表示 (&amp;L)</translation>
     </message>
     <message>
         <source>Show &amp;Ground</source>
-        <translation>地面を表示 (&G)</translation>
+        <translation>地面を表示 (&amp;G)</translation>
     </message>
     <message>
         <source>Show Grounding &amp;Points</source>
-        <translation>接地点を表示 (&P)</translation>
+        <translation>接地点を表示 (&amp;P)</translation>
     </message>
     <message>
         <source>Show &amp;Shape</source>
-        <translation>形状を表示 (&S)</translation>
+        <translation>形状を表示 (&amp;S)</translation>
     </message>
     <message>
         <source>Show Body T&amp;ilt</source>
-        <translation>体の傾きを表示 (&I)</translation>
+        <translation>体の傾きを表示 (&amp;I)</translation>
     </message>
     <message>
         <source>Show &amp;Opacity and Fading</source>
-        <translation>不透明度とフェードを表示 (&O)</translation>
+        <translation>不透明度とフェードを表示 (&amp;O)</translation>
     </message>
     <message>
         <source>Show &amp;Waves</source>
-        <translation>波を表示 (&W)</translation>
+        <translation>波を表示 (&amp;W)</translation>
     </message>
     <message>
         <source>Show So&amp;ftness</source>
-        <translation>ぼかしを表示 (&F)</translation>
+        <translation>ぼかしを表示 (&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Keyboard Shortcuts</source>
@@ -915,11 +915,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation>キー(&K)</translation>
+        <translation>キー(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Timeline Shows</source>
-        <translation>タイムラインの表示 (&T)</translation>
+        <translation>タイムラインの表示 (&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Playback</source>
@@ -1135,8 +1135,8 @@ Drop a folder of cels here.</source>
 <context>
     <name>Timeline</name>
     <message>
-        <source>Nothing is keyed yet. Move the playhead, then click the diamond before a property.</source>
-        <translation type="unfinished"></translation>
+        <source>Nothing is keyed yet: move the playhead and click the diamond before a property.</source>
+        <translation>まだキーがありません。再生ヘッドを動かし、プロパティの左のひし形をクリックしてください。</translation>
     </message>
     <message>
         <source>Set marker</source>
