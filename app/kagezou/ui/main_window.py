@@ -113,6 +113,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.exporting.finish()
+        self.project.put_away()
         if self.demo is not None:
             self.demo.finish()
         self.thumbnails.wait()

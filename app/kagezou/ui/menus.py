@@ -106,7 +106,19 @@ class Menus(QObject):
         file = bar.addMenu(self.tr("&File"))
         self._fill(file, ["new", "open"])
         file.addMenu(self.recent)
-        self._fill(file, ["save", "save_as", _SEPARATOR, "import", "import_pictures", "background", "no_background"])
+        self._fill(
+            file,
+            [
+                "save",
+                "save_as",
+                "save_increment",
+                _SEPARATOR,
+                "import",
+                "import_pictures",
+                "background",
+                "no_background",
+            ],
+        )
         self._fill(file, [_SEPARATOR, "export", _SEPARATOR, "quit"])
         edit = bar.addMenu(self.tr("&Edit"))
         self._fill(edit, ["undo", "redo", _SEPARATOR, "rename_layer", "delete"])

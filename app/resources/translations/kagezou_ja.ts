@@ -66,6 +66,10 @@
         <translation>名前を付けて保存(&amp;A)…</translation>
     </message>
     <message>
+        <source>Save Ne&amp;xt Version</source>
+        <translation>次のバージョンとして保存 (&amp;X)</translation>
+    </message>
+    <message>
         <source>&amp;Import Character…</source>
         <translation>キャラクターを読み込み(&amp;I)…</translation>
     </message>
@@ -328,6 +332,10 @@
         <translation>セルから新規作成</translation>
     </message>
     <message>
+        <source>Recover unsaved work</source>
+        <translation>保存していない作業を復元</translation>
+    </message>
+    <message>
         <source>Import character</source>
         <translation>キャラクターを読み込み</translation>
     </message>
@@ -381,6 +389,30 @@
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window. Open it here too?</source>
+        <translation>「%1」は別のウィンドウで開かれています。ここでも開きますか？</translation>
+    </message>
+    <message>
+        <source>Whoever saves last wins. It is open there: %1.</source>
+        <translation>後から保存した内容が残ります。開いている場所: %1</translation>
+    </message>
+    <message>
+        <source>Open Anyway</source>
+        <translation>それでも開く</translation>
+    </message>
+    <message>
+        <source>“%1” was changed outside this window. Save over it?</source>
+        <translation>「%1」はこのウィンドウの外で変更されています。上書きしますか？</translation>
+    </message>
+    <message>
+        <source>What was changed there is kept only as its backup copy (NAME~).</source>
+        <translation>外での変更はバックアップ (名前~) としてのみ残ります。</translation>
+    </message>
+    <message>
+        <source>Save Anyway</source>
+        <translation>それでも保存</translation>
     </message>
     <message>
         <source>Kagezou projects</source>
@@ -1031,6 +1063,43 @@ Drop a folder of cels here.</source>
     <message>
         <source>Copy name for scripts</source>
         <translation>スクリプト用の名前をコピー</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryDialog</name>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation>保存していない作業の復元</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>Kagezou did not end as it should. This work was put aside and never saved:</source>
+        <translation>前回 Kagezou は正常に終了しませんでした。次の作業は保存されていませんが、控えが残っています:</translation>
+    </message>
+    <message>
+        <source>Show Folder</source>
+        <translation>フォルダーを表示</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>後で</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n 回の操作</numerusform>
+        </translation>
     </message>
 </context>
 <context>
