@@ -6,14 +6,16 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
-from kagezou.ui.commands import Actions
+from kagezou.ui.actions import Actions
 from kagezou.ui.demo import DemoOpener, MakeDemo
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Dialogs
 from kagezou.ui.dock import Dock
 from kagezou.ui.exporting import Exporting
+from kagezou.ui.keyboard import Keyboard
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
+from kagezou.ui.panel_layout import PanelLayout
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.style_list import StyleList
@@ -27,7 +29,7 @@ from kagezou.ui.status import Status
 from kagezou.ui.transport import Transport
 from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.welcome import Welcome
-from kagezou.ui.wiring import connect_messages, connect_playback, connect_project, connect_view
+from kagezou.ui.wiring import connect_frame, connect_messages, connect_playback, connect_project, connect_view
 
 _BUTTONS = ("first", "key_previous", "back", "play", "forward", "key_next", "last", None, "loop")
 
@@ -69,6 +71,8 @@ class MainWindow(QMainWindow):
         connect_messages(self)
         self.show_title()
         self.show_page()
+        self.panel_layout = PanelLayout(self, _DOCKS)
+        connect_frame(self)
         self._restore_layout()
 
     def show_title(self) -> None:
@@ -107,6 +111,7 @@ class MainWindow(QMainWindow):
         self.thumbnails.wait()
         self.styles.pictures.finish()
         self.prefetch.finish()
+        self.panel_layout.hide(False)
         self.settings.set_layout("geometry", self.saveGeometry())
         self.settings.set_layout("state", self.saveState(_DOCKS))
         event.accept()
@@ -156,6 +161,7 @@ class MainWindow(QMainWindow):
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
         self.menus = Menus(self, self.actions_of)
+        self.keyboard = Keyboard(self, self.actions_of, self.settings, self.bar)
 
     def _lay_out(self) -> None:
         self.pages = QStackedWidget()
@@ -178,7 +184,7 @@ class MainWindow(QMainWindow):
         )
         for dock in self.docks:
             self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
-            self.menus.view.addAction(dock.toggleViewAction())
+            self.menus.add_panel(dock.toggleViewAction())
         layers, inspector, styles = self.docks
         self.tabifyDockWidget(layers, styles)
         layers.raise_()

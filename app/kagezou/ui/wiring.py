@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 
 from kagezou.render.backdrop import Backdrop
-from kagezou.ui.help_dialogs import about_dialog, shortcuts_dialog
+from kagezou.ui.command_search import CommandSearch
+from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.icons import icon
 from kagezou.ui.key_frames import key_frames, next_key, previous_key
 from kagezou.ui.message_bar import Severity
+from kagezou.ui.panel_layout import TabKey
 from kagezou.ui.viewport.stage import Broken
 
 if TYPE_CHECKING:
@@ -37,7 +39,6 @@ def connect_project(window: "MainWindow") -> None:
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(window),
         "rename_layer": window.layers.rename_current,
-        "shortcuts": lambda: shortcuts_dialog(window, actions.commands).open(),
         "about": lambda: about_dialog(window, window.viewport.device).open(),
     }.items():
         actions.on(name, do)
@@ -65,7 +66,7 @@ def connect_view(window: "MainWindow") -> None:
     actions.on("zoom_in", lambda: viewpoint.zoom_middle(2))
     actions.on("zoom_out", lambda: viewpoint.zoom_middle(-2))
     actions["handles"].setChecked(True)
-    actions["handles"].toggled.connect(lambda _: _show_handles(window))
+    actions.on_toggled("handles", lambda _: _show_handles(window))
     viewpoint.changed.connect(lambda: window.status.show_zoom(viewpoint.percent))
     window.status.show_zoom(viewpoint.percent)
 
@@ -108,6 +109,24 @@ def connect_playback(window: "MainWindow") -> None:
     player.playing_changed.connect(lambda _: _show_playing(window))
     for name in ("loop", "every_frame"):
         _remember_switch(window, name)
+
+
+def connect_frame(window: "MainWindow") -> None:
+    """Connect what belongs to the window itself: its panels, its shortcuts and the search among its commands."""
+    actions, layout = window.actions_of, window.panel_layout
+    search = CommandSearch(window, actions)
+
+    def reset() -> None:
+        actions["hide_docks"].setChecked(False)
+        layout.reset()
+
+    actions.on("command_search", search.open)
+    actions.on("shortcuts", window.keyboard.show_sheet)
+    actions.on("edit_shortcuts", window.keyboard.edit)
+    actions.on("reset_layout", reset)
+    actions.on_toggled("hide_docks", layout.hide)
+    actions.on_toggled("full_screen", lambda on: window.showFullScreen() if on else window.showNormal())
+    TabKey(window, actions["hide_docks"], lambda: not window.desk.is_blank)
 
 
 def connect_messages(window: "MainWindow") -> None:
@@ -177,4 +196,4 @@ def _remember_switch(window: "MainWindow", name: str) -> None:
 
     action.setChecked(settings.flag(name, default=True))
     setattr(player, name, action.isChecked())
-    action.toggled.connect(switch)
+    window.actions_of.on_toggled(name, switch)
