@@ -137,7 +137,6 @@ class CommandSearch(QFrame):
         view.setMouseTracking(True)
         view.entered.connect(view.setCurrentIndex)
         view.clicked.connect(lambda _: self.run_current())
-        view.setFixedHeight(_ROWS_SHOWN * (view.fontMetrics().height() + 2 * _ROW_MARGIN_PX) + 2)
         return view
 
     def _press(self, event: QKeyEvent) -> bool:
@@ -174,9 +173,12 @@ class CommandSearch(QFrame):
         found = self.model.rowCount() > 0
         if found:
             self.view.setCurrentIndex(self.model.index(0, 0))
+        row = self.view.fontMetrics().height() + 2 * _ROW_MARGIN_PX
+        self.view.setFixedHeight(min(self.model.rowCount(), _ROWS_SHOWN) * row + 2)
+        self._nothing.setFixedHeight(2 * row)
         self.view.setVisible(found)
         self._nothing.setVisible(not found)
-        self._nothing.setFixedHeight(self.view.height())
+        self.adjustSize()
 
     def _found(self, typed: str) -> list[Entry]:
         """Return what fits, best first; among equals what was run lately, then what can be run now."""

@@ -71,7 +71,7 @@ class MainWindow(QMainWindow):
         connect_messages(self)
         self.show_title()
         self.show_page()
-        self.panel_layout = PanelLayout(self, _DOCKS)
+        self.panel_layout = PanelLayout(self, _DOCKS, self._share_room)
         connect_frame(self)
         self._restore_layout()
 
@@ -191,6 +191,10 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
         self.resize(1360, 860)
+        self._share_room()
+
+    def _share_room(self) -> None:
+        layers, inspector = self.docks[:2]
         # In letters, so that it holds at any font size.
         letter = self.fontMetrics().horizontalAdvance("0")
         self.resizeDocks([layers, inspector], [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)

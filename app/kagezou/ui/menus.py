@@ -61,7 +61,7 @@ class Menus(QObject):
 
     def add_panel(self, show: QAction) -> None:
         """List a panel among those that can be shown and hidden."""
-        self.panels.insertAction(self.panels.actions()[0], show)
+        self.panels.insertAction(self._actions["timeline"], show)
 
     def show_recent(self, projects: Iterable[Path], choose: Callable[[Path], None]) -> None:
         """List the projects of before."""
@@ -135,7 +135,6 @@ class Menus(QObject):
         self.view.addMenu(self._menu(None, self.tr("&Rows of the Timeline"), [*rows, *zooms]))
         self.view.addMenu(self.panels)
         self._fill(self.panels, ["timeline", "curves", _SEPARATOR, "hide_docks", "full_screen", "reset_layout"])
-        self.panels.insertSeparator(self._actions["hide_docks"])
 
     def _menu(self, bar: QMenuBar | None, title: str, names: Iterable[str]) -> QMenu:
         menu = QMenu(title, self._window)

@@ -16,12 +16,15 @@ class PanelLayout(QObject):
         The window of the panels.
     version
         As for the window's own ``saveState``.
+    share_room
+        Gives every panel its size; Qt does not remember the sizes of a window that was never shown.
     """
 
-    def __init__(self, window: QMainWindow, version: int) -> None:
+    def __init__(self, window: QMainWindow, version: int, share_room: Callable[[], None]) -> None:
         super().__init__(window)
         self._window = window
         self._version = version
+        self._share_room = share_room
         self._first = window.saveState(version)
         self._before = self._first
         self.is_hiding = False
@@ -30,6 +33,7 @@ class PanelLayout(QObject):
         """Put every panel back to where it was at first."""
         self.is_hiding = False
         self._window.restoreState(self._first, self._version)
+        self._share_room()
 
     def hide(self, on: bool) -> None:
         """Hide all panels, or bring back those that were there."""
@@ -68,11 +72,11 @@ class TabKey(QObject):
         self.key = QShortcut(QKeySequence(Qt.Key.Key_Tab), window, switch.toggle)
         application = QApplication.instance()
         if isinstance(application, QApplication):
-            application.focusChanged.connect(lambda _old, now: self._follow(now))
-        switch.toggled.connect(lambda _: self._follow(QApplication.focusWidget()))
-        self._follow(QApplication.focusWidget())
+            application.focusChanged.connect(self._follow)
+        switch.toggled.connect(lambda _: self._follow(None, QApplication.focusWidget()))
+        self._follow(None, QApplication.focusWidget())
 
-    def _follow(self, focused: QWidget | None) -> None:
+    def _follow(self, _before: QWidget | None, focused: QWidget | None) -> None:
         types = focused is not None and focused.testAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled)
         nobody = focused in (None, self._window)
         self.key.setEnabled(self._is_free() and not types and (nobody or self._switch.isChecked()))

@@ -112,6 +112,7 @@ class ShortcutEditor(QDialog):
 
     def _made_tree(self, actions: Actions) -> QTreeWidget:
         tree = QTreeWidget()
+        tree.setObjectName("shortcut_tree")
         tree.setColumnCount(3)
         tree.setHeaderLabels([self.tr("Command"), self.tr("Keys"), ""])
         tree.setRootIsDecorated(False)

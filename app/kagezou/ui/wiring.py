@@ -102,6 +102,7 @@ def connect_playback(window: "MainWindow") -> None:
     actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
     actions.on("key_previous", lambda: to_key(previous_key(keyed(), bridge.frame)))
     actions.on("key_next", lambda: to_key(next_key(keyed(), bridge.frame)))
+    actions.on("go_to_frame", window.transport.ask_frame)
     actions.on("play", lambda: _play(window))
     window.space.tapped.connect(lambda: _play(window))
     window.viewport.step_asked.connect(step)
