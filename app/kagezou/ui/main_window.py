@@ -185,7 +185,7 @@ class MainWindow(QMainWindow):
         for dock in self.docks:
             self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
             self.menus.add_panel(dock.toggleViewAction())
-        layers, inspector, styles = self.docks
+        layers, _, styles = self.docks
         self.tabifyDockWidget(layers, styles)
         layers.raise_()
         self.setAcceptDrops(True)
