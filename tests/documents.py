@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Tracks
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
@@ -91,13 +91,35 @@ def layers(draw: st.DrawFn, number: int, name: str) -> Layer:
 
 
 @st.composite
+def work_areas(draw: st.DrawFn) -> tuple[int, int] | None:
+    ends = sorted((draw(st.integers(1, 1000)), draw(st.integers(1, 1000))))
+    return draw(st.sampled_from([None, (ends[0], ends[1])]))
+
+
+said = st.text(st.characters(codec="utf-8"), max_size=20)
+
+
+@st.composite
+def notes(draw: st.DrawFn, layer_ids: list[str]) -> Note:
+    layer_id = draw(st.sampled_from([None, *layer_ids]))
+    line = draw(st.sampled_from(sorted(OF_DOCUMENT if layer_id is None else OF_LAYER)))
+    words = draw(said.filter(lambda text: bool(text.strip())))
+    return Note(draw(st.integers(1, 1000)), line, words, layer_id, draw(said))
+
+
+@st.composite
 def documents(draw: st.DrawFn) -> Document:
     rate = Fraction(draw(st.integers(1, 60000)), draw(st.integers(60, 2000)))
     canvas = Canvas(draw(st.integers(1, 16384)), draw(st.integers(1, 16384)), rate, draw(st.integers(1, 1000)))
     chosen = draw(st.lists(names, max_size=3, unique=True))
+    drawn = tuple(draw(layers(number, name)) for number, name in enumerate(chosen, start=1))
+    marked = sorted(draw(st.sets(st.integers(1, 1000), max_size=3)))
     return Document(
         canvas,
         draw(st.one_of(st.none(), paths)),
-        tuple(draw(layers(number, name)) for number, name in enumerate(chosen, start=1)),
+        drawn,
         draw(track_tables(dict(OF_DOCUMENT))),
+        draw(work_areas()),
+        tuple(Marker(frame, draw(said), draw(st.integers(0, 50))) for frame in marked),
+        tuple(draw(st.lists(notes([layer.id for layer in drawn]), max_size=2))),
     )

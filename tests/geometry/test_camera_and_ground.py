@@ -78,3 +78,8 @@ def test_a_ground_edge_on_has_no_places() -> None:
     camera, plane = Camera(1000, 800), ground_plane((500.0, 600.0), 0.0, 90.0)
     assert world_from_canvas_on(camera, plane) is None
     assert place_on(camera, plane, (500.0, 700.0)) is None
+
+
+@pytest.mark.parametrize("fov_deg", [5e-324, 1e-300, 1e-9])
+def test_a_view_too_narrow_to_tell_is_orthographic(fov_deg: float) -> None:
+    assert Camera(200, 100, fov_deg).eye == Camera(200, 100).eye

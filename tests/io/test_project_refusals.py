@@ -219,3 +219,34 @@ def test_a_loaded_project_knows_its_constant_under_keys() -> None:
     tree = small_tree()
     tree["layers"][0]["tracks"]["shadow.opacity"] = KEYED
     assert loads(json.dumps(tree), FOLDER).layers[0].tracks["shadow.opacity"].constant == 0.5
+
+
+# ---- what is said about the cut
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "sentence"),
+    [
+        ("work_area", [5, 4], "$.work_area: frame 4 does not come after frame 5"),
+        ("work_area", [0, 4], "$.work_area[0]: 0 is not a whole number from 1 to 1000000"),
+        ("markers", [[5, "a", 0], [5, "b", 0]], "$.markers[1][0]: frame 5 does not come after frame 5"),
+        ("markers", [[5, 7, 0]], "$.markers[0][1]: 7 is not a text of 0 to 4000 characters"),
+        ("notes", [{"frame": 1}], "$.notes[0]: the key 'layer' is missing"),
+    ],
+)
+def test_what_is_said_wrongly_about_a_cut_is_refused(key: str, value: object, sentence: str) -> None:
+    assert refusal({**small_tree(), key: value}) == sentence
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"layer": "gone"}, "$.notes[0].layer: there is no such layer"),
+        ({"layer": None}, "$.notes[0].property: 'tilt' is not one of "),
+        ({"text": ""}, "$.notes[0].text: '' is not a text of 1 to 4000 characters"),
+    ],
+)
+def test_a_note_about_nothing_is_refused(change: dict[str, object], sentence: str) -> None:
+    note = {"frame": 1, "layer": "layer-1", "property": "tilt", "text": "Straighter", "author": ""}
+    loads(json.dumps({**small_tree(), "notes": [note]}), FOLDER)
+    assert refusal({**small_tree(), "notes": [{**note, **change}]}).startswith(sentence)

@@ -9,6 +9,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
+from kagezou.document.edits import set_exposures
+from kagezou.document.model import Exposure, Marker
+from kagezou.document.review import set_marker
 from kagezou.ui.actions import Actions
 from kagezou.ui.command_search import CommandSearch
 from kagezou.ui.desk import Desk
@@ -18,16 +21,9 @@ from kagezou.ui.settings import Settings
 
 CTRL_SHIFT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 AWAITED = {
-    *("save_increment", "set_key", "ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
-    *("cut_keys", "copy_keys", "paste_keys", "paste_keys_in_place"),
-    *("nudge_back", "nudge_forward", "nudge_back_10", "nudge_forward_10"),
-    *("fit_all", "view_composite", "view_shadow", "view_outline", "view_matte"),
-    *("onion_skin", "safe_area", "snapshot_take", "snapshot_show", "timeline", "curves"),
-    *("ping_pong", "drawing_previous", "drawing_next"),
-    *("work_in", "work_out", "work_first", "work_last", "work_clear"),
-    *("marker", "marker_previous", "marker_next", "timeline_zoom_in", "timeline_zoom_out"),
-    *("reveal_light", "reveal_ground", "reveal_contacts", "reveal_size", "reveal_tilt", "reveal_opacity"),
-    *("reveal_waves", "reveal_softness", "reveal_animated", "reveal_changed"),
+    *("save_increment", "velocity", "curves"),
+    *("view_composite", "view_shadow", "view_outline", "view_matte"),
+    *("onion_skin", "safe_area", "snapshot_take", "snapshot_show"),
 }
 """Commands of parts that may not be there; whoever makes one says what it does by ``Actions.on``."""
 
@@ -66,12 +62,12 @@ class TestActions:
         qtbot.addWidget(owner)
         actions = Actions(owner)
         done: list[str] = []
-        assert not actions["marker"].isVisible()
-        assert not actions["marker"].isEnabled()
-        actions.on("marker", lambda: done.append("marker"))
-        assert actions["marker"].isVisible()
-        actions["marker"].trigger()
-        assert done == ["marker"]
+        assert not actions["velocity"].isVisible()
+        assert not actions["velocity"].isEnabled()
+        actions.on("velocity", lambda: done.append("velocity"))
+        assert actions["velocity"].isVisible()
+        actions["velocity"].trigger()
+        assert done == ["velocity"]
 
     def test_a_command_goes_to_the_part_that_has_the_keyboard(self, qtbot: QtBot) -> None:
         owner = QWidget()
@@ -95,6 +91,28 @@ class TestActions:
             for key in command.keys[:1]:
                 native = QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
                 assert f"({native})" in window.actions_of[command.name].toolTip()
+
+
+class TestTime:
+    def test_the_playhead_goes_from_drawing_to_drawing_and_from_marker_to_marker(self, walking: MainWindow) -> None:
+        session, actions = walking.desk.bridge.session, walking.actions_of
+        document = session.document
+        layer = document.layers[0]
+        held = set_exposures(document, layer.id, (Exposure(1, 0), Exposure(3, 1), Exposure(6, None)))
+        session.edit("Hold", set_marker(held, Marker(2, "step")))
+        for name, frame in (("drawing_next", 3), ("drawing_next", 6), ("drawing_previous", 3), ("marker_previous", 2)):
+            actions[name].trigger()
+            assert walking.desk.bridge.frame == frame, name
+        actions["marker_next"].trigger()
+        assert walking.desk.bridge.frame == 2, "there is no further one"
+
+    def test_a_frame_is_typed(self, qtbot: QtBot, active: MainWindow) -> None:
+        QTest.keyClick(active, Qt.Key.Key_G, Qt.KeyboardModifier.ControlModifier)
+        field = active.transport.frame_field
+        qtbot.waitUntil(field.hasFocus)
+        QTest.keyClicks(field, "4")
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        assert active.desk.bridge.frame == 4
 
 
 class TestSearch:

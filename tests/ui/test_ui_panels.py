@@ -5,10 +5,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAction
 from pytestqt.qtbot import QtBot
 
-from kagezou.animation.track import Interpolation
 from kagezou.document import properties
 from kagezou.document.address import Address, track_of, value_of
-from kagezou.document.edits import set_key, set_value
 from kagezou.document.invariants import check
 from kagezou.document.properties import TABLE
 from kagezou.session.staging import CharacterSource
@@ -20,7 +18,8 @@ from kagezou.ui.panels.layer_model import Role
 from kagezou.ui.panels.scrub_field import ScrubField
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
-from kagezou.ui.ruler import Ruler
+from kagezou.ui.timeline.ruler import Ruler
+from kagezou.ui.timeline.time_scale import TimeScale
 from kagezou.ui.transport import FrameField, Transport
 
 # The platform plugin without a screen says this of every view with a size hint.
@@ -212,13 +211,15 @@ def test_a_thumbnail_comes_beside_the_window(qtbot: QtBot, layers: LayerList) ->
 
 
 def test_the_ruler_and_the_field_set_the_frame(qtbot: QtBot, filled: Desk) -> None:
-    ruler, field = Ruler(filled.bridge), FrameField(filled.bridge)
+    scale = TimeScale()
+    scale.set_length(6)
+    ruler, field = Ruler(filled.bridge, scale), FrameField(filled.bridge)
     for widget in (ruler, field):
         qtbot.addWidget(widget)
         widget.show()
     ruler.resize(600, 40)
     for frame in (1, 4, 6):
-        qtbot.mouseClick(ruler, Qt.MouseButton.LeftButton, pos=QPoint(round(ruler.x_of(frame + 0.5)), 20))
+        qtbot.mouseClick(ruler, Qt.MouseButton.LeftButton, pos=QPoint(round(scale.middle_of(frame)), 16))
         assert filled.bridge.frame == frame
         assert field.text() == str(frame)
     for typed, frame in (("2", 2), ("+3", 5), ("0+01", 1), ("nonsense", 1), ("999", 6)):
@@ -269,19 +270,3 @@ def test_the_rate_shown_is_the_rate_seen(qtbot: QtBot, filled: Desk) -> None:
     assert rates[-1] == pytest.approx(12.0)
     assert "12.0 / 24 fps (slow)" in transport.findChildren(type(transport._rate))[-1].text()
     player.stop()
-
-
-def test_keys_are_marked_for_the_layer_and_the_scene(qtbot: QtBot, filled: Desk) -> None:
-    document = set_key(filled.bridge.document, DECLINATION, 2, 50.0, Interpolation.LINEAR)
-    opacity = Address(properties.OPACITY, document.layers[0].id)
-    document = set_key(document, opacity, 5, 0.3)
-    filled.bridge.session.edit("Key", set_value(document, opacity, 0.5, 1))
-    ruler = Ruler(filled.bridge)
-    qtbot.addWidget(ruler)
-    ruler.resize(600, 40)
-    image = ruler.grab().toImage()
-    y = image.height() - 7
-    marked = [
-        frame for frame in range(1, 7) if image.pixelColor(round(ruler.x_of(frame + 0.5)) - 2, y).lightness() > 150
-    ]
-    assert marked == [1, 2, 5]

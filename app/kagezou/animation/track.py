@@ -1,6 +1,6 @@
 """A track: the constant value or the keys of one property over time."""
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -62,7 +62,8 @@ class Track:
 
     def key_at(self, frame: int) -> Key | None:
         """Return the key on exactly this frame."""
-        return next((key for key in self.keys if key.frame == frame), None)
+        index = bisect_left(self.keys, frame, key=lambda key: key.frame)
+        return self.keys[index] if index < len(self.keys) and self.keys[index].frame == frame else None
 
     def value_at(self, frame: float) -> Value:
         """Return the value at a frame, which may lie between whole frames; held before the first and after the last."""
@@ -116,7 +117,7 @@ def _color_components(text: str) -> tuple[float, ...] | None:
     return tuple(float(int(text[start : start + 2], 16)) for start in (1, 3, 5))
 
 
-def _rebuilt(like: Value, parts: tuple[float, ...]) -> Value:
+def rebuilt(like: Value, parts: tuple[float, ...]) -> Value:
     """Return a value of the same shape as ``like`` from its components."""
     match like:
         case str():
@@ -142,7 +143,7 @@ def _between(key: Key, follower: Key, frame: float) -> Value:
             eased(position, a, b, span, _component(key.ease_out, i), _component(follower.ease_in, i))
             for i, (a, b) in enumerate(zip(start, end, strict=True))
         )
-    return _rebuilt(key.value, parts)
+    return rebuilt(key.value, parts)
 
 
 def _component(eases: tuple[Ease, ...], index: int) -> Ease:

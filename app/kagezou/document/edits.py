@@ -81,8 +81,9 @@ def add_layer(document: Document, name: str, cels: Cels, figure: Box, tracks: Tr
 
 
 def remove_layer(document: Document, layer_id: str) -> Document:
-    """Take a layer away."""
-    return replace(document, layers=tuple(layer for layer in document.layers if layer.id != layer_id))
+    """Take a layer away, and the notes about it."""
+    layers = tuple(layer for layer in document.layers if layer.id != layer_id)
+    return replace(document, layers=layers, notes=tuple(note for note in document.notes if note.layer_id != layer_id))
 
 
 def rename_layer(document: Document, layer_id: str, name: str) -> Document:

@@ -5,6 +5,7 @@ from itertools import pairwise
 from kagezou.animation.track import Interpolation
 from kagezou.document.address import addresses, path_of, track_of
 from kagezou.document.model import Document
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.errors import ProjectProblem, UsageProblem
 
 
@@ -25,6 +26,21 @@ def check(document: Document) -> None:
         if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
             raise ProjectProblem(f"layers.{layer.name}: an exposure names a drawing that is not there")
     _check_tracks(document)
+    _check_review(document)
+
+
+def _check_review(document: Document) -> None:
+    first, last = document.work_area or (1, 1)
+    if not 1 <= first <= last:
+        raise ProjectProblem(f"work_area: frames {first} to {last} are no stretch of time")
+    frames = [marker.frame for marker in document.markers]
+    if frames != sorted(set(frames)) or (frames and frames[0] < 1):
+        raise ProjectProblem("markers: markers are out of order")
+    ids = {layer.id for layer in document.layers}
+    for note in document.notes:
+        known = OF_DOCUMENT if note.layer_id is None else OF_LAYER if note.layer_id in ids else {}
+        if note.property not in known:
+            raise ProjectProblem(f"notes: there is no property {note.property!r} of layer {note.layer_id!r}")
 
 
 def _check_canvas(document: Document) -> None:

@@ -95,13 +95,67 @@ class Layer:
 
 
 @dataclass(frozen=True, slots=True)
+class Marker:
+    """A named place in time: from ``frame`` on, for ``duration_frames`` frames (0 for a place alone)."""
+
+    frame: int
+    comment: str = ""
+    duration_frames: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """What a lead says about one property on one frame.
+
+    Parameters
+    ----------
+    frame
+        From 1.
+    property
+        The property's name; for a layer's property the part after ``layers.NAME.``.
+    text
+        What is said; may have lines.
+    layer_id
+        Whose property it is; None for one of the scene.
+    author
+        Who says it, may be empty.
+    """
+
+    frame: int
+    property: str
+    text: str
+    layer_id: str | None = None
+    author: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Document:
-    """A cut: canvas, background picture, character layers from bottom to top, and the scene's properties."""
+    """A cut: canvas, background picture, character layers from bottom to top, and the scene's properties.
+
+    Parameters
+    ----------
+    work_area
+        First and last frame that are played and worked on; None for the whole cut.
+    markers
+        In order, one a frame.
+    notes
+        In the order in which they were made.
+    """
 
     canvas: Canvas
     background: Path | None = None
     layers: tuple[Layer, ...] = ()
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    work_area: tuple[int, int] | None = None
+    markers: tuple[Marker, ...] = ()
+    notes: tuple[Note, ...] = ()
+
+    @property
+    def played(self) -> tuple[int, int]:
+        """First and last frame that are played: the work area as far as it lies within the cut, else the whole cut."""
+        length = self.canvas.length_frames
+        first, last = self.work_area or (1, length)
+        return (first, min(last, length)) if first <= length else (1, length)
 
     def layer(self, layer_id: str) -> Layer:
         """Return the layer with this id; KeyError if there is none."""

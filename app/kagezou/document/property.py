@@ -74,6 +74,10 @@ class Property:
     choices: tuple[str, ...] = ()
     slides: tuple[float, float] | None = None
 
+    def __hash__(self) -> int:
+        """By scope and name, which tell the lines of the table apart; selected keys are looked up by the thousand."""
+        return hash((self.scope, self.name))
+
     @property
     def holds_only(self) -> bool:
         """Whether keys of this property may only be held: switches and choices."""

@@ -2,10 +2,14 @@
 
 from dataclasses import dataclass
 from math import radians, tan
+from typing import Final
 
 import numpy as np
 
 from kagezou.geometry.vectors import Matrix, Point2, Vector4
+
+_ORTHOGRAPHIC_DEG: Final = 1e-6
+"""A narrower view differs from none by far less than a pixel, and its eye would stand where numbers run out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +31,7 @@ class Camera:
     @property
     def eye(self) -> Vector4:
         """The eye in world px: a point, or for the orthographic camera the direction toward the viewer."""
-        if self.fov_deg == 0:
+        if self.fov_deg < _ORTHOGRAPHIC_DEG:
             return (0.0, 0.0, 1.0, 0.0)
         distance = (self.height_px / 2) / tan(radians(self.fov_deg) / 2)
         return (self.width_px / 2, self.height_px / 2, distance, 1.0)

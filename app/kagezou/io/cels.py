@@ -81,6 +81,11 @@ class CelCache:
         found = self._get(whole, lambda: read_cel(path)) if has_cel else self._get(key, lambda: read_matte(path))
         return found.matte if isinstance(found, Cel) else found
 
+    def kept_paths(self) -> frozenset[Path]:
+        """Return which drawings are kept now."""
+        with self._lock:
+            return frozenset(key.path for key in self._kept)
+
     def clear(self) -> None:
         """Forget every drawing."""
         with self._lock:

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
+from kagezou.document.review import MAX_TEXT_CHARACTERS
+
 
 @dataclass(frozen=True, slots=True)
 class Field:
@@ -39,6 +41,9 @@ PROJECT: Final[Fields] = MappingProxyType({
     "background": Field("path or null", "The picture under everything."),
     "tracks": Field("object", "Property name → track, for the properties of the scene."),
     "layers": Field(f"list of at most {MAX_LAYERS} objects", "The character layers from bottom to top."),
+    "work_area": Field("[first, last]", "The frames that are played and worked on, both included.", optional=True),
+    "markers": Field("list of [frame, comment, duration]", "Named places in time; frames go up.", optional=True),
+    "notes": Field("list of objects", "What is said about properties.", optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({
@@ -72,4 +77,12 @@ KEY: Final[Fields] = MappingProxyType({
                      "One a component, for a bezier before the key: units per frame, and a part of the time "
                      "between the keys, 0 to 1.", optional=True),
     "ease_out": Field("list of [speed, influence]", "The same for a bezier after the key.", optional=True),
+})  # fmt: skip
+
+NOTE: Final[Fields] = MappingProxyType({
+    "frame": Field("whole number, 1 to 1000000", "What frame it is about."),
+    "layer": Field("text or null", "The id of the layer whose property it is about, null for one of the scene."),
+    "property": Field("text", "The property's name."),
+    "text": Field(f"text of at most {MAX_TEXT_CHARACTERS} characters", "What is said."),
+    "author": Field("text", "Who says it, may be empty."),
 })  # fmt: skip

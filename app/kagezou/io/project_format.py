@@ -10,7 +10,7 @@ from typing import Final
 
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
@@ -58,6 +58,7 @@ _OBJECTS: Final = MappingProxyType({
     "A layer": fields.LAYER,
     "A track with keys": fields.TRACK,
     "A key": fields.KEY,
+    "A note": fields.NOTE,
 })  # fmt: skip
 
 
@@ -110,6 +111,9 @@ def _example_text() -> str:
         background=folder.parent / "bg/street.png",
         layers=(layer,),
         tracks=MappingProxyType({"light.position": Track(moving[0].value, moving)}),
+        work_area=(1, 12),
+        markers=(Marker(7, "step"),),
+        notes=(Note(7, "shadow.opacity", "Lighter here", layer.id, "Sato"),),
     )
     return formatted({**tree_of(document, folder), "app_version": "0.1.0"})
 

@@ -146,10 +146,10 @@ class Reader:
             raise self.refused(f"a number from {low:g} to {high:g}")
         return float(self.value)
 
-    def text(self, most: int) -> str:
-        """Return a text of 1 to ``most`` characters."""
-        if not isinstance(self.value, str) or not 1 <= len(self.value) <= most:
-            raise self.refused(f"a text of 1 to {most} characters")
+    def text(self, most: int, least: int = 1) -> str:
+        """Return a text of ``least`` to ``most`` characters."""
+        if not isinstance(self.value, str) or not least <= len(self.value) <= most:
+            raise self.refused(f"a text of {least} to {most} characters")
         return self.value
 
     def word(self, words: Sequence[str]) -> str:

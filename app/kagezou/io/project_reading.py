@@ -18,6 +18,7 @@ from kagezou.geometry.box import Box
 from kagezou.io import project_fields as fields
 from kagezou.io.project_json import Reader
 from kagezou.io.project_paths import MAX_PATH_CHARACTERS, local_path
+from kagezou.io.project_review import read_review
 
 _FRAME_RATE: Final = re.compile(r"[0-9]{1,18}(/[0-9]{1,18})?")
 _MAX_FRAME: Final = 1_000_000
@@ -36,11 +37,15 @@ def document_of(project: Reader, folder: Path) -> Document:
     found = _record(project, fields.PROJECT)
     found["app_version"].text(fields.MAX_NAME_CHARACTERS)
     layers = tuple(_layer(each, folder) for each in found["layers"].items(fields.MAX_LAYERS))
+    review = read_review(found, {layer.id for layer in layers})
     document = Document(
         canvas=_canvas(found["canvas"]),
         background=None if found["background"].value is None else _path(found["background"], folder),
         layers=layers,
         tracks=_tracks(found["tracks"], OF_DOCUMENT),
+        work_area=review.work_area,
+        markers=review.markers,
+        notes=review.notes,
     )
     if _row_count(document) > fields.MAX_ROWS:
         raise project.problem(f"more than {fields.MAX_ROWS} drawings, exposures and keys")

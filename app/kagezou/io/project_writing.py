@@ -11,6 +11,7 @@ from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.property import Property
 from kagezou.io.project_json import Row
 from kagezou.io.project_paths import stored_path
+from kagezou.io.project_review import review_tree
 from kagezou.io.project_versions import CURRENT, FORMAT_NAME, Tree
 
 
@@ -30,6 +31,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
         "background": None if background is None else stored_path(background, folder),
         "tracks": _tracks(document.tracks, OF_DOCUMENT),
         "layers": [_layer(layer, folder) for layer in document.layers],
+        **review_tree(document),
     }
 
 

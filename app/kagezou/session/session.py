@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 from kagezou.document.address import Address
+from kagezou.document.key_edits import Refs, present_keys
 from kagezou.document.model import Document
 
 MAX_STEPS = 500
@@ -24,12 +25,15 @@ class State:
         The layer worked on.
     selection
         Selected properties.
+    keys
+        Selected keys; every one of them is there.
     """
 
     document: Document
     frame: int = 1
     layer_id: str | None = None
     selection: tuple[Address, ...] = ()
+    keys: Refs = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,6 +146,10 @@ class Session:
         """Work on a layer and select properties."""
         self._show(replace(self._state, layer_id=layer_id, selection=selection))
 
+    def select_keys(self, keys: Refs) -> None:
+        """Select keys; those that are not there are left out."""
+        self._show(replace(self._state, keys=keys))
+
     def _finish_gesture(self) -> None:
         if self._gesture is not None:
             self._gesture.commit()
@@ -180,10 +188,12 @@ class Gesture:
         """The document before the gesture."""
         return self._before.document
 
-    def show(self, document: Document) -> None:
-        """Make a document the present one, for now."""
+    def show(self, document: Document, keys: Refs | None = None) -> None:
+        """Make a document the present one, for now, and select keys in it where they are given."""
         if self._open:
-            self._session._show(replace(self._session.state, document=document))  # noqa: SLF001 - its own session
+            state = self._session.state
+            chosen = state.keys if keys is None else keys
+            self._session._show(replace(state, document=document, keys=chosen))  # noqa: SLF001 - its own session
 
     def commit(self) -> None:
         """End the gesture as one step, or as none if nothing changed."""
@@ -201,7 +211,11 @@ class Gesture:
 
 def _same(a: State, b: State) -> bool:
     """Whether two states look alike; documents are compared by identity, which an edit always changes."""
-    return a.document is b.document and (a.frame, a.layer_id, a.selection) == (b.frame, b.layer_id, b.selection)
+    return a.document is b.document and _looked_at(a) == _looked_at(b)
+
+
+def _looked_at(state: State) -> tuple[object, ...]:
+    return state.frame, state.layer_id, state.selection, state.keys
 
 
 def _within(state: State) -> State:
@@ -211,4 +225,4 @@ def _within(state: State) -> State:
     layer_id = state.layer_id if state.layer_id in ids else (document.layers[-1].id if document.layers else None)
     selection = tuple(address for address in state.selection if address.layer_id in (None, *ids))
     frame = min(max(state.frame, 1), document.canvas.length_frames)
-    return State(document, frame, layer_id, selection)
+    return State(document, frame, layer_id, selection, present_keys(document, state.keys))

@@ -16,6 +16,7 @@ class Bridge(QObject):
     document_changed = Signal()
     frame_changed = Signal(int)
     selection_changed = Signal()
+    keys_changed = Signal()
     saved_changed = Signal(bool)
     history_changed = Signal()
     session_replaced = Signal()
@@ -54,6 +55,7 @@ class Bridge(QObject):
         self.session_replaced.emit()
         self.document_changed.emit()
         self.selection_changed.emit()
+        self.keys_changed.emit()
         self.frame_changed.emit(self.frame)
         self._tell_saved()
 
@@ -70,6 +72,8 @@ class Bridge(QObject):
             self.document_changed.emit()
         if (after.layer_id, after.selection) != (before.layer_id, before.selection):
             self.selection_changed.emit()
+        if after.keys != before.keys:
+            self.keys_changed.emit()
         if after.frame != before.frame:
             self.frame_changed.emit(after.frame)
         self._tell_saved()

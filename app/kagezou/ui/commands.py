@@ -99,21 +99,22 @@ def edit_commands() -> tuple[Command, ...]:
 def key_commands() -> tuple[Command, ...]:
     """Return the commands about keys and their eases."""
     return (
-        Command("set_key", translate("Commands", "Set &Key"), ("F6",), "key"),
-        Command("ease_both", translate("Commands", "&Easy Ease"), ("F9",)),
-        Command("ease_in", translate("Commands", "Easy Ease &In"), ("Shift+F9",)),
-        Command("ease_out", translate("Commands", "Easy Ease &Out"), ("Ctrl+Shift+F9",)),
-        Command("linear", translate("Commands", "&Linear"), ("Ctrl+Alt+L",)),
-        Command("hold", translate("Commands", "&Hold"), ("Ctrl+Alt+H",)),
-        Command("velocity", translate("Commands", "Key &Velocity…"), ("Ctrl+Shift+K",)),
-        Command("cut_keys", translate("Commands", "Cu&t Keys"), ("Ctrl+X",)),
+        Command("set_keys", translate("Commands", "Set &Keys Here"), ("F6",), "key"),
         Command("copy_keys", translate("Commands", "&Copy Keys"), ("Ctrl+C",)),
-        Command("paste_keys", translate("Commands", "&Paste Keys at Playhead"), ("Ctrl+V",)),
-        Command("paste_keys_in_place", translate("Commands", "Paste Keys at Their &Own Time"), ("Ctrl+Shift+V",)),
-        Command("nudge_back", translate("Commands", "Move Keys 1 Frame Back"), ("Alt+Left",)),
-        Command("nudge_forward", translate("Commands", "Move Keys 1 Frame On"), ("Alt+Right",)),
-        Command("nudge_back_10", translate("Commands", "Move Keys 10 Frames Back"), ("Alt+Shift+Left",)),
-        Command("nudge_forward_10", translate("Commands", "Move Keys 10 Frames On"), ("Alt+Shift+Right",)),
+        Command("cut_keys", translate("Commands", "C&ut Keys"), ("Ctrl+X",)),
+        Command("paste_keys", translate("Commands", "&Paste Keys"), ("Ctrl+V",)),
+        Command("paste_in_place", translate("Commands", "Paste Keys at Their &Old Time"), ("Ctrl+Shift+V",)),
+        Command("select_keys", translate("Commands", "Select &All Keys"), ("Ctrl+A",)),
+        Command("keys_back", translate("Commands", "Move Keys 1 Frame &Back"), ("Alt+Left",)),
+        Command("keys_on", translate("Commands", "Move Keys 1 Frame O&n"), ("Alt+Right",)),
+        Command("keys_back_10", translate("Commands", "Move Keys 10 Frames Back"), ("Alt+Shift+Left",)),
+        Command("keys_on_10", translate("Commands", "Move Keys 10 Frames On"), ("Alt+Shift+Right",)),
+        Command("ease_both", translate("Commands", "&Easy Ease"), ("F9",)),
+        Command("ease_in", translate("Commands", "Ease &In"), ("Shift+F9",)),
+        Command("ease_out", translate("Commands", "Ease &Out"), ("Ctrl+Shift+F9",)),
+        Command("hold", translate("Commands", "&Hold"), ("Ctrl+Alt+H",)),
+        Command("linear", translate("Commands", "&Linear"), ("Ctrl+Alt+L",)),
+        Command("velocity", translate("Commands", "Key &Velocity…"), ("Ctrl+Shift+K",)),
     )
 
 
@@ -121,7 +122,6 @@ def view_commands() -> tuple[Command, ...]:
     """Return the commands about looking."""
     return (
         Command("fit", translate("Commands", "&Fit in Window"), ("F", "Shift+/", "?", "Ctrl+0"), "fit"),
-        Command("fit_all", translate("Commands", "Fit &All"), ("Shift+F",)),
         Command("actual", translate("Commands", "&Actual Pixels (100 %)"), ("/", "Ctrl+Alt+0"), "actual"),
         Command("zoom_in", translate("Commands", "Zoom &In"), ("Ctrl++", "Ctrl+=")),
         Command("zoom_out", translate("Commands", "Zoom &Out"), ("Ctrl+-",)),
@@ -153,7 +153,7 @@ def playback_commands() -> tuple[Command, ...]:
     return (
         Command("play", translate("Commands", "&Play / Stop"), ("Num+0",), "play"),
         Command("loop", translate("Commands", "&Loop"), ("L",), "loop", checkable=True),
-        Command("ping_pong", translate("Commands", "Pin&g-Pong"), ("Shift+L",), "", checkable=True),
+        Command("ping_pong", translate("Commands", "Play There and &Back"), ("Shift+L",), "", checkable=True),
         Command("every_frame", translate("Commands", "Play &Every Frame"), (), "", checkable=True),
         Command("first", translate("Commands", "&First Frame"), ("Home",), "first"),
         Command("back_10", translate("Commands", "10 Frames Back"), ("Shift+PgUp", "Ctrl+Shift+Left")),
@@ -167,31 +167,31 @@ def playback_commands() -> tuple[Command, ...]:
         Command("drawing_previous", translate("Commands", "Previous &Drawing"), ("Ctrl+,",)),
         Command("drawing_next", translate("Commands", "Next Dra&wing"), ("Ctrl+.",)),
         Command("work_in", translate("Commands", "Work Area &Begins Here"), ("B",)),
-        Command("work_out", translate("Commands", "Work Area Ends &Here"), ("N",)),
-        Command("work_first", translate("Commands", "First Frame of Work Area"), ("Shift+Home",)),
-        Command("work_last", translate("Commands", "Last Frame of Work Area"), ("Shift+End",)),
-        Command("work_clear", translate("Commands", "Clear Work Area")),
-        Command("marker", translate("Commands", "Add &Marker"), ("M", "Num+*")),
+        Command("work_out", translate("Commands", "Work Area E&nds Here"), ("N",)),
+        Command("work_clear", translate("Commands", "Clea&r Work Area"), ("Ctrl+Alt+B",)),
+        Command("work_first", translate("Commands", "First Frame of the Work Area"), ("Shift+Home",)),
+        Command("work_last", translate("Commands", "Last Frame of the Work Area"), ("Shift+End",)),
+        Command("marker", translate("Commands", "Add or Name &Marker"), ("M", "Num+*")),
         Command("marker_previous", translate("Commands", "Previous Marker"), ("Alt+PgUp",)),
         Command("marker_next", translate("Commands", "Next Marker"), ("Alt+PgDown",)),
-        Command("timeline_zoom_in", translate("Commands", "Zoom Timeline In"), ("=", "+")),
-        Command("timeline_zoom_out", translate("Commands", "Zoom Timeline Out"), ("-",)),
     )
 
 
-def reveal_commands() -> tuple[Command, ...]:
-    """Return the commands that show only some rows of the timeline."""
+def timeline_commands() -> tuple[Command, ...]:
+    """Return the commands about what the timeline shows."""
     return (
-        Command("reveal_light", translate("Commands", "Show Light Rows"), ("P",)),
-        Command("reveal_ground", translate("Commands", "Show Ground Rows"), ("G",)),
-        Command("reveal_contacts", translate("Commands", "Show Grounding Rows"), ("C",)),
-        Command("reveal_size", translate("Commands", "Show Size Rows"), ("S",)),
-        Command("reveal_tilt", translate("Commands", "Show Tilt Rows"), ("R",)),
-        Command("reveal_opacity", translate("Commands", "Show Opacity Rows"), ("T",)),
-        Command("reveal_waves", translate("Commands", "Show Wave Rows"), ("W",)),
-        Command("reveal_softness", translate("Commands", "Show Softness Rows"), ("Y",)),
-        Command("reveal_animated", translate("Commands", "Show Keyed Rows"), ("U",)),
-        Command("reveal_changed", translate("Commands", "Show Changed Rows"), ("Ctrl+Shift+U",)),
+        Command("timeline_fit", translate("Commands", "Fit the Cut in the &Timeline"), ("Shift+F",)),
+        Command("timeline_in", translate("Commands", "Zoom &In on Time"), ("=", "Ctrl+Alt+Up")),
+        Command("timeline_out", translate("Commands", "Zoom &Out of Time"), ("-", "Ctrl+Alt+Down")),
+        Command("reveal_animated", translate("Commands", "Show Keyed Properties; Again: Cha&nged Ones"), ("U",)),
+        Command("reveal_light", translate("Commands", "Show &Light"), ("P",)),
+        Command("reveal_ground", translate("Commands", "Show &Ground"), ("G",)),
+        Command("reveal_contacts", translate("Commands", "Show Grounding &Points"), ("C",)),
+        Command("reveal_shape", translate("Commands", "Show &Shape"), ("S",)),
+        Command("reveal_tilt", translate("Commands", "Show Body T&ilt"), ("R",)),
+        Command("reveal_opacity", translate("Commands", "Show &Opacity and Fading"), ("T",)),
+        Command("reveal_waves", translate("Commands", "Show &Waves"), ("W",)),
+        Command("reveal_softness", translate("Commands", "Show So&ftness"), ("Y",)),
     )
 
 
@@ -212,7 +212,7 @@ def command_groups() -> tuple[CommandGroup, ...]:
         CommandGroup(translate("Commands", "Keys"), key_commands()),
         CommandGroup(translate("Commands", "Time"), playback_commands()),
         CommandGroup(translate("Commands", "View"), view_commands()),
-        CommandGroup(translate("Commands", "Rows of the timeline"), reveal_commands()),
+        CommandGroup(translate("Commands", "Timeline"), timeline_commands()),
         CommandGroup(translate("Commands", "Window"), window_commands()),
         CommandGroup(translate("Commands", "Help"), help_commands()),
     )

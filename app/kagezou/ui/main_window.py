@@ -12,6 +12,7 @@ from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Dialogs
 from kagezou.ui.dock import Dock
 from kagezou.ui.exporting import Exporting
+from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
@@ -26,14 +27,16 @@ from kagezou.ui.project_actions import ProjectActions
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.status import Status
+from kagezou.ui.time_wiring import connect_jumps, connect_keys, connect_playback, connect_timeline
+from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.transport import Transport
 from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.welcome import Welcome
-from kagezou.ui.wiring import connect_frame, connect_messages, connect_playback, connect_project, connect_view
+from kagezou.ui.wiring import connect_frame, connect_messages, connect_project, connect_view
 
 _BUTTONS = ("first", "key_previous", "back", "play", "forward", "key_next", "last", None, "loop")
 
-_DOCKS = 2
+_DOCKS = 3
 """Counts up with every new dock: a layout remembered without it is not restored, as it would squeeze the dock in."""
 
 _DOCK_LETTERS = 38
@@ -68,6 +71,9 @@ class MainWindow(QMainWindow):
         connect_project(self)
         connect_view(self)
         connect_playback(self)
+        connect_jumps(self)
+        connect_keys(self)
+        connect_timeline(self)
         connect_messages(self)
         self.show_title()
         self.show_page()
@@ -90,9 +96,15 @@ class MainWindow(QMainWindow):
         self.transport.setVisible(not blank)
         self.inspector.setEnabled(not blank)
         self.styles.setEnabled(not blank)
+        self.timeline.setEnabled(not blank)
         for name in ("save_as", "export", "delete", "rename_layer", "play"):
             self.actions_of[name].setEnabled(not blank)
         self.actions_of["no_background"].setEnabled(self.desk.bridge.document.background is not None)
+
+    def show_handles(self) -> None:
+        """Show the handles if they are wanted; while the cut runs they would only stand in the way of seeing it."""
+        shown = self.actions_of["handles"].isChecked() and not self.player.is_playing
+        self.viewport.show_handles(shown=shown)
 
     def close_unasked(self) -> None:
         """Close without the question about unsaved work: the desk stays, only the window goes."""
@@ -157,6 +169,8 @@ class MainWindow(QMainWindow):
         self.inspector = Inspector(bridge)
         self.styles = StyleList(bridge, self.settings.style_folder)
         self.transport = Transport(bridge, self.player, [self.actions_of[name] if name else None for name in _BUTTONS])
+        self.timeline = Timeline(bridge, self.desk.cels.kept_paths)
+        self.keys = KeyCommands(bridge)
         self.exporting = Exporting(self.bar)
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
@@ -181,11 +195,15 @@ class MainWindow(QMainWindow):
             Dock("layers", self.tr("Layers"), self.layers),
             Dock("inspector", self.tr("Inspector"), self.inspector),
             Dock("styles", self.tr("Styles"), self.styles),
+            Dock("timeline", self.tr("Timeline"), self.timeline),
         )
+        layers, _, styles, timeline = self.docks
         for dock in self.docks:
-            self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+            area = Qt.DockWidgetArea.BottomDockWidgetArea if dock is timeline else Qt.DockWidgetArea.RightDockWidgetArea
+            self.addDockWidget(area, dock)
             self.menus.add_panel(dock.toggleViewAction())
-        layers, _, styles = self.docks
+        # The panels at the right reach down beside the timeline, which needs the width less than they the height.
+        self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         self.tabifyDockWidget(layers, styles)
         layers.raise_()
         self.setAcceptDrops(True)
@@ -194,10 +212,11 @@ class MainWindow(QMainWindow):
         self._share_room()
 
     def _share_room(self) -> None:
-        layers, inspector = self.docks[:2]
+        layers, inspector, _, timeline = self.docks[:4]
         # In letters, so that it holds at any font size.
         letter = self.fontMetrics().horizontalAdvance("0")
         self.resizeDocks([layers, inspector], [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)
+        self.resizeDocks([timeline], [11 * self.timeline.rows.row_px], Qt.Orientation.Vertical)
         self.resizeDocks([layers, inspector], [_LAYERS_SHARE, 100 - _LAYERS_SHARE], Qt.Orientation.Vertical)
 
     def _restore_layout(self) -> None:

@@ -10,11 +10,16 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolBa
 
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.actions import Actions
-from kagezou.ui.commands import reveal_commands
+from kagezou.ui.commands import timeline_commands
 from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.language import LANGUAGES
 
 _SEPARATOR = ""
+_ON_KEYS = (
+    *("set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete", _SEPARATOR),
+    *("ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
+)
+_NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
 class Menus(QObject):
@@ -80,6 +85,10 @@ class Menus(QObject):
             action.setText(words if step is None else self.tr("%1 %2").replace("%1", words).replace("%2", step))
             self._actions.show_tool_tip(name)
 
+    def fill_keys(self, menu: QMenu) -> None:
+        """Fill a menu with what can be done to the selected keys."""
+        self._fill(menu, _ON_KEYS)
+
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
         bar = QToolBar(self.tr("Tools"), self._window)
@@ -112,9 +121,7 @@ class Menus(QObject):
         self._menu(
             bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
         )
-        keys = self._menu(bar, self.tr("&Keys"), ["set_key", _SEPARATOR, "cut_keys", "copy_keys", "paste_keys"])
-        self._fill(keys, ["paste_keys_in_place", _SEPARATOR, "linear", "hold", "ease_both", "ease_in", "ease_out"])
-        self._fill(keys, ["velocity", _SEPARATOR, "nudge_back", "nudge_forward", "nudge_back_10", "nudge_forward_10"])
+        self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
         bar.addMenu(self.view)
         self._build_view()
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])
@@ -125,14 +132,13 @@ class Menus(QObject):
         self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
 
     def _build_view(self) -> None:
-        self._fill(self.view, ["fit", "fit_all", "actual", "zoom_in", "zoom_out", _SEPARATOR])
+        self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])
         self._fill(self.view, ["view_composite", "view_shadow", "view_outline", "view_matte", _SEPARATOR])
         self.view.addMenu(self.backdrops)
         self._fill(self.view, ["handles", "onion_skin", "safe_area", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self.view.addSeparator()
-        rows = [command.name for command in reveal_commands()]
-        zooms = [_SEPARATOR, "timeline_zoom_in", "timeline_zoom_out"]
-        self.view.addMenu(self._menu(None, self.tr("&Rows of the Timeline"), [*rows, *zooms]))
+        names = [command.name for command in timeline_commands()]
+        self.view.addMenu(self._menu(None, self.tr("&Timeline Shows"), [*names[3:], _SEPARATOR, *names[:3]]))
         self.view.addMenu(self.panels)
         self._fill(self.panels, ["timeline", "curves", _SEPARATOR, "hide_docks", "full_screen", "reset_layout"])
 

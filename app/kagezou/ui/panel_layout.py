@@ -35,6 +35,14 @@ class PanelLayout(QObject):
         self._window.restoreState(self._first, self._version)
         self._share_room()
 
+    def show(self, name: str) -> None:
+        """Bring a panel to the front and give it the keyboard."""
+        dock = self._window.findChild(QDockWidget, name)
+        if isinstance(dock, QDockWidget):
+            dock.show()
+            dock.raise_()
+            dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
+
     def hide(self, on: bool) -> None:
         """Hide all panels, or bring back those that were there."""
         if on == self.is_hiding:

@@ -32,7 +32,9 @@ class Player(QObject):
     def __init__(self, bridge: Bridge, clock: Callable[[], float] = monotonic) -> None:
         super().__init__()
         self.loop = True
+        self.ping_pong = False
         self.every_frame = True
+        self._way = 1
         self._bridge = bridge
         self._clock = clock
         self._timer = QTimer(self)
@@ -58,12 +60,13 @@ class Player(QObject):
             self.start()
 
     def start(self) -> None:
-        """Play from here; from the start where this is the end."""
-        length = self._bridge.document.canvas.length_frames
-        if self._is_playing or length < 2:
+        """Play the work area from here; from its start where this is its end or not within it."""
+        first, last = self._bridge.document.played
+        if self._is_playing or first == last:
             return
-        if self._bridge.frame >= length:
-            self._bridge.session.go_to(1)
+        self._way = 1
+        if not first <= self._bridge.frame < last:
+            self._bridge.session.go_to(first)
         self._is_playing = True
         self._waiting_for_picture = False
         self._shown_at.clear()
@@ -113,14 +116,37 @@ class Player(QObject):
             self._wait()
 
     def _advance(self, steps: int) -> None:
-        length = self._bridge.document.canvas.length_frames
-        frame = self._bridge.frame + steps
-        if frame > length and not self.loop:
-            self._bridge.session.go_to(length)
+        first, last = self._bridge.document.played
+        if not self.loop and self._bridge.frame + steps > last:
+            self._bridge.session.go_to(last)
             self.stop()
             return
         self._waiting_for_picture = True
-        self._bridge.session.go_to((frame - 1) % length + 1)
+        if self.loop and self.ping_pong:
+            frame, self._way = bounced(self._bridge.frame, self._way, steps, (first, last))
+        else:
+            frame = (self._bridge.frame + steps - first) % (last - first + 1) + first
+        self._bridge.session.go_to(frame)
 
     def _wait(self) -> None:
         self._timer.start(max(round((self._due_s - self._clock()) * 1000), 0))
+
+
+def bounced(frame: int, way: int, steps: int, ends: tuple[int, int]) -> tuple[int, int]:
+    """Return the frame ``steps`` on when playing turns around at both ends, and which way it then goes.
+
+    Parameters
+    ----------
+    frame
+        Within the ends, or it counts as the nearest of them.
+    way
+        1 forward, -1 backward.
+    ends
+        First and last frame, not the same.
+    """
+    first, last = ends
+    there = last - first
+    place = min(max(frame, first), last) - first
+    # Forward and back is one round of twice the way; the ends are seen once each.
+    around = ((place if way > 0 else 2 * there - place) + steps) % (2 * there)
+    return (first + around, 1) if around <= there else (first + 2 * there - around, -1)

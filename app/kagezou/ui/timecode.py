@@ -1,6 +1,7 @@
 """Frames as animators write them: ``84``, ``3+12`` (seconds and frames), ``3:12``, and ``+6`` / ``-6`` from here."""
 
 import re
+from enum import StrEnum
 from fractions import Fraction
 
 from kagezou.errors import UsageProblem
@@ -19,6 +20,37 @@ def sheet_text(frame: int, rate: Fraction) -> str:
     """Return the length up to and including a frame as seconds + frames; frame 84 at 24 a second is ``3+12``."""
     seconds, rest = divmod(frame, frames_per_second(rate))
     return f"{seconds}+{rest:02d}"
+
+
+class Count(StrEnum):
+    """How a ruler counts frames."""
+
+    FRAMES = "frames"
+    SECONDS = "seconds"
+    """``3+12``: seconds and frames."""
+    SHEET_6 = "sheet6"
+    """Frames of a timesheet's page of six seconds."""
+    SHEET_3 = "sheet3"
+    TIMECODE = "timecode"
+
+
+_PAGE_S = {Count.SHEET_6: 6, Count.SHEET_3: 3}
+
+
+def counted(frame: int, rate: Fraction, count: Count) -> str:
+    """Return how a ruler writes a frame; a page's first frame also names the page, as ``p2``."""
+    a_second = frames_per_second(rate)
+    match count:
+        case Count.FRAMES:
+            return str(frame)
+        case Count.SECONDS:
+            return sheet_text(frame - 1, rate)
+        case Count.TIMECODE:
+            seconds, rest = divmod(frame - 1, a_second)
+            return f"{seconds // 60:02d}:{seconds % 60:02d}:{rest:02d}"
+        case _:
+            page, rest = divmod(frame - 1, a_second * _PAGE_S[count])
+            return f"p{page + 1}" if rest == 0 else str(rest + 1)
 
 
 def parse_frame(text: str, current: int, rate: Fraction) -> int:

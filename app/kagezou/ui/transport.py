@@ -1,15 +1,14 @@
-"""The strip under the picture: the frame ruler, the buttons of playback, the frame and the rate."""
+"""The strip under the picture: the buttons of playback, the frame and the rate."""
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeyEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
 
 from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.commands import plain
 from kagezou.ui.icons import icon_size
 from kagezou.ui.playback import Player
-from kagezou.ui.ruler import Ruler
 from kagezou.ui.timecode import parse_frame, sheet_text
 
 
@@ -52,7 +51,7 @@ class FrameField(QLineEdit):
 
 
 class Transport(QWidget):
-    """Ruler, playback buttons, frame field, length and the rate that is really reached."""
+    """Playback buttons, frame field, length and the rate that is really reached."""
 
     def __init__(self, bridge: Bridge, player: Player, actions: list[QAction | None]) -> None:
         super().__init__()
@@ -60,7 +59,6 @@ class Transport(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._bridge = bridge
         self._player = player
-        self.ruler = Ruler(bridge)
         self.frame_field = FrameField(bridge)
         self._position = QLabel()
         self._rate = QLabel()
@@ -82,7 +80,7 @@ class Transport(QWidget):
         self.frame_field.selectAll()
 
     def _lay_out(self, actions: list[QAction | None]) -> None:
-        row = QHBoxLayout()
+        row = QHBoxLayout(self)
         row.setContentsMargins(8, 3, 8, 4)
         row.setSpacing(2)
         row.addWidget(self.frame_field)
@@ -96,11 +94,6 @@ class Transport(QWidget):
                 row.addWidget(_button(action))
         row.addStretch(1)
         row.addWidget(self._rate)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.ruler)
-        column.addLayout(row)
 
     def _show_position(self) -> None:
         canvas = self._bridge.document.canvas

@@ -1,6 +1,5 @@
 """Who tells whom: the connections between the parts of the main window, by subject."""
 
-from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
@@ -8,8 +7,6 @@ from PySide6.QtCore import Qt
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.command_search import CommandSearch
 from kagezou.ui.help_dialogs import about_dialog
-from kagezou.ui.icons import icon
-from kagezou.ui.key_frames import key_frames, next_key, previous_key
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
 from kagezou.ui.viewport.stage import Broken
@@ -66,7 +63,7 @@ def connect_view(window: "MainWindow") -> None:
     actions.on("zoom_in", lambda: viewpoint.zoom_middle(2))
     actions.on("zoom_out", lambda: viewpoint.zoom_middle(-2))
     actions["handles"].setChecked(True)
-    actions.on_toggled("handles", lambda _: _show_handles(window))
+    actions.on_toggled("handles", lambda _: window.show_handles())
     viewpoint.changed.connect(lambda: window.status.show_zoom(viewpoint.percent))
     window.status.show_zoom(viewpoint.percent)
 
@@ -79,37 +76,6 @@ def connect_view(window: "MainWindow") -> None:
     viewport.show_backdrop(Backdrop(kept) if kept in known else Backdrop.BACKGROUND)
     window.menus.add_backdrops(viewport.backdrop, choose)
     window.menus.add_languages(settings.language, window.language_chosen.emit)
-
-
-def connect_playback(window: "MainWindow") -> None:
-    """Connect the commands of time."""
-    actions, player, bridge = window.actions_of, window.player, window.desk.bridge
-
-    def step(frames: int) -> None:
-        player.stop()
-        bridge.session.go_to(bridge.frame + frames)
-
-    def to_key(frame: int | None) -> None:
-        if frame is not None:
-            bridge.session.go_to(frame)
-
-    def keyed() -> tuple[int, ...]:
-        return key_frames(bridge.document, bridge.layer_id)
-
-    for name, frames in {"back": -1, "forward": 1, "back_10": -10, "forward_10": 10}.items():
-        actions.on(name, partial(step, frames))
-    actions.on("first", lambda: bridge.session.go_to(1))
-    actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
-    actions.on("key_previous", lambda: to_key(previous_key(keyed(), bridge.frame)))
-    actions.on("key_next", lambda: to_key(next_key(keyed(), bridge.frame)))
-    actions.on("go_to_frame", window.transport.ask_frame)
-    actions.on("play", lambda: _play(window))
-    window.space.tapped.connect(lambda: _play(window))
-    window.viewport.step_asked.connect(step)
-    window.viewport.frameSwapped.connect(player.picture_shown)
-    player.playing_changed.connect(lambda _: _show_playing(window))
-    for name in ("loop", "every_frame"):
-        _remember_switch(window, name)
 
 
 def connect_frame(window: "MainWindow") -> None:
@@ -125,6 +91,7 @@ def connect_frame(window: "MainWindow") -> None:
     actions.on("shortcuts", window.keyboard.show_sheet)
     actions.on("edit_shortcuts", window.keyboard.edit)
     actions.on("reset_layout", reset)
+    actions.on("timeline", lambda: layout.show("timeline"))
     actions.on_toggled("hide_docks", layout.hide)
     actions.on_toggled("full_screen", lambda on: window.showFullScreen() if on else window.showNormal())
     TabKey(window, actions["hide_docks"], lambda: not window.desk.is_blank)
@@ -168,33 +135,5 @@ def _export(window: "MainWindow") -> None:
 def _delete(window: "MainWindow") -> None:
     if window.layers.view.hasFocus():
         window.layers.remove_current()
-    else:
+    elif window.viewport.hasFocus() or not window.keys.delete():
         window.viewport.hand.delete_selected()
-
-
-def _play(window: "MainWindow") -> None:
-    if not window.viewport.hand.is_busy and not window.desk.is_blank:
-        window.player.toggle()
-
-
-def _show_handles(window: "MainWindow") -> None:
-    # While the cut runs they would only stand in the way of seeing it.
-    shown = window.actions_of["handles"].isChecked() and not window.player.is_playing
-    window.viewport.show_handles(shown=shown)
-
-
-def _show_playing(window: "MainWindow") -> None:
-    window.actions_of["play"].setIcon(icon("pause" if window.player.is_playing else "play"))
-    _show_handles(window)
-
-
-def _remember_switch(window: "MainWindow", name: str) -> None:
-    action, player, settings = window.actions_of[name], window.player, window.settings
-
-    def switch(on: bool) -> None:
-        setattr(player, name, on)
-        settings.set_flag(name, on=on)
-
-    action.setChecked(settings.flag(name, default=True))
-    setattr(player, name, action.isChecked())
-    window.actions_of.on_toggled(name, switch)

@@ -162,12 +162,148 @@
         <translation>最後のフレーム(&amp;S)</translation>
     </message>
     <message>
+        <source>Play There and &amp;Back</source>
+        <translation>往復再生 (&amp;B)</translation>
+    </message>
+    <message>
         <source>Previous &amp;Key</source>
         <translation>前のキー(&amp;K)</translation>
     </message>
     <message>
         <source>Next Ke&amp;y</source>
         <translation>次のキー(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Set &amp;Keys Here</source>
+        <translation>ここにキーを設定 (&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Keys</source>
+        <translation>キーをコピー (&amp;C)</translation>
+    </message>
+    <message>
+        <source>C&amp;ut Keys</source>
+        <translation>キーを切り取り (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Keys</source>
+        <translation>キーを貼り付け (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paste Keys at Their &amp;Old Time</source>
+        <translation>元の時間にキーを貼り付け (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Keys</source>
+        <translation>すべてのキーを選択 (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Move Keys 1 Frame &amp;Back</source>
+        <translation>キーを1フレーム前へ (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Move Keys 1 Frame O&amp;n</source>
+        <translation>キーを1フレーム後へ (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Move Keys 10 Frames Back</source>
+        <translation>キーを10フレーム前へ</translation>
+    </message>
+    <message>
+        <source>Move Keys 10 Frames On</source>
+        <translation>キーを10フレーム後へ</translation>
+    </message>
+    <message>
+        <source>&amp;Easy Ease</source>
+        <translation>イージーイーズ (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Ease &amp;In</source>
+        <translation>イーズイン (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Ease &amp;Out</source>
+        <translation>イーズアウト (&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation>停止 (&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>リニア (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Work Area &amp;Begins Here</source>
+        <translation>ワークエリアの開始をここに (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Work Area E&amp;nds Here</source>
+        <translation>ワークエリアの終了をここに (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Clea&amp;r Work Area</source>
+        <translation>ワークエリアを解除 (&amp;R)</translation>
+    </message>
+    <message>
+        <source>First Frame of the Work Area</source>
+        <translation>ワークエリアの先頭へ</translation>
+    </message>
+    <message>
+        <source>Last Frame of the Work Area</source>
+        <translation>ワークエリアの末尾へ</translation>
+    </message>
+    <message>
+        <source>Add or Name &amp;Marker</source>
+        <translation>マーカーを追加/名前を変更 (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Fit the Cut in the &amp;Timeline</source>
+        <translation>カット全体をタイムラインに表示 (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In on Time</source>
+        <translation>時間を拡大 (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out of Time</source>
+        <translation>時間を縮小 (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show Keyed Properties; Again: Cha&amp;nged Ones</source>
+        <translation>キーのあるプロパティを表示 / もう一度で変更したもの (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Light</source>
+        <translation>ライトを表示 (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Ground</source>
+        <translation>地面を表示 (&amp;G)</translation>
+    </message>
+    <message>
+        <source>Show Grounding &amp;Points</source>
+        <translation>接地点を表示 (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Shape</source>
+        <translation>形状を表示 (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show Body T&amp;ilt</source>
+        <translation>体の傾きを表示 (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Opacity and Fading</source>
+        <translation>不透明度とフェードを表示 (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Waves</source>
+        <translation>波を表示 (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show So&amp;ftness</source>
+        <translation>ぼかしを表示 (&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Keyboard Shortcuts</source>
@@ -520,6 +656,91 @@
     </message>
 </context>
 <context>
+    <name>KeyCommands</name>
+    <message>
+        <source>No keys are selected.</source>
+        <translation>キーが選択されていません。</translation>
+    </message>
+    <message>
+        <source>Cut keys</source>
+        <translation>キーを切り取り</translation>
+    </message>
+    <message>
+        <source>Delete keys</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Easy ease</source>
+        <translation>イージーイーズ</translation>
+    </message>
+    <message>
+        <source>Ease in</source>
+        <translation>イーズイン</translation>
+    </message>
+    <message>
+        <source>Ease out</source>
+        <translation>イーズアウト</translation>
+    </message>
+    <message>
+        <source>Hold keys</source>
+        <translation>キーを停止</translation>
+    </message>
+    <message>
+        <source>Make keys linear</source>
+        <translation>キーをリニアに</translation>
+    </message>
+    <message>
+        <source>Make keys bezier</source>
+        <translation>キーをベジェに</translation>
+    </message>
+    <message>
+        <source>Nothing is keyed yet; click the diamond before a property in the inspector.</source>
+        <translation>まだキーがありません。インスペクターでプロパティの左のひし形をクリックしてください。</translation>
+    </message>
+    <message>
+        <source>Set keys</source>
+        <translation>キーを設定</translation>
+    </message>
+    <message>
+        <source>Clear work area</source>
+        <translation>ワークエリアを解除</translation>
+    </message>
+    <message>
+        <source>Set work area</source>
+        <translation>ワークエリアを設定</translation>
+    </message>
+    <message>
+        <source>No keys were copied yet.</source>
+        <translation>まだキーがコピーされていません。</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>キーを貼り付け</translation>
+    </message>
+</context>
+<context>
+    <name>KeyHand</name>
+    <message>
+        <source>Stretch keys</source>
+        <translation>キーを伸縮</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>キーを移動</translation>
+    </message>
+</context>
+<context>
+    <name>Lanes</name>
+    <message>
+        <source>Keys and drawings over time</source>
+        <translation>時間上のキーと動画</translation>
+    </message>
+</context>
+<context>
     <name>Language</name>
     <message>
         <source>en</source>
@@ -621,6 +842,10 @@ Drop a folder of cels here.</source>
         <source>Styles</source>
         <translation>スタイル</translation>
     </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -687,6 +912,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>&amp;Edit</source>
         <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>キー(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Timeline Shows</source>
+        <translation>タイムラインの表示 (&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Playback</source>
@@ -801,10 +1034,57 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>RowNames</name>
+    <message>
+        <source>Layers and properties</source>
+        <translation>レイヤーとプロパティ</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>シーン</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Set key</source>
+        <translation>キーを設定</translation>
+    </message>
+    <message>
+        <source>Show or hide the properties (Alt: of all)</source>
+        <translation>プロパティの表示/非表示 (Alt: すべて)</translation>
+    </message>
+    <message>
+        <source>Previous key of this row</source>
+        <translation>この行の前のキー</translation>
+    </message>
+    <message>
+        <source>Next key of this row</source>
+        <translation>この行の次のキー</translation>
+    </message>
+    <message>
+        <source>Set a key on this frame, or remove the one that is here</source>
+        <translation>このフレームにキーを設定、または既にあるキーを削除</translation>
+    </message>
+</context>
+<context>
     <name>Ruler</name>
     <message>
         <source>Frame ruler</source>
         <translation>フレームルーラー</translation>
+    </message>
+    <message>
+        <source>Clear work area</source>
+        <translation>ワークエリアを解除</translation>
+    </message>
+    <message>
+        <source>Move marker</source>
+        <translation>マーカーを移動</translation>
+    </message>
+    <message>
+        <source>Set work area</source>
+        <translation>ワークエリアを設定</translation>
     </message>
 </context>
 <context>
@@ -850,6 +1130,61 @@ Drop a folder of cels here.</source>
     <message>
         <source>Pick a colour</source>
         <translation>色を選択</translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>Nothing is keyed yet: move the playhead and click the diamond before a property.</source>
+        <translation>まだキーがありません。再生ヘッドを動かし、プロパティの左のひし形をクリックしてください。</translation>
+    </message>
+    <message>
+        <source>Set marker</source>
+        <translation>マーカーを設定</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>What happens on frame %1:</source>
+        <translation>フレーム %1 の内容:</translation>
+    </message>
+    <message>
+        <source>Name marker</source>
+        <translation>マーカーに名前を付ける</translation>
+    </message>
+    <message>
+        <source>Rename Marker…</source>
+        <translation>マーカーの名前を変更…</translation>
+    </message>
+    <message>
+        <source>Remove Marker</source>
+        <translation>マーカーを削除</translation>
+    </message>
+    <message>
+        <source>Frames (84)</source>
+        <translation>フレーム (84)</translation>
+    </message>
+    <message>
+        <source>Seconds + frames (3+12)</source>
+        <translation>秒＋コマ (3+12)</translation>
+    </message>
+    <message>
+        <source>Sheet pages of 6 seconds</source>
+        <translation>6秒シート</translation>
+    </message>
+    <message>
+        <source>Sheet pages of 3 seconds</source>
+        <translation>3秒シート</translation>
+    </message>
+    <message>
+        <source>Timecode (00:03:12)</source>
+        <translation>タイムコード (00:03:12)</translation>
+    </message>
+    <message>
+        <source>Remove marker</source>
+        <translation>マーカーを削除</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,248 @@
+"""Edits of many keys at once: what the timeline and the curve editor do with the keys that are selected.
+
+As every edit they give a new document, the very same one if nothing changes; those that move keys also say where the
+keys are afterwards, so that a selection can follow them.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Final
+
+from kagezou.animation.ease import EASY, Ease
+from kagezou.animation.track import Interpolation, Key, Track, Value, components_of, ordered, rebuilt
+from kagezou.document.address import Address, track_of
+from kagezou.document.edits import set_track
+from kagezou.document.model import Document
+from kagezou.document.property import Kind
+
+Eases = tuple[Ease, ...] | None
+"""One ease a component; one alone stands for all; None leaves what is there."""
+
+Amounts = Mapping[Address, tuple[float, ...]]
+
+NO_AMOUNTS: Final[Amounts] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class KeyRef:
+    """The key of one property on one frame."""
+
+    address: Address
+    frame: int
+
+
+Refs = frozenset[KeyRef]
+
+
+@dataclass(frozen=True, slots=True)
+class KeyClip:
+    """Copied keys with where they were taken from; ``frame`` is that of the earliest."""
+
+    frame: int
+    keys: tuple[tuple[Address, Key], ...]
+
+
+def present_keys(document: Document, refs: Refs) -> Refs:
+    """Return those of the keys that are there."""
+    ids = {None, *(layer.id for layer in document.layers)}
+    found: set[KeyRef] = set()
+    for address, frames in _by_address(refs).items():
+        if address.layer_id in ids:
+            there = {key.frame for key in track_of(document, address).keys}
+            found.update(KeyRef(address, frame) for frame in frames & there)
+    return refs if len(found) == len(refs) else frozenset(found)
+
+
+def all_keys(document: Document, address: Address) -> Refs:
+    """Return all keys of a property."""
+    return frozenset(KeyRef(address, key.frame) for key in track_of(document, address).keys)
+
+
+def move_keys(document: Document, refs: Refs, frames: int, amounts: Amounts = NO_AMOUNTS) -> tuple[Document, Refs]:
+    """Move keys in time, together and never before frame 1, and in value.
+
+    Keys that lie where others come to lie are replaced by them.
+
+    Parameters
+    ----------
+    refs
+        Keys that are there.
+    frames
+        Later, or earlier if negative.
+    amounts
+        What is added to the components of the keys of an address, in the property's units; the result is kept within
+        the property's range.
+    """
+    frames = max(frames, 1 - min((ref.frame for ref in refs), default=1))
+
+    def moved(address: Address, key: Key) -> Key:
+        value = _added(address, key.value, amounts.get(address, ()))
+        return replace(key, frame=key.frame + frames, value=value)
+
+    return _replaced(document, refs, moved)
+
+
+def stretch_keys(document: Document, refs: Refs, about: int, factor: float) -> tuple[Document, Refs]:
+    """Spread keys in time about a frame; they land on whole frames, and the speeds of their eases follow.
+
+    Where two land on one frame the one farther from ``about`` stays. A factor of 0 or less counts as almost 0.
+    """
+    factor = max(factor, 1e-6)
+
+    def stretched(_address: Address, key: Key) -> Key:
+        def slower(eases: tuple[Ease, ...]) -> tuple[Ease, ...]:
+            return tuple(replace(ease, speed=ease.speed / factor) for ease in eases)
+
+        frame = max(about + round((key.frame - about) * factor), 1)
+        if frame == key.frame:
+            return key
+        return replace(key, frame=frame, ease_in=slower(key.ease_in), ease_out=slower(key.ease_out))
+
+    return _replaced(document, refs, stretched, rank=lambda frame: abs(frame - about))
+
+
+def remove_keys(document: Document, refs: Refs) -> Document:
+    """Take keys away; a property's last ones leave the value of the first of them as its constant."""
+    for address, frames in _by_address(refs).items():
+        track = track_of(document, address)
+        left = tuple(key for key in track.keys if key.frame not in frames)
+        gone = [key for key in track.keys if key.frame in frames]
+        if gone:
+            document = set_track(document, address, replace(track, keys=left) if left else Track(gone[0].value))
+    return document
+
+
+def copy_keys(document: Document, refs: Refs) -> KeyClip | None:
+    """Return copies of keys, None if there are none."""
+    found = [
+        (address, key)
+        for address, frames in _by_address(refs).items()
+        for key in track_of(document, address).keys
+        if key.frame in frames
+    ]
+    return KeyClip(min(key.frame for _, key in found), tuple(found)) if found else None
+
+
+def paste_keys(document: Document, clip: KeyClip, frame: int | None, onto: str | None = None) -> tuple[Document, Refs]:
+    """Put copied keys down so that the earliest lies on ``frame``; None puts them where they were taken.
+
+    Parameters
+    ----------
+    onto
+        The layer that gets keys which were all taken from one layer; those from several layers, and the scene's, go
+        to where they came from, if that is still there.
+    """
+    ids = {layer.id for layer in document.layers}
+    sources = {address.layer_id for address, _ in clip.keys if address.layer_id is not None}
+    away = 0 if frame is None else frame - clip.frame
+    put: set[KeyRef] = set()
+    for address, key in clip.keys:
+        target = address
+        if address.layer_id is not None:
+            moves = onto is not None and len(sources) == 1
+            target = replace(address, layer_id=onto if moves else address.layer_id)
+            if target.layer_id not in ids:
+                continue
+        moved = replace(key, frame=key.frame + away)
+        document = set_track(document, target, track_of(document, target).with_key(moved))
+        put.add(KeyRef(target, moved.frame))
+    return document, frozenset(put)
+
+
+def set_interpolation(document: Document, refs: Refs, interpolation: Interpolation) -> Document:
+    """Let values go on from these keys in one way; switches and choices are only ever held."""
+
+    def changed(address: Address, key: Key) -> Key:
+        if address.property.holds_only or key.interpolation is interpolation:
+            return key
+        eases = key.ease_out
+        if interpolation is Interpolation.BEZIER and not eases:
+            eases = (EASY,) * len(components_of(key.value) or ())
+        return replace(key, interpolation=interpolation, ease_out=eases)
+
+    return _replaced(document, refs, changed)[0]
+
+
+def set_ease(document: Document, refs: Refs, ease_in: Eases, ease_out: Eases) -> Document:
+    """Set how curves reach and leave these keys; the segments beside them become beziers.
+
+    A segment that was linear keeps its speed at its other end, so that only the end that is asked for changes.
+    """
+    for address, frames in _by_address(refs).items():
+        if address.property.holds_only:
+            continue
+        track = track_of(document, address)
+        keys = list(track.keys)
+        for index, key in enumerate(keys):
+            if key.frame not in frames:
+                continue
+            count = len(components_of(key.value) or ())
+            if ease_in is not None:
+                if index:
+                    keys[index - 1], keys[index] = _as_bezier(keys[index - 1], keys[index])
+                keys[index] = replace(keys[index], ease_in=_each(ease_in, count))
+            if ease_out is not None:
+                if index + 1 < len(keys):
+                    keys[index], keys[index + 1] = _as_bezier(keys[index], keys[index + 1])
+                keys[index] = replace(keys[index], ease_out=_each(ease_out, count), interpolation=Interpolation.BEZIER)
+        document = set_track(document, address, replace(track, keys=tuple(keys)))
+    return document
+
+
+def chord_speeds(key: Key, follower: Key) -> tuple[float, ...]:
+    """Return the even speed from one key to the next of each component, in units per frame; none for held values."""
+    start, end = components_of(key.value) or (), components_of(follower.value) or ()
+    if len(start) != len(end):
+        return ()
+    span = follower.frame - key.frame
+    return tuple((b - a) / span for a, b in zip(start, end, strict=True))
+
+
+def _as_bezier(key: Key, follower: Key) -> tuple[Key, Key]:
+    """Return two neighbours with a bezier between them; one that was linear keeps its shape."""
+    if key.interpolation is Interpolation.BEZIER:
+        return key, follower
+    chord = tuple(Ease(speed) for speed in chord_speeds(key, follower))
+    return replace(key, interpolation=Interpolation.BEZIER, ease_out=chord), replace(follower, ease_in=chord)
+
+
+def _each(eases: tuple[Ease, ...], count: int) -> tuple[Ease, ...]:
+    return eases * count if len(eases) == 1 else eases[:count]
+
+
+def _added(address: Address, value: Value, amounts: tuple[float, ...]) -> Value:
+    parts = components_of(value)
+    if parts is None or not any(amounts):
+        return value
+    line = address.property
+    low, high = (0.0, 255.0) if line.kind is Kind.COLOR else (line.low, line.high)
+    padded = amounts + (0.0,) * (len(parts) - len(amounts))
+    moved = tuple(min(max(part + more, low), high) for part, more in zip(parts, padded, strict=False))
+    return rebuilt(value, moved)
+
+
+def _by_address(refs: Iterable[KeyRef]) -> dict[Address, set[int]]:
+    found: dict[Address, set[int]] = {}
+    for ref in refs:
+        found.setdefault(ref.address, set()).add(ref.frame)
+    return found
+
+
+def _replaced(
+    document: Document,
+    refs: Refs,
+    change: Callable[[Address, Key], Key],
+    rank: Callable[[int], int] = lambda frame: frame,
+) -> tuple[Document, Refs]:
+    """Put the changed keys in the place of the old ones; of two on one frame the one of higher rank stays."""
+    put: set[KeyRef] = set()
+    for address, frames in _by_address(refs).items():
+        track = track_of(document, address)
+        chosen = [key for key in track.keys if key.frame in frames]
+        others = {key.frame: key for key in track.keys if key.frame not in frames}
+        changed = (change(address, key) for key in sorted(chosen, key=lambda key: rank(key.frame)))
+        new = {key.frame: key for key in changed}
+        document = set_track(document, address, replace(track, keys=ordered({**others, **new}.values())))
+        put.update(KeyRef(address, frame) for frame in new)
+    return document, frozenset(put)

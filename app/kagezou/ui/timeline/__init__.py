@@ -1,0 +1,1 @@
+"""The dope sheet: layers, exposures and keys over time."""

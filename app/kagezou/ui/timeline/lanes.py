@@ -1,0 +1,226 @@
+"""The lanes: drawings as bars and keys as shapes, row by row over time."""
+
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+from kagezou.document.address import track_of
+from kagezou.document.key_edits import KeyRef
+from kagezou.document.model import Layer
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
+from kagezou.ui.timecode import frames_per_second
+from kagezou.ui.timeline.key_hand import KeyHand
+from kagezou.ui.timeline.key_shapes import half_path, halves_of
+from kagezou.ui.timeline.row_list import RowList
+from kagezou.ui.timeline.rows import Row, RowKind, frames_of, keys_on
+from kagezou.ui.timeline.time_scale import TimeScale
+
+KEY_RADIUS_PX = 6.5
+_SUM_RADIUS_PX = 5.0
+_PART_RADIUS_PX = 3.4
+_SUM_LANE_PX = 11
+"""Height of the strip under a layer's drawings in which its keys are summed up."""
+_BAR = QColor("#4a4a4a")
+_BAR_EDGE = QColor("#6a6a6a")
+_BAND = QColor(255, 255, 255, 7)
+_CHOSEN_BAND = QColor(255, 255, 255, 16)
+_ABSENT = QColor("#5c5c5c")
+_SPAN = QColor("#707070")
+_OUTSIDE = QColor(0, 0, 0, 96)
+
+
+class Lanes(QWidget):
+    """Keys and exposures over time; the hand on them is :class:`KeyHand`."""
+
+    def __init__(self, bridge: Bridge, scale: TimeScale, rows: RowList) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._scale = scale
+        self._rows = rows
+        self.hand = KeyHand(bridge, scale, rows)
+        self.hand.changed.connect(self.update)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        # Single letters are commands here, which an input method would swallow.
+        self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled, on=False)
+        self.setAccessibleName(self.tr("Keys and drawings over time"))
+        for signal in (scale.changed, rows.changed, bridge.frame_changed, bridge.keys_changed):
+            signal.connect(self.update)
+        bridge.selection_changed.connect(self.update)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._scale.set_width(event.size().width())
+        self._rows.set_room(event.size().height())
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        self.hand.press(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self.hand.move(event)
+        self.setToolTip(self.hand.words_at(event.position()))
+        self.setCursor(self.hand.cursor)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self.hand.release(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self.hand.wheel(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not self.hand.key(event):
+            super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        # The window's commands on these keys are for the viewport; here they belong to the hand.
+        if event.type() is QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and self.hand.wants(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), WELL)
+        self._paint_grid(painter)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._paint_outside(painter)
+        for index in self._rows.seen():
+            self._paint_row(painter, self._rows.rows[index], self._rows.top_of(index))
+        self._paint_playhead(painter)
+        self._paint_hand(painter)
+        painter.end()
+
+    def _paint_grid(self, painter: QPainter) -> None:
+        rate = frames_per_second(self._bridge.document.canvas.frame_rate)
+        cell = self._scale.cell_px
+        # A heavier line each second, a fainter one each quarter of it, the faintest each frame.
+        for step, color, least_px in (
+            (1, "#262626", 7.0),
+            (max(rate // 4, 1), "#2d2d2d", 14.0),
+            (rate, "#3d3d3d", 5.0),
+        ):
+            if step * cell < least_px:
+                continue
+            painter.setPen(QPen(QColor(color), 1))
+            first = max(int((self._scale.position_at(0) - 1) // step), 0) * step + 1
+            last = min(self._scale.position_at(self.width()), self._scale.length + 1)
+            for frame in range(first, int(last) + 1, step):
+                x = round(self._scale.x_of(frame)) + 0.5
+                painter.drawLine(QLineF(x, 0, x, self.height()))
+
+    def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
+        height = self._rows.row_px
+        if row.is_group:
+            is_chosen = row.kind is RowKind.LAYER and row.layer_id == self._bridge.layer_id
+            painter.fillRect(0, top, self.width(), height, _CHOSEN_BAND if is_chosen else _BAND)
+        painter.setPen(QPen(LINE, 1))
+        painter.drawLine(QLineF(0, top + height - 0.5, self.width(), top + height - 0.5))
+        if row.kind is RowKind.LAYER and row.layer_id is not None:
+            self._paint_exposures(painter, self._bridge.document.layer(row.layer_id), QRectF(0, top, 0, height))
+        if row.is_group:
+            self._paint_summary(painter, row, top)
+        else:
+            self._paint_keys(painter, row, top + height / 2)
+
+    def _paint_exposures(self, painter: QPainter, layer: Layer, band: QRectF) -> None:
+        exposures, length, metrics = layer.cels.exposures, self._scale.length, self.fontMetrics()
+        for index, exposure in enumerate(exposures):
+            end = exposures[index + 1].frame if index + 1 < len(exposures) else length + 1
+            left, right = self._scale.x_of(max(exposure.frame, 1)), self._scale.x_of(min(end, length + 1))
+            if exposure.drawing is None or right <= 0 or left >= self.width() or right <= left:
+                continue
+            bar = QRectF(left + 0.5, band.top() + 2.5, max(right - left - 1, 1), band.height() - _SUM_LANE_PX - 3)
+            painter.fillRect(bar, _BAR)
+            painter.fillRect(QRectF(bar.left(), bar.top(), min(2.0, bar.width()), bar.height()), _BAR_EDGE)
+            room = right - max(left, 0) - 8
+            name = layer.cels.drawings[exposure.drawing].name
+            if room > metrics.horizontalAdvance("0"):
+                painter.setPen(TEXT)
+                shown = metrics.elidedText(name, Qt.TextElideMode.ElideRight, int(room))
+                place = QRectF(max(left, 0) + 5, bar.top(), room, bar.height())
+                painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, shown if shown != "…" else "")
+
+    def _paint_summary(self, painter: QPainter, row: Row, top: int) -> None:
+        # Under the bars, where both can be read.
+        from_bottom = _SUM_LANE_PX / 2 if row.kind is RowKind.LAYER else self._rows.row_px / 2
+        y = top + self._rows.row_px - from_bottom - 0.5
+        chosen = self._bridge.session.state.keys
+        for frame, count in frames_of(self._bridge.document, row).items():
+            x = self._scale.middle_of(frame)
+            if not -KEY_RADIUS_PX <= x <= self.width() + KEY_RADIUS_PX:
+                continue
+            is_chosen = bool(chosen) and keys_on(self._bridge.document, row, frame) <= chosen
+            radius = _SUM_RADIUS_PX if count == len(row.addresses) else _PART_RADIUS_PX
+            painter.setPen(QPen(LINE, 1.2))
+            painter.setBrush(SELECTED if is_chosen else TEXT)
+            painter.translate(x, y)
+            painter.drawPolygon([QPointF(0, -radius), QPointF(radius, 0), QPointF(0, radius), QPointF(-radius, 0)])
+            painter.resetTransform()
+
+    def _paint_keys(self, painter: QPainter, row: Row, y: float) -> None:
+        address = row.addresses[0]
+        track, chosen = track_of(self._bridge.document, address), self._bridge.session.state.keys
+        places = [self._scale.middle_of(key.frame) for key in track.keys]
+        if len(places) > 1:
+            painter.setPen(QPen(_SPAN, 2))
+            painter.drawLine(QLineF(max(places[0], 0), y, min(places[-1], self.width()), y))
+        for index, (key, x) in enumerate(zip(track.keys, places, strict=True)):
+            if not -KEY_RADIUS_PX <= x <= self.width() + KEY_RADIUS_PX:
+                continue
+            is_chosen = KeyRef(address, key.frame) in chosen
+            painter.translate(x, y)
+            radius = KEY_RADIUS_PX + (0.8 if is_chosen else 0)
+            painter.setPen(QPen(BRIGHT if is_chosen else LINE, 2.4))
+            for half, is_left in zip(halves_of(track, index), (True, False), strict=True):
+                painter.strokePath(half_path(half, is_left=is_left, radius=radius), painter.pen())
+            painter.setPen(Qt.PenStyle.NoPen)
+            for half, is_left in zip(halves_of(track, index), (True, False), strict=True):
+                color = SELECTED if is_chosen else _ABSENT if half is None else TEXT
+                painter.setBrush(color)
+                painter.drawPath(half_path(half, is_left=is_left, radius=radius))
+            painter.resetTransform()
+
+    def _paint_outside(self, painter: QPainter) -> None:
+        first, last = self._bridge.document.played
+        height = self.height()
+        for left, right in ((0.0, self._scale.x_of(first)), (self._scale.x_of(last + 1), float(self.width()))):
+            if right > left:
+                painter.fillRect(QRectF(left, 0, right - left, height), _OUTSIDE)
+
+    def _paint_playhead(self, painter: QPainter) -> None:
+        frame = self._bridge.frame
+        left, width = self._scale.x_of(frame), self._scale.cell_px
+        painter.fillRect(QRectF(left, 0, max(width, 1.0), self.height()), QColor(255, 255, 255, 22))
+        painter.setPen(QPen(BRIGHT if self.isEnabled() else OFF, 1))
+        middle = round(left + width / 2) + 0.5
+        painter.drawLine(QLineF(middle, 0, middle, self.height()))
+        for marker in self._bridge.document.markers:
+            x = round(self._scale.middle_of(marker.frame)) + 0.5
+            painter.setPen(QPen(CHANGED, 1, Qt.PenStyle.DotLine))
+            painter.drawLine(QLineF(x, 0, x, self.height()))
+
+    def _paint_hand(self, painter: QPainter) -> None:
+        if self.hand.box is not None:
+            painter.setPen(QPen(BRIGHT, 1, Qt.PenStyle.DashLine))
+            painter.setBrush(QColor(255, 255, 255, 24))
+            painter.drawRect(self.hand.box)
+        if self.hand.caught_by is not None:
+            x = self._scale.middle_of(self.hand.caught_by)
+            painter.setPen(QPen(WARNING, 1.5))
+            painter.drawLine(QLineF(x, 0, x, self.height()))
+        if self.hand.said:
+            self._paint_said(painter, self.hand.said)
+
+    def _paint_said(self, painter: QPainter, words: str) -> None:
+        metrics = self.fontMetrics()
+        width, height = metrics.horizontalAdvance(words) + 16, metrics.height() + 6
+        place = self.hand.place + QPointF(14, -height - 8)
+        pill = QRectF(
+            min(max(place.x(), 2.0), self.width() - width - 2.0), max(place.y(), 2.0), float(width), float(height)
+        )
+        painter.setPen(QPen(DIM, 1))
+        painter.setBrush(QColor("#101010"))
+        painter.drawRoundedRect(pill, 4, 4)
+        painter.setPen(BRIGHT)
+        painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, words)

@@ -1,0 +1,101 @@
+"""Which rows are shown, how high they are, and how far they are scrolled: shared by the names and the lanes."""
+
+from PySide6.QtCore import QObject, Signal
+
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.timeline.rows import Reveal, Row, RowKind, rows_of
+
+
+class RowList(QObject):
+    """The rows of the session at hand.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    """
+
+    changed = Signal()
+
+    def __init__(self, bridge: Bridge) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._closed: frozenset[str | None] = frozenset()
+        self._scroll_px = 0
+        self._room_px = 200
+        self.row_px = 22
+        self.reveal = Reveal()
+        self.rows: tuple[Row, ...] = ()
+        bridge.document_changed.connect(self._refill)
+        bridge.session_replaced.connect(self._begin_anew)
+        self._refill()
+
+    @property
+    def scroll_px(self) -> int:
+        """How far the first row lies above the widget's edge."""
+        return min(self._scroll_px, self.furthest_px)
+
+    @property
+    def furthest_px(self) -> int:
+        """The largest scroll."""
+        return max(len(self.rows) * self.row_px - self._room_px, 0)
+
+    def set_room(self, height_px: int) -> None:
+        """Take note of the height there is."""
+        if height_px != self._room_px:
+            self._room_px = height_px
+            self.changed.emit()
+
+    def scroll_to(self, scroll_px: int) -> None:
+        """Scroll, as far as there are rows."""
+        scroll_px = min(max(scroll_px, 0), self.furthest_px)
+        if scroll_px != self._scroll_px:
+            self._scroll_px = scroll_px
+            self.changed.emit()
+
+    def index_at(self, y: float) -> int | None:
+        """Return the index of the row at a widget y."""
+        index = int((y + self.scroll_px) // self.row_px)
+        return index if 0 <= index < len(self.rows) else None
+
+    def top_of(self, index: int) -> int:
+        """Return the widget y of a row's upper edge."""
+        return index * self.row_px - self.scroll_px
+
+    def seen(self) -> range:
+        """Return the indices of the rows that are within the room there is."""
+        first = self.scroll_px // self.row_px
+        return range(first, min(first + self._room_px // self.row_px + 2, len(self.rows)))
+
+    def fold(self, row: Row) -> None:
+        """Show or hide the properties of a group."""
+        self._closed = self._closed ^ {row.layer_id}
+        self._refill()
+
+    def fold_all(self, row: Row) -> None:
+        """Show or hide the properties of all groups as this one is about to."""
+        groups = frozenset(each.layer_id for each in self.rows if each.is_group)
+        self._closed = groups if row.is_open else frozenset()
+        self._refill()
+
+    def show_only(self, reveal: Reveal) -> None:
+        """Show other properties, and open the scene and the layer worked on."""
+        self.reveal = reveal
+        self._closed -= {None, self._bridge.layer_id}
+        self._refill()
+        self._scroll_to_layer()
+
+    def _scroll_to_layer(self) -> None:
+        for index, row in enumerate(self.rows):
+            if row.kind is RowKind.LAYER and row.layer_id == self._bridge.layer_id:
+                top = index * self.row_px
+                if not self._scroll_px <= top < self._scroll_px + self._room_px - 2 * self.row_px:
+                    self.scroll_to(top)
+
+    def _begin_anew(self) -> None:
+        self._closed, self._scroll_px, self.reveal = frozenset(), 0, Reveal()
+        self._refill()
+
+    def _refill(self) -> None:
+        self.rows = rows_of(self._bridge.document, self._closed, self.reveal)
+        self.changed.emit()
