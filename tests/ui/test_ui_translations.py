@@ -12,7 +12,6 @@ from PySide6.QtCore import QCoreApplication, QTranslator
 import kagezou.ui
 from kagezou.document.properties import TABLE
 from kagezou.locations import resource_folder
-from kagezou.ui.commands import edit_commands, file_commands, help_commands, playback_commands, view_commands
 from kagezou.ui.language import LANGUAGES, Language
 from kagezou.ui.words import choice_word, is_japanese, said
 
@@ -71,9 +70,3 @@ def test_the_table_and_its_choices_are_said_in_the_language_of_the_window(englis
 def test_plurals_are_right_in_english() -> None:
     forms = [QCoreApplication.translate("LayerModel", "%n drawing(s)", "", count) for count in (1, 2)]
     assert forms == ["1 drawing", "2 drawings"]
-
-
-def test_no_two_commands_share_a_key() -> None:
-    groups = (file_commands(), edit_commands(), view_commands(), playback_commands(), help_commands())
-    keys = [key for group in groups for command in group for key in command.keys]
-    assert len(set(keys)) == len(keys)

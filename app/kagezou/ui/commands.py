@@ -1,14 +1,20 @@
-"""Every command of the window in one list: its words, keys and icon; menus, tool bar and shortcut sheet read it."""
+"""Every command of the window in one table: its words, keys and icon; menus, search and shortcut sheet read it.
+
+The keys are the skeleton that animators know from After Effects; the files in ``resources/shortcuts`` change them to
+those of other programs. A command that nothing answers yet stays hidden, so it may stand here first.
+"""
 
 import re
-from collections.abc import Callable
+from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import chain
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QWidget
 
-from kagezou.ui.icons import icon
+
+def translate(_context: str, text: str) -> str:
+    """Mark a text for the translators and leave it English: a command is found by its English words in any language."""
+    return text
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,8 +25,8 @@ class Command:
     ----------
     name
         How the program calls it.
-    text
-        What people read, with the menu's mnemonic.
+    source
+        Its English words, with the menu's mnemonic.
     keys
         Shortcuts; the first is shown in the menu. Nothing lies only on keys that some keyboards lack.
     icon
@@ -30,15 +36,40 @@ class Command:
     """
 
     name: str
-    text: str
+    source: str
     keys: tuple[str, ...] = ()
     icon: str = ""
     checkable: bool = False
 
+    @property
+    def text(self) -> str:
+        """What people read, in the language of the window, with the menu's mnemonic."""
+        return QCoreApplication.translate("Commands", self.source)
+
+
+@dataclass(frozen=True, slots=True)
+class CommandGroup:
+    """Commands under one heading.
+
+    Parameters
+    ----------
+    source
+        The heading's English words.
+    commands
+        What stands under it.
+    """
+
+    source: str
+    commands: tuple[Command, ...]
+
+    @property
+    def title(self) -> str:
+        """The heading in the language of the window."""
+        return QCoreApplication.translate("Commands", self.source)
+
 
 def file_commands() -> tuple[Command, ...]:
     """Return the commands about files."""
-    translate = QCoreApplication.translate
     return (
         Command("new", translate("Commands", "&New from Cels…"), ("Ctrl+N",), "cels"),
         Command("open", translate("Commands", "&Open…"), ("Ctrl+O",), "folder"),
@@ -56,49 +87,17 @@ def file_commands() -> tuple[Command, ...]:
 
 def edit_commands() -> tuple[Command, ...]:
     """Return the commands about the document."""
-    translate = QCoreApplication.translate
     return (
         Command("undo", translate("Commands", "&Undo"), ("Ctrl+Z",), "undo"),
         Command("redo", translate("Commands", "&Redo"), ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
         Command("delete", translate("Commands", "&Delete"), ("Del", "Backspace")),
-        Command("rename_layer", translate("Commands", "Re&name Layer")),
-    )
-
-
-def view_commands() -> tuple[Command, ...]:
-    """Return the commands about looking."""
-    translate = QCoreApplication.translate
-    return (
-        Command("fit", translate("Commands", "&Fit in Window"), ("F", "Shift+/", "?", "Ctrl+0"), "fit"),
-        Command("actual", translate("Commands", "&Actual Pixels (100 %)"), ("/", "Ctrl+Alt+0"), "actual"),
-        Command("zoom_in", translate("Commands", "Zoom &In"), ("Ctrl++", "Ctrl+=")),
-        Command("zoom_out", translate("Commands", "Zoom &Out"), ("Ctrl+-",)),
-        Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
-    )
-
-
-def playback_commands() -> tuple[Command, ...]:
-    """Return the commands about time; the space bar itself is watched elsewhere, for it also pans."""
-    translate = QCoreApplication.translate
-    return (
-        Command("play", translate("Commands", "&Play / Stop"), (), "play"),
-        Command("loop", translate("Commands", "&Loop"), ("L",), "loop", checkable=True),
-        Command("every_frame", translate("Commands", "Play &Every Frame"), (), "", checkable=True),
-        Command("first", translate("Commands", "&First Frame"), ("Home",), "first"),
-        Command("back_10", translate("Commands", "10 Frames Back"), ("Shift+PgUp", "Ctrl+Shift+Left")),
-        Command("back", translate("Commands", "P&revious Frame"), ("PgUp", ",", "Ctrl+Left"), "step-back"),
-        Command("forward", translate("Commands", "&Next Frame"), ("PgDown", ".", "Ctrl+Right"), "step-forward"),
-        Command("forward_10", translate("Commands", "10 Frames On"), ("Shift+PgDown", "Ctrl+Shift+Right")),
-        Command("last", translate("Commands", "La&st Frame"), ("End",), "last"),
-        Command("ping_pong", translate("Commands", "Play There and &Back"), ("Shift+L",), "", checkable=True),
-        Command("key_previous", translate("Commands", "Previous &Key"), ("J",), "key-previous"),
-        Command("key_next", translate("Commands", "Next Ke&y"), ("K",), "key-next"),
+        Command("rename_layer", translate("Commands", "Re&name Layer"), ("F2",)),
+        Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )
 
 
 def key_commands() -> tuple[Command, ...]:
-    """Return the commands about keys, work area and markers."""
-    translate = QCoreApplication.translate
+    """Return the commands about keys and their eases."""
     return (
         Command("set_keys", translate("Commands", "Set &Keys Here"), ("F6",), "key"),
         Command("copy_keys", translate("Commands", "&Copy Keys"), ("Ctrl+C",)),
@@ -115,18 +114,71 @@ def key_commands() -> tuple[Command, ...]:
         Command("ease_out", translate("Commands", "Ease &Out"), ("Ctrl+Shift+F9",)),
         Command("hold", translate("Commands", "&Hold"), ("Ctrl+Alt+H",)),
         Command("linear", translate("Commands", "&Linear"), ("Ctrl+Alt+L",)),
+        Command("velocity", translate("Commands", "Key &Velocity…"), ("Ctrl+Shift+K",)),
+    )
+
+
+def view_commands() -> tuple[Command, ...]:
+    """Return the commands about looking."""
+    return (
+        Command("fit", translate("Commands", "&Fit in Window"), ("F", "Shift+/", "?", "Ctrl+0"), "fit"),
+        Command("actual", translate("Commands", "&Actual Pixels (100 %)"), ("/", "Ctrl+Alt+0"), "actual"),
+        Command("zoom_in", translate("Commands", "Zoom &In"), ("Ctrl++", "Ctrl+=")),
+        Command("zoom_out", translate("Commands", "Zoom &Out"), ("Ctrl+-",)),
+        Command("view_composite", translate("Commands", "View &Composite"), ("Alt+1",), checkable=True),
+        Command("view_shadow", translate("Commands", "View Shadow &Only"), ("Alt+2",), checkable=True),
+        Command("view_outline", translate("Commands", "View &Outline"), ("Alt+3",), checkable=True),
+        Command("view_matte", translate("Commands", "View &Matte"), ("Alt+4",), checkable=True),
+        Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
+        Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
+        Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
+        Command("snapshot_take", translate("Commands", "&Take Snapshot"), ("Shift+F5",)),
+        Command("snapshot_show", translate("Commands", "Sho&w Snapshot"), ("F5",), checkable=True),
+    )
+
+
+def window_commands() -> tuple[Command, ...]:
+    """Return the commands about the window and its panels."""
+    return (
+        Command("timeline", translate("Commands", "Show &Timeline"), ("Ctrl+Shift+T",)),
+        Command("curves", translate("Commands", "Show &Curve Editor"), ("Shift+F3", "Alt+F")),
+        Command("hide_docks", translate("Commands", "&Hide Panels"), ("Ctrl+Tab", "`"), checkable=True),
+        Command("reset_layout", translate("Commands", "&Reset Layout")),
+        Command("full_screen", translate("Commands", "F&ull Screen"), ("F11",), checkable=True),
+    )
+
+
+def playback_commands() -> tuple[Command, ...]:
+    """Return the commands about time; the space bar itself is watched elsewhere, for it also pans."""
+    return (
+        Command("play", translate("Commands", "&Play / Stop"), ("Num+0",), "play"),
+        Command("loop", translate("Commands", "&Loop"), ("L",), "loop", checkable=True),
+        Command("ping_pong", translate("Commands", "Play There and &Back"), ("Shift+L",), "", checkable=True),
+        Command("every_frame", translate("Commands", "Play &Every Frame"), (), "", checkable=True),
+        Command("first", translate("Commands", "&First Frame"), ("Home",), "first"),
+        Command("back_10", translate("Commands", "10 Frames Back"), ("Shift+PgUp", "Ctrl+Shift+Left")),
+        Command("back", translate("Commands", "P&revious Frame"), ("PgUp", ",", "Ctrl+Left"), "step-back"),
+        Command("forward", translate("Commands", "&Next Frame"), ("PgDown", ".", "Ctrl+Right"), "step-forward"),
+        Command("forward_10", translate("Commands", "10 Frames On"), ("Shift+PgDown", "Ctrl+Shift+Right")),
+        Command("last", translate("Commands", "La&st Frame"), ("End",), "last"),
+        Command("go_to_frame", translate("Commands", "&Go to Frame…"), ("Ctrl+G", "Alt+Shift+J")),
+        Command("key_previous", translate("Commands", "Previous &Key"), ("J",), "key-previous"),
+        Command("key_next", translate("Commands", "Next Ke&y"), ("K",), "key-next"),
+        Command("drawing_previous", translate("Commands", "Previous &Drawing"), ("Ctrl+,",)),
+        Command("drawing_next", translate("Commands", "Next Dra&wing"), ("Ctrl+.",)),
         Command("work_in", translate("Commands", "Work Area &Begins Here"), ("B",)),
         Command("work_out", translate("Commands", "Work Area E&nds Here"), ("N",)),
         Command("work_clear", translate("Commands", "Clea&r Work Area"), ("Ctrl+Alt+B",)),
         Command("work_first", translate("Commands", "First Frame of the Work Area"), ("Shift+Home",)),
         Command("work_last", translate("Commands", "Last Frame of the Work Area"), ("Shift+End",)),
-        Command("marker", translate("Commands", "Add or Name &Marker"), ("M",)),
+        Command("marker", translate("Commands", "Add or Name &Marker"), ("M", "Num+*")),
+        Command("marker_previous", translate("Commands", "Previous Marker"), ("Alt+PgUp",)),
+        Command("marker_next", translate("Commands", "Next Marker"), ("Alt+PgDown",)),
     )
 
 
 def timeline_commands() -> tuple[Command, ...]:
     """Return the commands about what the timeline shows."""
-    translate = QCoreApplication.translate
     return (
         Command("timeline_fit", translate("Commands", "Fit the Cut in the &Timeline"), ("Shift+F",)),
         Command("timeline_in", translate("Commands", "Zoom &In on Time"), ("=", "Ctrl+Alt+Up")),
@@ -145,50 +197,32 @@ def timeline_commands() -> tuple[Command, ...]:
 
 def help_commands() -> tuple[Command, ...]:
     """Return the commands that explain."""
-    translate = QCoreApplication.translate
     return (
+        Command("command_search", translate("Commands", "&Find Command…"), ("Ctrl+Shift+P",)),
         Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("F1",)),
         Command("about", translate("Commands", "&About Kagezou")),
     )
 
 
-class Actions:
-    """The commands as Qt's actions of one window.
+def command_groups() -> tuple[CommandGroup, ...]:
+    """Return the whole table."""
+    return (
+        CommandGroup(translate("Commands", "File"), file_commands()),
+        CommandGroup(translate("Commands", "Edit"), edit_commands()),
+        CommandGroup(translate("Commands", "Keys"), key_commands()),
+        CommandGroup(translate("Commands", "Time"), playback_commands()),
+        CommandGroup(translate("Commands", "View"), view_commands()),
+        CommandGroup(translate("Commands", "Timeline"), timeline_commands()),
+        CommandGroup(translate("Commands", "Window"), window_commands()),
+        CommandGroup(translate("Commands", "Help"), help_commands()),
+    )
 
-    Parameters
-    ----------
-    owner
-        The window whose shortcuts they are.
-    """
 
-    def __init__(self, owner: QWidget) -> None:
-        groups = (file_commands, edit_commands, view_commands, playback_commands, key_commands, timeline_commands)
-        self.commands = tuple(command for group in (*groups, help_commands) for command in group())
-        self._actions = {command.name: _action(command, owner) for command in self.commands}
-
-    def __getitem__(self, name: str) -> QAction:
-        return self._actions[name]
-
-    def on(self, name: str, do: Callable[[], object]) -> None:
-        """Say what a command does."""
-        self._actions[name].triggered.connect(lambda _checked: do())
+def all_commands(groups: Iterable[CommandGroup]) -> tuple[Command, ...]:
+    """Return the commands of some groups, one after the other."""
+    return tuple(chain.from_iterable(group.commands for group in groups))
 
 
 def plain(text: str) -> str:
     """Return a menu's words without mnemonic and dots; Japanese menus write the mnemonic behind them, as (&S)."""
     return re.sub(r"\s*\(&.\)", "", text).replace("&", "").replace("…", "")
-
-
-def _action(command: Command, owner: QWidget) -> QAction:
-    action = QAction(command.text, owner)
-    action.setObjectName(command.name)
-    action.setShortcuts([QKeySequence(keys) for keys in command.keys])
-    action.setCheckable(command.checkable)
-    if command.icon:
-        action.setIcon(icon(command.icon))
-        # A menu shows the tick of a switch in the icon's place.
-        action.setIconVisibleInMenu(not command.checkable)
-    words = plain(command.text)
-    action.setToolTip(f"{words}  ({action.shortcut().toString()})" if command.keys else words)
-    owner.addAction(action)
-    return action

@@ -1,5 +1,8 @@
 """Putting the window into a language: Qt's own texts and ours."""
 
+from collections.abc import Callable
+from functools import cache
+
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from kagezou.locations import resource_folder
@@ -47,3 +50,11 @@ def system_language() -> str:
     """Return the code of the system's language if we speak it, else English."""
     spoken = (locale.split("-")[0] for locale in QLocale.system().uiLanguages())
     return next((code for code in spoken if code in LANGUAGES), "en")
+
+
+@cache
+def words_in(code: str) -> Callable[[str, str], str]:
+    """Return what says the window's texts in a language whatever the window speaks; untranslated ones stay English."""
+    translator = QTranslator()
+    translator.load(f"kagezou_{code}", str(resource_folder() / "translations"))
+    return lambda context, text: translator.translate(context, text) or text

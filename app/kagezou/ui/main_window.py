@@ -6,15 +6,17 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
-from kagezou.ui.commands import Actions
+from kagezou.ui.actions import Actions
 from kagezou.ui.demo import DemoOpener, MakeDemo
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Dialogs
 from kagezou.ui.dock import Dock
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
+from kagezou.ui.keyboard import Keyboard
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
+from kagezou.ui.panel_layout import PanelLayout
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.style_list import StyleList
@@ -25,12 +27,12 @@ from kagezou.ui.project_actions import ProjectActions
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.status import Status
-from kagezou.ui.time_wiring import connect_keys, connect_playback, connect_timeline
+from kagezou.ui.time_wiring import connect_jumps, connect_keys, connect_playback, connect_timeline
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.transport import Transport
 from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.welcome import Welcome
-from kagezou.ui.wiring import connect_messages, connect_project, connect_view
+from kagezou.ui.wiring import connect_frame, connect_messages, connect_project, connect_view
 
 _BUTTONS = ("first", "key_previous", "back", "play", "forward", "key_next", "last", None, "loop")
 
@@ -69,11 +71,14 @@ class MainWindow(QMainWindow):
         connect_project(self)
         connect_view(self)
         connect_playback(self)
+        connect_jumps(self)
         connect_keys(self)
         connect_timeline(self)
         connect_messages(self)
         self.show_title()
         self.show_page()
+        self.panel_layout = PanelLayout(self, _DOCKS, self._share_room)
+        connect_frame(self)
         self._restore_layout()
 
     def show_title(self) -> None:
@@ -119,6 +124,7 @@ class MainWindow(QMainWindow):
         self.thumbnails.wait()
         self.styles.pictures.finish()
         self.prefetch.finish()
+        self.panel_layout.hide(False)
         self.settings.set_layout("geometry", self.saveGeometry())
         self.settings.set_layout("state", self.saveState(_DOCKS))
         event.accept()
@@ -170,6 +176,7 @@ class MainWindow(QMainWindow):
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
         self.menus = Menus(self, self.actions_of)
+        self.keyboard = Keyboard(self, self.actions_of, self.settings, self.bar)
 
     def _lay_out(self) -> None:
         self.pages = QStackedWidget()
@@ -191,11 +198,11 @@ class MainWindow(QMainWindow):
             Dock("styles", self.tr("Styles"), self.styles),
             Dock("timeline", self.tr("Timeline"), self.timeline),
         )
-        layers, inspector, styles, timeline = self.docks
+        layers, _, styles, timeline = self.docks
         for dock in self.docks:
             area = Qt.DockWidgetArea.BottomDockWidgetArea if dock is timeline else Qt.DockWidgetArea.RightDockWidgetArea
             self.addDockWidget(area, dock)
-            self.menus.view.addAction(dock.toggleViewAction())
+            self.menus.add_panel(dock.toggleViewAction())
         # The panels at the right reach down beside the timeline, which needs the width less than they the height.
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         self.tabifyDockWidget(layers, styles)
@@ -203,6 +210,10 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
         self.resize(1360, 860)
+        self._share_room()
+
+    def _share_room(self) -> None:
+        layers, inspector, _, timeline = self.docks[:4]
         # In letters, so that it holds at any font size.
         letter = self.fontMetrics().horizontalAdvance("0")
         self.resizeDocks([layers, inspector], [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)

@@ -6,14 +6,20 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QActionGroup
-from PySide6.QtWidgets import QMainWindow, QMenu, QSizePolicy, QToolBar, QToolButton, QWidget
+from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolBar, QToolButton, QWidget
 
 from kagezou.render.backdrop import Backdrop
-from kagezou.ui.commands import Actions, plain
+from kagezou.ui.actions import Actions
+from kagezou.ui.commands import timeline_commands
 from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.language import LANGUAGES
 
 _SEPARATOR = ""
+_ON_KEYS = (
+    *("set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete", _SEPARATOR),
+    *("ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
+)
+_NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
 class Menus(QObject):
@@ -34,6 +40,7 @@ class Menus(QObject):
         self.recent = QMenu(self.tr("Open &Recent"), window)
         self.recent.setIcon(icon("folder"))
         self.view = QMenu(self.tr("&View"), window)
+        self.panels = QMenu(self.tr("&Panels"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
         self._build()
 
@@ -57,6 +64,10 @@ class Menus(QObject):
         self.view.addSeparator()
         self.view.addMenu(menu)
 
+    def add_panel(self, show: QAction) -> None:
+        """List a panel among those that can be shown and hidden."""
+        self.panels.insertAction(self._actions["timeline"], show)
+
     def show_recent(self, projects: Iterable[Path], choose: Callable[[Path], None]) -> None:
         """List the projects of before."""
         self.recent.clear()
@@ -72,12 +83,11 @@ class Menus(QObject):
             action = self._actions[name]
             action.setEnabled(step is not None)
             action.setText(words if step is None else self.tr("%1 %2").replace("%1", words).replace("%2", step))
-            action.setToolTip(f"{plain(action.text())}  ({action.shortcut().toString()})")
+            self._actions.show_tool_tip(name)
 
     def fill_keys(self, menu: QMenu) -> None:
         """Fill a menu with what can be done to the selected keys."""
-        self._fill(menu, ["set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete"])
-        self._fill(menu, [_SEPARATOR, "ease_both", "ease_in", "ease_out", "linear", "hold"])
+        self._fill(menu, _ON_KEYS)
 
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
@@ -103,42 +113,48 @@ class Menus(QObject):
 
     def _build(self) -> None:
         bar = self._window.menuBar()
-        file = bar.addMenu(self.tr("&File"))
-        self._fill(file, ["new", "open"])
+        # Not &File: Alt+F shows the curves, as the graph of other programs.
+        file = self._menu(bar, self.tr("F&ile"), ["new", "open"])
         file.addMenu(self.recent)
-        self._fill(
-            file,
-            [
-                "save",
-                "save_as",
-                "save_increment",
-                _SEPARATOR,
-                "import",
-                "import_pictures",
-                "background",
-                "no_background",
-            ],
+        self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures", "background"])
+        self._fill(file, ["no_background", _SEPARATOR, "export", _SEPARATOR, "quit"])
+        self._menu(
+            bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
         )
-        self._fill(file, [_SEPARATOR, "export", _SEPARATOR, "quit"])
-        edit = bar.addMenu(self.tr("&Edit"))
-        self._fill(edit, ["undo", "redo", _SEPARATOR, "rename_layer", "delete"])
-        keys = bar.addMenu(self.tr("&Keys"))
-        self.fill_keys(keys)
-        self._fill(keys, [_SEPARATOR, "select_keys", "keys_back", "keys_on", "keys_back_10", "keys_on_10"])
+        self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
         bar.addMenu(self.view)
+        self._build_view()
+        time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])
+        self._fill(time, ["first", "back_10", "back", "forward", "forward_10", "last", "go_to_frame", _SEPARATOR])
+        self._fill(time, ["key_previous", "key_next", "drawing_previous", "drawing_next", _SEPARATOR])
+        self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", _SEPARATOR])
+        self._fill(time, ["marker", "marker_previous", "marker_next"])
+        self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
+
+    def _build_view(self) -> None:
         self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])
+        self._fill(self.view, ["view_composite", "view_shadow", "view_outline", "view_matte", _SEPARATOR])
         self.view.addMenu(self.backdrops)
-        self._fill(self.view, ["handles", _SEPARATOR])
-        reveal = self.view.addMenu(self.tr("&Timeline Shows"))
-        self._fill(reveal, [command.name for command in self._actions.commands if command.name.startswith("reveal")])
-        self._fill(reveal, [_SEPARATOR, "timeline_fit", "timeline_in", "timeline_out"])
+        self._fill(self.view, ["handles", "onion_skin", "safe_area", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self.view.addSeparator()
-        playback = bar.addMenu(self.tr("&Playback"))
-        self._fill(playback, ["play", "loop", "ping_pong", "every_frame", _SEPARATOR, "first", "back_10", "back"])
-        self._fill(playback, ["forward", "forward_10", "last", _SEPARATOR, "key_previous", "key_next", _SEPARATOR])
-        self._fill(playback, ["work_in", "work_out", "work_clear", "work_first", "work_last", _SEPARATOR, "marker"])
-        help_menu = bar.addMenu(self.tr("&Help"))
-        self._fill(help_menu, ["shortcuts", _SEPARATOR, "about"])
+        names = [command.name for command in timeline_commands()]
+        self.view.addMenu(self._menu(None, self.tr("&Timeline Shows"), [*names[3:], _SEPARATOR, *names[:3]]))
+        self.view.addMenu(self.panels)
+        self._fill(self.panels, ["timeline", "curves", _SEPARATOR, "hide_docks", "full_screen", "reset_layout"])
+
+    def _menu(self, bar: QMenuBar | None, title: str, names: Iterable[str]) -> QMenu:
+        menu = QMenu(title, self._window)
+        self._fill(menu, names)
+        if bar is not None:
+            bar.addMenu(menu)
+
+        def follow() -> None:
+            menu.menuAction().setVisible(any(each.isVisible() for each in menu.actions() if not each.isSeparator()))
+
+        for action in menu.actions():
+            action.visibleChanged.connect(follow)
+        follow()
+        return menu
 
     def _fill(self, place: QMenu | QToolBar, names: Iterable[str]) -> None:
         for name in names:

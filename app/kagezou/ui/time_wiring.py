@@ -14,6 +14,8 @@ from kagezou.ui.timeline.revealing import REVEALED, animated_or_changed, toggled
 if TYPE_CHECKING:
     from kagezou.ui.main_window import MainWindow
 
+_Neighbour = Callable[[tuple[int, ...], int], int | None]
+
 
 def connect_playback(window: "MainWindow") -> None:
     """Connect the commands of time."""
@@ -23,21 +25,13 @@ def connect_playback(window: "MainWindow") -> None:
         player.stop()
         bridge.session.go_to(bridge.frame + frames)
 
-    def to_key(frame: int | None) -> None:
-        if frame is not None:
-            bridge.session.go_to(frame)
-
-    def keyed() -> tuple[int, ...]:
-        return key_frames(bridge.document, bridge.layer_id)
-
     for name, frames in {"back": -1, "forward": 1, "back_10": -10, "forward_10": 10}.items():
         actions.on(name, partial(step, frames))
     actions.on("first", lambda: bridge.session.go_to(1))
     actions.on("work_first", lambda: bridge.session.go_to(bridge.document.played[0]))
     actions.on("work_last", lambda: bridge.session.go_to(bridge.document.played[1]))
     actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
-    actions.on("key_previous", lambda: to_key(previous_key(keyed(), bridge.frame)))
-    actions.on("key_next", lambda: to_key(next_key(keyed(), bridge.frame)))
+    actions.on("go_to_frame", window.transport.ask_frame)
     actions.on("play", lambda: _play(window))
     window.space.tapped.connect(lambda: _play(window))
     window.viewport.step_asked.connect(step)
@@ -45,6 +39,30 @@ def connect_playback(window: "MainWindow") -> None:
     player.playing_changed.connect(lambda _: _show_playing(window))
     for name in ("loop", "every_frame", "ping_pong"):
         _remember_switch(window, name)
+
+
+def connect_jumps(window: "MainWindow") -> None:
+    """Connect the commands that lead to the next key, drawing or marker."""
+    actions, bridge = window.actions_of, window.desk.bridge
+
+    def keyed() -> tuple[int, ...]:
+        return key_frames(bridge.document, bridge.layer_id)
+
+    def drawn() -> tuple[int, ...]:
+        layers = [layer for layer in bridge.document.layers if layer.id == bridge.layer_id]
+        return tuple(max(each.frame, 1) for layer in layers for each in layer.cels.exposures)
+
+    def marked() -> tuple[int, ...]:
+        return tuple(marker.frame for marker in bridge.document.markers)
+
+    def jump(neighbour: _Neighbour, frames: Callable[[], tuple[int, ...]]) -> None:
+        frame = neighbour(frames(), bridge.frame)
+        if frame is not None:
+            bridge.session.go_to(frame)
+
+    for name, frames in {"key": keyed, "drawing": drawn, "marker": marked}.items():
+        actions.on(f"{name}_previous", partial(jump, previous_key, frames))
+        actions.on(f"{name}_next", partial(jump, next_key, frames))
 
 
 def connect_keys(window: "MainWindow") -> None:
@@ -115,4 +133,4 @@ def _remember_switch(window: "MainWindow", name: str) -> None:
 
     action.setChecked(settings.flag(name, default=getattr(player, name)))
     setattr(player, name, action.isChecked())
-    action.toggled.connect(switch)
+    window.actions_of.on_toggled(name, switch)

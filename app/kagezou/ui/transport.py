@@ -74,6 +74,11 @@ class Transport(QWidget):
         self._show_position()
         self._show_rate_wanted()
 
+    def ask_frame(self) -> None:
+        """Let a frame be typed."""
+        self.frame_field.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.frame_field.selectAll()
+
     def _lay_out(self, actions: list[QAction | None]) -> None:
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 3, 8, 4)

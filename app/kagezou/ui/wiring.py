@@ -5,8 +5,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 
 from kagezou.render.backdrop import Backdrop
-from kagezou.ui.help_dialogs import about_dialog, shortcuts_dialog
+from kagezou.ui.command_search import CommandSearch
+from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
+from kagezou.ui.panel_layout import TabKey
 from kagezou.ui.viewport.stage import Broken
 
 if TYPE_CHECKING:
@@ -35,7 +37,6 @@ def connect_project(window: "MainWindow") -> None:
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(window),
         "rename_layer": window.layers.rename_current,
-        "shortcuts": lambda: shortcuts_dialog(window, actions.commands).open(),
         "about": lambda: about_dialog(window, window.viewport.device).open(),
     }.items():
         actions.on(name, do)
@@ -63,7 +64,7 @@ def connect_view(window: "MainWindow") -> None:
     actions.on("zoom_in", lambda: viewpoint.zoom_middle(2))
     actions.on("zoom_out", lambda: viewpoint.zoom_middle(-2))
     actions["handles"].setChecked(True)
-    actions["handles"].toggled.connect(lambda _: window.show_handles())
+    actions.on_toggled("handles", lambda _: window.show_handles())
     viewpoint.changed.connect(lambda: window.status.show_zoom(viewpoint.percent))
     window.status.show_zoom(viewpoint.percent)
 
@@ -76,6 +77,25 @@ def connect_view(window: "MainWindow") -> None:
     viewport.show_backdrop(Backdrop(kept) if kept in known else Backdrop.BACKGROUND)
     window.menus.add_backdrops(viewport.backdrop, choose)
     window.menus.add_languages(settings.language, window.language_chosen.emit)
+
+
+def connect_frame(window: "MainWindow") -> None:
+    """Connect what belongs to the window itself: its panels, its shortcuts and the search among its commands."""
+    actions, layout = window.actions_of, window.panel_layout
+    search = CommandSearch(window, actions)
+
+    def reset() -> None:
+        actions["hide_docks"].setChecked(False)
+        layout.reset()
+
+    actions.on("command_search", search.open)
+    actions.on("shortcuts", window.keyboard.show_sheet)
+    actions.on("edit_shortcuts", window.keyboard.edit)
+    actions.on("reset_layout", reset)
+    actions.on("timeline", lambda: layout.show("timeline"))
+    actions.on_toggled("hide_docks", layout.hide)
+    actions.on_toggled("full_screen", lambda on: window.showFullScreen() if on else window.showNormal())
+    TabKey(window, actions["hide_docks"], lambda: not window.desk.is_blank)
 
 
 def connect_messages(window: "MainWindow") -> None:

@@ -1,0 +1,90 @@
+"""The arrangement of the panels: put back as it was at first, and hidden for a moment to see only the picture."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QAction, QKeySequence, QShortcut
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
+
+
+class PanelLayout(QObject):
+    """Made when the panels lie as they do at first, before a remembered arrangement is restored.
+
+    Parameters
+    ----------
+    window
+        The window of the panels.
+    version
+        As for the window's own ``saveState``.
+    share_room
+        Gives every panel its size; Qt does not remember the sizes of a window that was never shown.
+    """
+
+    def __init__(self, window: QMainWindow, version: int, share_room: Callable[[], None]) -> None:
+        super().__init__(window)
+        self._window = window
+        self._version = version
+        self._share_room = share_room
+        self._first = window.saveState(version)
+        self._before = self._first
+        self.is_hiding = False
+
+    def reset(self) -> None:
+        """Put every panel back to where it was at first."""
+        self.is_hiding = False
+        self._window.restoreState(self._first, self._version)
+        self._share_room()
+
+    def show(self, name: str) -> None:
+        """Bring a panel to the front and give it the keyboard."""
+        dock = self._window.findChild(QDockWidget, name)
+        if isinstance(dock, QDockWidget):
+            dock.show()
+            dock.raise_()
+            dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def hide(self, on: bool) -> None:
+        """Hide all panels, or bring back those that were there."""
+        if on == self.is_hiding:
+            return
+        self.is_hiding = on
+        if on:
+            self._before = self._window.saveState(self._version)
+            for dock in self._window.findChildren(QDockWidget):
+                dock.hide()
+        else:
+            self._window.restoreState(self._before, self._version)
+
+
+class TabKey(QObject):
+    """The Tab key as a switch, as far as nothing else needs it.
+
+    Handles and fields are reached by Tab too, so it switches only while none of them has the keyboard, and for as long
+    as the switch is on: then the key that turned it on turns it off again.
+
+    Parameters
+    ----------
+    window
+        Where the key is pressed.
+    switch
+        What it turns on and off.
+    is_free
+        Whether the page shown has no use for the key itself.
+    """
+
+    def __init__(self, window: QWidget, switch: QAction, is_free: Callable[[], bool]) -> None:
+        super().__init__(window)
+        self._window = window
+        self._switch = switch
+        self._is_free = is_free
+        self.key = QShortcut(QKeySequence(Qt.Key.Key_Tab), window, switch.toggle)
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.connect(self._follow)
+        switch.toggled.connect(lambda _: self._follow(None, QApplication.focusWidget()))
+        self._follow(None, QApplication.focusWidget())
+
+    def _follow(self, _before: QWidget | None, focused: QWidget | None) -> None:
+        types = focused is not None and focused.testAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled)
+        nobody = focused in (None, self._window)
+        self.key.setEnabled(self._is_free() and not types and (nobody or self._switch.isChecked()))
