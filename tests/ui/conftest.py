@@ -43,7 +43,8 @@ def english(qapp: QApplication) -> Iterator[Language]:
 
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
-    return Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat), tmp_path / "styles")
+    store = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    return Settings(store, tmp_path / "styles", tmp_path / "pictures")
 
 
 @pytest.fixture

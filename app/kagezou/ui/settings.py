@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from platformdirs import user_config_path
+from platformdirs import user_cache_path, user_config_path
 from PySide6.QtCore import QByteArray, QSettings
 
 MAX_RECENT = 8
@@ -17,16 +17,26 @@ class Settings:
         Where they are kept; by default the user's own store of this program.
     style_folder
         Where styles are kept; by default the folder of the user's own settings.
+    picture_folder
+        Where pictures of projects are kept; by default the user's own cache.
     """
 
-    def __init__(self, store: QSettings | None = None, style_folder: Path | None = None) -> None:
+    def __init__(
+        self, store: QSettings | None = None, style_folder: Path | None = None, picture_folder: Path | None = None
+    ) -> None:
         self._store = store or QSettings("Kagezou", "Kagezou")
         self._style_folder = style_folder or user_config_path("kagezou", appauthor=False) / "styles"
+        self._picture_folder = picture_folder or user_cache_path("kagezou", appauthor=False) / "projects"
 
     @property
     def style_folder(self) -> Path:
         """Where the user's own styles are kept."""
         return self._style_folder
+
+    @property
+    def picture_folder(self) -> Path:
+        """Where pictures of projects are kept; losing them costs nothing but drawing them again."""
+        return self._picture_folder
 
     @property
     def language(self) -> str:
