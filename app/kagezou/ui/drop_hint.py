@@ -55,5 +55,5 @@ def drop_words(paths: Sequence[Path]) -> str:
         return translate("DropHint", "Put %1 under everything").replace("%1", first)
     if len(paths) == 1:
         return translate("DropHint", "Bring in %1").replace("%1", first)
-    words = translate("DropHint", "Bring in %1 and %n more", "", len(paths) - 1)
-    return words.replace("%1", first)
+    words = translate("DropHint", "Bring in %1 and %2 more")
+    return words.replace("%1", first).replace("%2", str(len(paths) - 1))

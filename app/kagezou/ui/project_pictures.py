@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QIODevice, QObject, QRect, QSize, Qt, QThread, Signal
-from PySide6.QtGui import QImage, QImageWriter
+from PySide6.QtCore import QBuffer, QIODevice, QObject, QSize, Qt, QThread, Signal
+from PySide6.QtGui import QImage, QImageWriter, QPainter
 
 from kagezou.errors import Problem
 from kagezou.io import project_file
@@ -19,6 +19,7 @@ from kagezou.render.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.ui.offscreen_context import OffscreenSurface
+from kagezou.ui.theme import WELL
 
 SIZE = QSize(256, 144)
 _MOST_KEPT = 64
@@ -119,13 +120,16 @@ class _Job(QThread):
 
 
 def small(picture: Steps) -> QImage:
-    """Return a picture so small that it covers the card, without its overhang."""
+    """Return a whole picture small, in the middle of a dark card."""
     height, width = picture.shape[:2]
     whole = QImage(np.ascontiguousarray(picture).data, width, height, width * 4, QImage.Format.Format_RGBA8888)
-    covering = Qt.AspectRatioMode.KeepAspectRatioByExpanding
-    scaled = whole.scaled(SIZE, covering, Qt.TransformationMode.SmoothTransformation)
-    corner = ((scaled.width() - SIZE.width()) // 2, (scaled.height() - SIZE.height()) // 2)
-    return scaled.copy(QRect(*corner, SIZE.width(), SIZE.height())).convertToFormat(QImage.Format.Format_RGB32)
+    scaled = whole.scaled(SIZE, Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation)
+    card = QImage(SIZE, QImage.Format.Format_RGB32)
+    card.fill(WELL)
+    painter = QPainter(card)
+    painter.drawImage((SIZE.width() - scaled.width()) // 2, (SIZE.height() - scaled.height()) // 2, scaled)
+    painter.end()
+    return card
 
 
 def _png(image: QImage) -> bytes:
