@@ -4,7 +4,9 @@ Loading looks at nothing but the file itself: the pictures it names are not touc
 `FORMAT.md` beside this module describes every key.
 """
 
+import hashlib
 import os
+import re
 from pathlib import Path
 from typing import Final
 
@@ -18,6 +20,8 @@ from kagezou.io.project_paths import absolute
 from kagezou.io.project_reading import document_of
 from kagezou.io.project_versions import upgraded
 from kagezou.io.project_writing import tree_of
+
+_VERSION: Final = re.compile(r"(.+)_(\d{2,5})")
 
 MAX_BYTES: Final = 64 << 20
 """A project larger than this is refused before it is read."""
@@ -38,6 +42,26 @@ def load(path: Path) -> Document:
         raise ProjectProblem(f"{shown(path)}: {cause_of(error)}") from error
     except ProjectProblem as problem:
         raise ProjectProblem(f"{shown(path)}: {problem}") from problem
+
+
+def fingerprint(path: Path) -> str:
+    """Return what tells the content of a file from another, whatever its clock says; empty if there is no such file."""
+    try:
+        with path.open("rb") as stream:
+            return hashlib.file_digest(stream, "sha256").hexdigest()
+    except OSError:
+        return ""
+
+
+def next_version(path: Path) -> Path:
+    """Return the path of the next version of a project that is not there yet: ``walk`` → ``walk_002``, and so on."""
+    found = _VERSION.fullmatch(path.stem)
+    name, number, digits = (found[1], int(found[2]), len(found[2])) if found else (path.stem, 1, 3)
+    while True:
+        number += 1
+        wanted = path.with_name(f"{name}_{number:0{digits}d}{path.suffix}")
+        if not wanted.exists():
+            return wanted
 
 
 def save(document: Document, path: Path) -> None:

@@ -57,6 +57,8 @@ class Session:
         self._undone: list[_Step] = []
         self._gesture: Gesture | None = None
         self._listeners: list[Listener] = []
+        self._steps_made = 0
+        self._saved_at = 0
 
     @property
     def state(self) -> State:
@@ -74,6 +76,16 @@ class Session:
         return self._state.document is self._saved
 
     @property
+    def steps_made(self) -> int:
+        """How many steps were made since the session began, those taken back included."""
+        return self._steps_made
+
+    @property
+    def steps_since_saved(self) -> int:
+        """How many steps were made since the document was last saved."""
+        return self._steps_made - self._saved_at
+
+    @property
     def undo_name(self) -> str | None:
         """The name of the step that undo would take back."""
         return self._done[-1].name if self._done else None
@@ -89,7 +101,7 @@ class Session:
 
     def mark_saved(self) -> None:
         """Say that the document now is on disk."""
-        self._saved = self._state.document
+        self._saved, self._saved_at = self._state.document, self._steps_made
         self._tell(self._state)
 
     def edit(self, name: str, document: Document) -> None:
@@ -170,6 +182,7 @@ class Session:
         elif self._state.document is not before.document:
             self._done.append(_Step(name, before, self._state))
             del self._done[:-MAX_STEPS]
+            self._steps_made += 1
             self._undone.clear()
             self._tell(self._state)
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from kagezou import __version__
 from kagezou.ui import theme
+from kagezou.ui.autosave import Autosave, left_behind
 from kagezou.ui.demo import MakeDemo
 from kagezou.ui.desk import Desk
 from kagezou.ui.icons import application_icon
@@ -18,6 +19,7 @@ from kagezou.ui.incidents import Incidents
 from kagezou.ui.language import Language
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.offscreen_context import surface_format
+from kagezou.ui.recovery import RecoveryDialog
 from kagezou.ui.settings import Settings
 
 
@@ -38,11 +40,14 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     incidents.watch()
     program = Program(application, Settings(), make_demo)
     incidents.happened.connect(program.say)
+    # Whatever went wrong, the work so far is not to go with it.
+    incidents.happened.connect(lambda _: program.autosave.keep())
     # Python's own handler would only run when the event loop next meets Python.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     program.show()
     if project is not None:
         program.window.project.open_path(project)
+    program.offer_recovery()
     code = application.exec()
     program.put_away()
     return code
@@ -81,6 +86,8 @@ class Program:
         self._language.speak(settings.language)
         self.desk = Desk()
         self.window = self._make_window()
+        self.autosave = Autosave(self.desk, settings.recovery_folder, lambda: self.window.project.project_name)
+        self.autosave.failed.connect(lambda sentence: self.window.bar.say("autosave", sentence))
 
     def show(self) -> None:
         """Bring the window to the screen."""
@@ -90,8 +97,18 @@ class Program:
         """Say what went wrong, in the window."""
         self.window.bar.say("incident", sentence)
 
+    def offer_recovery(self) -> None:
+        """Ask about work that a program put aside and did not come back for, if there is any."""
+        files = left_behind(self._settings.recovery_folder)
+        if files:
+            dialog = RecoveryDialog(files, self.window)
+            dialog.recovered.connect(self.window.project.recover)
+            dialog.failed.connect(self.say)
+            dialog.open()
+
     def put_away(self) -> None:
         """Destroy the window before the application goes, with everything that needs it."""
+        self.autosave.finish()
         self.window.close_unasked()
         self.window.deleteLater()
         QCoreApplication.sendPostedEvents(self.window, QEvent.Type.DeferredDelete)

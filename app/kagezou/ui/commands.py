@@ -75,7 +75,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("open", translate("Commands", "&Open…"), ("Ctrl+O",), "folder"),
         Command("save", translate("Commands", "&Save"), ("Ctrl+S",), "save"),
         Command("save_as", translate("Commands", "Save &As…"), ("Ctrl+Shift+S",)),
-        Command("save_increment", translate("Commands", "Save In&crement"), ("Ctrl+Alt+Shift+S",)),
+        Command("save_increment", translate("Commands", "Save Ne&xt Version"), ("Ctrl+Alt+Shift+S",)),
         Command("import", translate("Commands", "&Import Character…"), ("Ctrl+I",), "add"),
         Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
         Command("background", translate("Commands", "Set &Background…")),

@@ -8,6 +8,7 @@ from kagezou.document.edits import set_background
 from kagezou.document.model import Canvas, Document
 from kagezou.io import project_file
 from kagezou.io.cels import CelCache
+from kagezou.io.keepsake import Keepsake
 from kagezou.session.session import Session
 from kagezou.session.staging import CharacterSource, new_document, with_characters
 from kagezou.ui.arrivals import PROJECT_SUFFIX
@@ -31,6 +32,7 @@ class Desk(QObject):
         self.cels = CelCache()
         self.bridge = Bridge(Session(blank_document()))
         self._path: Path | None = None
+        self._seen = ""
 
     @property
     def path(self) -> Path | None:
@@ -62,15 +64,30 @@ class Desk(QObject):
 
     def open(self, path: Path) -> None:
         """Open a project file."""
+        seen = project_file.fingerprint(path)
         self._put(Session(project_file.load(path)), path)
+        self._seen = seen
+
+    def recover(self, work: Keepsake) -> None:
+        """Put unsaved work back as it was put aside; it counts as unsaved."""
+        session = Session(blank_document())
+        session.edit(self.tr("Recover unsaved work"), work.document)
+        self._put(session, work.path)
+        self._seen = project_file.fingerprint(work.path) if work.path else ""
+
+    def is_changed_outside(self, path: Path) -> bool:
+        """Whether saving to ``path`` would undo what others saved there since it was opened."""
+        now = project_file.fingerprint(path)
+        return path == self._path and now not in ("", self._seen)
 
     def save(self, path: Path) -> None:
         """Write the project; a name without suffix gets one."""
         whole = path if path.suffix.lower() == PROJECT_SUFFIX else path.with_name(path.name + PROJECT_SUFFIX)
         session = self.bridge.session
         project_file.save(session.document, whole)
-        session.mark_saved()
+        self._seen = project_file.fingerprint(whole)
         self._path = whole
+        session.mark_saved()
         self.path_changed.emit()
 
     def bring(self, sources: tuple[CharacterSource, ...]) -> None:

@@ -73,13 +73,9 @@ class Dialogs:
 
     def unsaved(self, name: str) -> Answer:
         """Ask what to do with unsaved work."""
-        box = QMessageBox(self._parent)
-        box.setIcon(QMessageBox.Icon.Warning)
-        box.setWindowTitle("Kagezou")
-        question = QCoreApplication.translate("Dialogs", "Save the changes to “%1”?")
-        box.setText(question.replace("%1", name))
-        box.setInformativeText(QCoreApplication.translate("Dialogs", "They are lost if you do not save them."))
-        buttons = QMessageBox.StandardButton
+        question = QCoreApplication.translate("Dialogs", "Save the changes to “%1”?").replace("%1", name)
+        note = QCoreApplication.translate("Dialogs", "They are lost if you do not save them.")
+        box, buttons = self._box(question, note), QMessageBox.StandardButton
         box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         box.setDefaultButton(buttons.Save)
         # Said here, so that they do not depend on Qt's own translations being installed.
@@ -88,6 +84,38 @@ class Dialogs:
         box.button(buttons.Cancel).setText(QCoreApplication.translate("Dialogs", "Cancel"))
         answers = {buttons.Save.value: Answer.SAVE, buttons.Discard.value: Answer.DISCARD}
         return answers.get(box.exec(), Answer.CANCEL)
+
+    def open_twice(self, name: str, holder: str) -> bool:
+        """Ask whether to open a project that another window has open; ``holder`` is its computer and process."""
+        question = QCoreApplication.translate("Dialogs", "“%1” is open in another window. Open it here too?")
+        note = QCoreApplication.translate("Dialogs", "Whoever saves last wins. It is open there: %1.")
+        return self._agrees(
+            question.replace("%1", name),
+            note.replace("%1", holder),
+            QCoreApplication.translate("Dialogs", "Open Anyway"),
+        )
+
+    def overwrite_changed(self, name: str) -> bool:
+        """Ask whether to save over a project that others changed since it was opened."""
+        question = QCoreApplication.translate("Dialogs", "“%1” was changed outside this window. Save over it?")
+        note = QCoreApplication.translate("Dialogs", "What was changed there is kept only as its backup copy (NAME~).")
+        return self._agrees(question.replace("%1", name), note, QCoreApplication.translate("Dialogs", "Save Anyway"))
+
+    def _agrees(self, question: str, note: str, yes: str) -> bool:
+        box, buttons = self._box(question, note), QMessageBox.StandardButton
+        box.setStandardButtons(buttons.Yes | buttons.Cancel)
+        box.setDefaultButton(buttons.Cancel)
+        box.button(buttons.Yes).setText(yes)
+        box.button(buttons.Cancel).setText(QCoreApplication.translate("Dialogs", "Cancel"))
+        return box.exec() == buttons.Yes.value
+
+    def _box(self, question: str, note: str) -> QMessageBox:
+        box = QMessageBox(self._parent)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setWindowTitle("Kagezou")
+        box.setText(question)
+        box.setInformativeText(note)
+        return box
 
     def _folder(self, purpose: str) -> str:
         return self._settings.folder(purpose) or str(Path.home())

@@ -121,6 +121,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.exporting.finish()
+        self.project.put_away()
         if self.demo is not None:
             self.demo.finish()
         self.thumbnails.wait()

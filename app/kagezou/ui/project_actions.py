@@ -7,11 +7,14 @@ from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
 from kagezou.errors import Problem
+from kagezou.io.keepsake import Keepsake, forget
+from kagezou.io.project_file import next_version
 from kagezou.session.staging import CharacterSource
 from kagezou.ui.arrivals import PROJECT_SUFFIX, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
 from kagezou.ui.message_bar import MessageBar, Severity
+from kagezou.ui.project_lock import ProjectLock
 from kagezou.ui.settings import Settings
 
 _KEY = "project"
@@ -40,6 +43,9 @@ class ProjectActions(QObject):
         self.dialogs = dialogs
         self._bar = bar
         self._settings = settings
+        self._lock = ProjectLock()
+        desk.path_changed.connect(lambda: self._lock.hold(desk.path))
+        self._lock.hold(desk.path)
 
     def new(self) -> None:
         """Begin a project from a folder of cels."""
@@ -58,6 +64,9 @@ class ProjectActions(QObject):
 
     def open_path(self, path: Path) -> bool:
         """Open a project without asking about the old one; false if it cannot be opened."""
+        holder = self._lock.holder_of(path)
+        if holder and not self.dialogs.open_twice(path.name, holder):
+            return False
         opened = self._try(lambda: self._desk.open(path))
         if opened:
             self._remember(path)
@@ -66,7 +75,31 @@ class ProjectActions(QObject):
     def save(self) -> bool:
         """Save where it was saved before, or ask; false if it is not saved after that."""
         path = self._desk.path
-        return self._save_to(path) if path else self.save_as()
+        if path is None:
+            return self.save_as()
+        if self._desk.is_changed_outside(path) and not self.dialogs.overwrite_changed(path.name):
+            return False
+        return self._save_to(path)
+
+    def save_increment(self) -> bool:
+        """Save as the next version beside the old one; false if it is not saved after that."""
+        path = self._desk.path
+        return self._save_to(next_version(path)) if path else self.save_as()
+
+    def recover(self, work: Keepsake, file: Path) -> None:
+        """Put unsaved work back on the desk; what was put aside goes once it is there."""
+        if not self.may_leave():
+            return
+
+        def bring_back() -> None:
+            self._desk.recover(work)
+            forget(file)
+
+        self._try(bring_back)
+
+    def put_away(self) -> None:
+        """Leave the project to others."""
+        self._lock.release()
 
     def save_as(self) -> bool:
         """Ask where to save."""

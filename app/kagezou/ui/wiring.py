@@ -28,6 +28,7 @@ def connect_project(window: "MainWindow") -> None:
         "open": project.open,
         "save": project.save,
         "save_as": project.save_as,
+        "save_increment": project.save_increment,
         "import": project.import_folder,
         "import_pictures": project.import_pictures,
         "background": project.set_background,

@@ -48,6 +48,21 @@
     </message>
 </context>
 <context>
+    <name>CommandSearch</name>
+    <message>
+        <source>Type a part of a command&apos;s name</source>
+        <translation>コマンド名の一部を入力</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>コマンドを検索</translation>
+    </message>
+    <message>
+        <source>No command of this name</source>
+        <translation>該当するコマンドがありません</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>&amp;New from Cels…</source>
@@ -64,6 +79,10 @@
     <message>
         <source>Save &amp;As…</source>
         <translation>名前を付けて保存(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save Ne&amp;xt Version</source>
+        <translation>次のバージョンとして保存 (&amp;X)</translation>
     </message>
     <message>
         <source>&amp;Import Character…</source>
@@ -178,6 +197,10 @@
         <translation>ここにキーを設定 (&amp;K)</translation>
     </message>
     <message>
+        <source>Edit &amp;Keyboard Shortcuts…</source>
+        <translation>キーボードショートカットを編集 (&amp;K)…</translation>
+    </message>
+    <message>
         <source>&amp;Copy Keys</source>
         <translation>キーをコピー (&amp;C)</translation>
     </message>
@@ -234,6 +257,74 @@
         <translation>リニア (&amp;L)</translation>
     </message>
     <message>
+        <source>Key &amp;Velocity…</source>
+        <translation>キーの速度 (&amp;V)…</translation>
+    </message>
+    <message>
+        <source>View &amp;Composite</source>
+        <translation>合成を表示 (&amp;C)</translation>
+    </message>
+    <message>
+        <source>View Shadow &amp;Only</source>
+        <translation>影のみ表示 (&amp;O)</translation>
+    </message>
+    <message>
+        <source>View &amp;Outline</source>
+        <translation>輪郭を表示 (&amp;O)</translation>
+    </message>
+    <message>
+        <source>View &amp;Matte</source>
+        <translation>マットを表示 (&amp;M)</translation>
+    </message>
+    <message>
+        <source>O&amp;nion Skin</source>
+        <translation>オニオンスキン (&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Safe Area</source>
+        <translation>セーフエリア (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Take Snapshot</source>
+        <translation>スナップショットを撮る (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w Snapshot</source>
+        <translation>スナップショットを表示 (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Timeline</source>
+        <translation>タイムラインを表示 (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Curve Editor</source>
+        <translation>カーブエディターを表示 (&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Panels</source>
+        <translation>パネルを隠す (&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation>レイアウトをリセット (&amp;R)</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>フルスクリーン (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Frame…</source>
+        <translation>フレームへ移動 (&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Drawing</source>
+        <translation>前の動画 (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Next Dra&amp;wing</source>
+        <translation>次の動画 (&amp;W)</translation>
+    </message>
+    <message>
         <source>Work Area &amp;Begins Here</source>
         <translation>ワークエリアの開始をここに (&amp;B)</translation>
     </message>
@@ -256,6 +347,14 @@
     <message>
         <source>Add or Name &amp;Marker</source>
         <translation>マーカーを追加/名前を変更 (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Previous Marker</source>
+        <translation>前のマーカー</translation>
+    </message>
+    <message>
+        <source>Next Marker</source>
+        <translation>次のマーカー</translation>
     </message>
     <message>
         <source>Fit the Cut in the &amp;Timeline</source>
@@ -306,12 +405,48 @@
         <translation>ぼかしを表示 (&amp;F)</translation>
     </message>
     <message>
+        <source>&amp;Find Command…</source>
+        <translation>コマンドを検索 (&amp;F)…</translation>
+    </message>
+    <message>
         <source>&amp;Keyboard Shortcuts</source>
         <translation>キーボードショートカット(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;About Kagezou</source>
         <translation>Kagezou について(&amp;A)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>編集</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>ウィンドウ</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
     </message>
 </context>
 <context>
@@ -326,6 +461,10 @@
     <message>
         <source>New from cels</source>
         <translation>セルから新規作成</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>保存していない作業を復元</translation>
     </message>
     <message>
         <source>Import character</source>
@@ -381,6 +520,30 @@
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window. Open it here too?</source>
+        <translation>「%1」は別のウィンドウで開かれています。ここでも開きますか？</translation>
+    </message>
+    <message>
+        <source>Whoever saves last wins. It is open there: %1.</source>
+        <translation>後から保存した内容が残ります。開いている場所: %1</translation>
+    </message>
+    <message>
+        <source>Open Anyway</source>
+        <translation>それでも開く</translation>
+    </message>
+    <message>
+        <source>“%1” was changed outside this window. Save over it?</source>
+        <translation>「%1」はこのウィンドウの外で変更されています。上書きしますか？</translation>
+    </message>
+    <message>
+        <source>What was changed there is kept only as its backup copy (NAME~).</source>
+        <translation>外での変更はバックアップ (名前~) としてのみ残ります。</translation>
+    </message>
+    <message>
+        <source>Save Anyway</source>
+        <translation>それでも保存</translation>
     </message>
     <message>
         <source>Kagezou projects</source>
@@ -486,10 +649,6 @@
         <translation>なし</translation>
     </message>
     <message>
-        <source>Keyboard Shortcuts</source>
-        <translation>キーボードショートカット</translation>
-    </message>
-    <message>
         <source>Play / stop</source>
         <translation>再生／停止</translation>
     </message>
@@ -502,8 +661,12 @@
         <translation>画面の移動</translation>
     </message>
     <message>
-        <source>Space + drag, middle mouse button</source>
-        <translation>スペース＋ドラッグ、中ボタン</translation>
+        <source>Space + drag</source>
+        <translation>スペース + ドラッグ</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>中ボタン</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -526,40 +689,56 @@
         <translation>一方向に固定／15°刻み</translation>
     </message>
     <message>
-        <source>Shift while dragging</source>
-        <translation>ドラッグ中に Shift</translation>
+        <source>Shift + drag</source>
+        <translation>Shift + ドラッグ</translation>
+    </message>
+    <message>
+        <source>Alt + drag</source>
+        <translation>Alt + ドラッグ</translation>
+    </message>
+    <message>
+        <source>Shift + Alt + drag</source>
+        <translation>Shift + Alt + ドラッグ</translation>
+    </message>
+    <message>
+        <source>Ctrl + drag</source>
+        <translation>Ctrl + ドラッグ</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>右ボタン</translation>
+    </message>
+    <message>
+        <source>Hide or show the panels, while no handle or field has the keyboard</source>
+        <translation>パネルの表示/非表示 (ハンドルや入力欄を操作していないとき)</translation>
+    </message>
+    <message>
+        <source>Nudge the selected handle by 1 px, with Shift by 10 px</source>
+        <translation>選択中のハンドルを 1 px (Shift で 10 px) 動かす</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>矢印キー</translation>
     </message>
     <message>
         <source>Move the counterpart the opposite way</source>
         <translation>対になる点を逆方向に動かす</translation>
     </message>
     <message>
-        <source>Alt while dragging</source>
-        <translation>ドラッグ中に Alt</translation>
-    </message>
-    <message>
         <source>Drag at a tenth of the speed</source>
         <translation>10分の1の速さで動かす</translation>
-    </message>
-    <message>
-        <source>Shift + Alt while dragging</source>
-        <translation>ドラッグ中に Shift + Alt</translation>
     </message>
     <message>
         <source>Do not snap</source>
         <translation>スナップしない</translation>
     </message>
     <message>
-        <source>Ctrl while dragging</source>
-        <translation>ドラッグ中に Ctrl</translation>
-    </message>
-    <message>
         <source>Take a drag back</source>
         <translation>ドラッグを取り消す</translation>
-    </message>
-    <message>
-        <source>Esc, right mouse button</source>
-        <translation>Esc、右ボタン</translation>
     </message>
     <message>
         <source>Select the next handle</source>
@@ -570,20 +749,8 @@
         <translation>Tab</translation>
     </message>
     <message>
-        <source>Nudge the selected handle, by 1 or 10 px</source>
-        <translation>選択中のハンドルを 1 px／10 px 動かす</translation>
-    </message>
-    <message>
-        <source>Arrow keys, with Shift</source>
-        <translation>矢印キー、Shift で10倍</translation>
-    </message>
-    <message>
         <source>Change a number faster or slower</source>
         <translation>数値を速く／ゆっくり変える</translation>
-    </message>
-    <message>
-        <source>Shift or Ctrl while dragging it</source>
-        <translation>ドラッグ中に Shift／Ctrl</translation>
     </message>
     <message>
         <source>Calculate in a number field</source>
@@ -734,6 +901,60 @@
     </message>
 </context>
 <context>
+    <name>Keyboard</name>
+    <message>
+        <source>Your own shortcuts could not be read; the set&apos;s are used.</source>
+        <translation>カスタムショートカットを読み込めなかったため、セットの設定を使います。</translation>
+    </message>
+</context>
+<context>
+    <name>KeysOfCommand</name>
+    <message>
+        <source>Press the new keys</source>
+        <translation>新しいキーを押してください</translation>
+    </message>
+    <message>
+        <source>Click here, then press the new keys</source>
+        <translation>ここをクリックして新しいキーを押してください</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>リセット</translation>
+    </message>
+    <message>
+        <source>Move It Here</source>
+        <translation>ここへ移す</translation>
+    </message>
+    <message>
+        <source>Keys of “%1”</source>
+        <translation>「%1」のキー</translation>
+    </message>
+    <message>
+        <source>Choose a command</source>
+        <translation>コマンドを選択</translation>
+    </message>
+    <message>
+        <source>Not every keyboard has %1: add a second shortcut.</source>
+        <translation>%1 がないキーボードもあります。もう一つ割り当ててください。</translation>
+    </message>
+    <message>
+        <source>Add:</source>
+        <translation>追加:</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>%1 を外す</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the picture and the fields.</source>
+        <translation>%1 は画面と入力欄が使います。</translation>
+    </message>
+    <message>
+        <source>%1 already belongs to “%2”.</source>
+        <translation>%1 は既に「%2」に割り当てられています。</translation>
+    </message>
+</context>
+<context>
     <name>Lanes</name>
     <message>
         <source>Keys and drawings over time</source>
@@ -858,6 +1079,10 @@ Drop a folder of cels here.</source>
         <translation>表示(&amp;V)</translation>
     </message>
     <message>
+        <source>&amp;Panels</source>
+        <translation>パネル (&amp;P)</translation>
+    </message>
+    <message>
         <source>&amp;Backdrop</source>
         <translation>下地(&amp;B)</translation>
     </message>
@@ -906,10 +1131,6 @@ Drop a folder of cels here.</source>
         <translation>下地</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>ファイル(&amp;F)</translation>
-    </message>
-    <message>
         <source>&amp;Edit</source>
         <translation>編集(&amp;E)</translation>
     </message>
@@ -924,6 +1145,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>&amp;Playback</source>
         <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>ファイル(&amp;I)</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1034,6 +1259,43 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>RecoveryDialog</name>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation>保存していない作業の復元</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>Kagezou did not end as it should. This work was put aside and never saved:</source>
+        <translation>前回 Kagezou は正常に終了しませんでした。次の作業は保存されていませんが、控えが残っています:</translation>
+    </message>
+    <message>
+        <source>Show Folder</source>
+        <translation>フォルダーを表示</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>後で</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n 回の操作</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RowNames</name>
     <message>
         <source>Layers and properties</source>
@@ -1085,6 +1347,112 @@ Drop a folder of cels here.</source>
     <message>
         <source>Set work area</source>
         <translation>ワークエリアを設定</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutEditor</name>
+    <message>
+        <source>Edit Keyboard Shortcuts</source>
+        <translation>キーボードショートカットの編集</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>セット</translation>
+    </message>
+    <message>
+        <source>Search by name or keys</source>
+        <translation>名前またはキーで検索</translation>
+    </message>
+    <message>
+        <source>Shortcuts of %1</source>
+        <translation>%1 のショートカット</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>%1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>キー配列</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>読み込み…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出し…</translation>
+    </message>
+    <message>
+        <source>Reset All</source>
+        <translation>すべてリセット</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>変更あり</translation>
+    </message>
+    <message>
+        <source>Import Shortcuts</source>
+        <translation>ショートカットの読み込み</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>ショートカット</translation>
+    </message>
+    <message>
+        <source>Export Shortcuts</source>
+        <translation>ショートカットの書き出し</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutSheet</name>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>With the hand</source>
+        <translation>マウス・ペン操作</translation>
+    </message>
+    <message>
+        <source>Search by name or keys</source>
+        <translation>名前またはキーで検索</translation>
+    </message>
+    <message>
+        <source>Nothing of this name</source>
+        <translation>該当するものがありません</translation>
+    </message>
+    <message>
+        <source>Set: %1</source>
+        <translation>セット: %1</translation>
+    </message>
+    <message>
+        <source>Edit Shortcuts…</source>
+        <translation>ショートカットを編集…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
     </message>
 </context>
 <context>
