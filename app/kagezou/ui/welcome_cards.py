@@ -123,7 +123,7 @@ class StyleCard(Card):
         self.setCheckable(True)
         self.setToolTip(name)
         letter = self.fontMetrics().averageCharWidth()
-        shown = Picture(QSize(14 * letter, round(14 * letter * 2 / 3)))
+        shown = Picture(QSize(12 * letter, round(12 * letter * 2 / 3)))
         shown.show_picture(QPixmap(str(picture)))
         label = _label(name, "welcome_hint")
         label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
