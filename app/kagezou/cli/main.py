@@ -22,6 +22,7 @@ VERBS: Final = {
     "info": "say what is in a project, and what is missing",
     "style": "put a named look on a character, or list the looks",
     "render": "write the shadow layers as numbered frames",
+    "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",
     "sheet": "draw a contact sheet of characters, their shadows step by step",
     "bench": "measure how fast this machine draws and exports",
     "doctor": "say what this machine has and what it lacks",
@@ -89,7 +90,7 @@ def run(arguments: Sequence[str], doors: Doors) -> int:
 def _dispatched(arguments: Sequence[str], doors: Doors) -> int:
     verb, *rest = arguments or ["--help"]
     if verb in ("-h", "--help", "help"):
-        give(_HELP.format(verbs="\n".join(f"  {name:<8} {words}" for name, words in VERBS.items())).rstrip())
+        give(_HELP.format(verbs="\n".join(f"  {name:<9} {words}" for name, words in VERBS.items())).rstrip())
         return 0
     if verb in ("-V", "--version"):
         from kagezou import __version__
@@ -99,7 +100,7 @@ def _dispatched(arguments: Sequence[str], doors: Doors) -> int:
     if verb not in VERBS:
         hint = did_you_mean(verb, VERBS) or "; a project ends in .kage"
         raise UsageProblem(f"{verb!r} is neither a command nor a project{hint} (see kagezou --help)")
-    module: _Verb = importlib.import_module(f"kagezou.cli.verbs.{verb}")
+    module: _Verb = importlib.import_module(f"kagezou.cli.verbs.{verb.replace('-', '_')}")
     parser = Parser(verb, module.DESCRIPTION, module.EXAMPLES)
     module.add_arguments(parser)
     try:

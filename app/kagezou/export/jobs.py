@@ -1,5 +1,6 @@
 """The pictures of an export, each one once, with every file that holds it."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
@@ -135,7 +136,33 @@ def planned(document: Document, request: ExportRequest) -> Plan:
             first.setdefault(content, Job(content, scene, layer_scene, ()))
             targets.setdefault(content, []).append(Target(frame, path))
     jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
+    if request.once:
+        jobs = tuple(_each_once(jobs, digits))
     return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in layers})
+
+
+def pictures_of(plan: Plan, folder: Path) -> tuple[int, ...]:
+    """Return which picture, from 0 in the order in which they appear, a folder's layer shows on each of its frames."""
+    shown: dict[int, int] = {}
+    number = 0
+    for job in plan.jobs:
+        frames = [target.frame for target in job.targets if target.path.parent == folder]
+        shown.update(dict.fromkeys(frames, number))
+        number += bool(frames)
+    return tuple(shown[frame] for frame in sorted(shown))
+
+
+def _each_once(jobs: tuple[Job, ...], digits: int) -> Iterator[Job]:
+    """Yield the jobs with one target in each folder they go to, numbered from 1."""
+    numbers: dict[Path, int] = {}
+    for job in jobs:
+        targets = []
+        for folder in dict.fromkeys(target.path.parent for target in job.targets):
+            numbers[folder] = numbers.get(folder, 0) + 1
+            first = next(target for target in job.targets if target.path.parent == folder)
+            name = f"{folder.name}_{numbers[folder]:0{digits}d}{first.path.suffix}"
+            targets.append(Target(first.frame, folder / name))
+        yield job.only(tuple(targets))
 
 
 def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple[ShadowContent, LayerScene | None]:

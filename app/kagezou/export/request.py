@@ -38,6 +38,9 @@ class ExportRequest:
         Threads that decode and encode; drawing has its own.
     keep_going
         Whether the other frames are made when a drawing cannot be read.
+    once
+        Whether each different picture of a layer is written once, numbered from 1 in the order in which they appear,
+        instead of a file for every frame.
     """
 
     folder: Path
@@ -49,6 +52,7 @@ class ExportRequest:
     skip_existing: bool = False
     workers: int = 2
     keep_going: bool = False
+    once: bool = False
 
     def __post_init__(self) -> None:
         if self.format not in SUFFIXES:

@@ -1,0 +1,88 @@
+"""``kagezou export-ae``: footage and one script that builds the composition in After Effects."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from kagezou.cli.arguments import Parser, project_path, whole_number
+from kagezou.cli.doors import Doors
+from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.processors import processors
+from kagezou.cli.reporting import verdict
+from kagezou.cli.terminal import ProgressLine, give, give_json, note
+from kagezou.errors import UsageProblem
+
+DESCRIPTION = """\
+Write one folder for After Effects (CC 2018 or newer, any language): gap-free sequences of every shadow, characters and
+background, and NAME.jsx, which builds the composition: frame rate, alpha, layer order, Multiply, opacity with its keys
+and eases, markers, and nulls for ground, light and grounding points. In After Effects: File > Scripts > Run Script
+File. Doing it again brings folder and composition up to date. Prints the script."""
+EXAMPLES = """\
+  kagezou export-ae walk.kage -o to_ae
+  kagezou export-ae walk.kage -o to_ae --per-drawing --mattes core,distance
+  kagezou export-ae walk.kage -o to_ae --footage reference --skip-existing
+  kagezou export-ae --panel        where the panel Kagezou.jsx lies
+"""
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, nargs="?", metavar="PROJECT.kage", help="the project file")
+    parser.add_argument("-o", "--output", type=Path, metavar="DIR", help="the folder for After Effects")
+    parser.add_argument("--name", metavar="NAME", help="what the composition is called (as the project)")
+    parser.add_argument("--per-drawing", action="store_true", help="each different shadow once, held by time remapping")
+    parser.add_argument(
+        "--footage", choices=("copy", "reference"), default="copy", help="copy drawings, or leave them where they lie"
+    )
+    parser.add_argument("--mattes", metavar="LIST", default="", help="out of shadow,core,distance,lit")
+    parser.add_argument("--format", choices=("png", "exr"), default="png", help="the format of the shadows (png)")
+    parser.add_argument("--depth", type=int, choices=(8, 16), default=8, help="bits a channel of png (8)")
+    parser.add_argument(
+        "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
+    )
+    parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
+    parser.add_argument("--panel", action="store_true", help="print where the panel for After Effects lies")
+    parser.add_argument("--json", action="store_true", help="print one object about what was done")
+
+
+def run(options: Namespace, doors: Doors) -> int:
+    """Hand off what is asked for."""
+    from kagezou.export.after_effects.export import HandOffRequest, export_to_after_effects
+    from kagezou.io.faults import shown
+    from kagezou.io.project_file import load
+    from kagezou.locations import resource_folder
+
+    if options.panel:
+        give(shown(resource_folder() / "after_effects" / "Kagezou.jsx"))
+        return 0
+    if options.project is None or options.output is None:
+        raise UsageProblem("export-ae needs PROJECT.kage and -o DIR (see kagezou export-ae --help)")
+    request = HandOffRequest(
+        folder=options.output,
+        name=options.name or options.project.stem,
+        per_drawing=options.per_drawing,
+        copies=options.footage == "copy",
+        mattes=tuple(each for each in options.mattes.split(",") if each),
+        format=options.format,
+        depth=options.depth,
+        skip_existing=options.skip_existing,
+        workers=options.workers or processors(),
+    )
+    document = load(options.project)
+    with stopping_gently() as interruption, ProgressLine("rendering") as line:
+        done = export_to_after_effects(document, request, doors.open_context, line.update, interruption.is_set)
+    for sentence in done.notes:
+        note(sentence)
+    script = "" if done.script is None else shown(done.script)
+    if options.json:
+        give_json({
+            "script": script,
+            "files": sum(each.files for each in done.exports),
+            "written": sum(each.written for each in done.exports),
+            "trusted": sum(each.trusted for each in done.exports),
+            "folders": [shown(folder) for each in done.exports for folder in each.folders],
+            "notes": list(done.notes),
+            "seconds": round(done.seconds, 3),
+        })  # fmt: skip
+    elif script:
+        give(script)
+    return max(verdict(each, interruption) for each in done.exports)

@@ -1,0 +1,1 @@
+"""The hand-off to After Effects: footage in folders and one script that builds the composition."""

@@ -1,0 +1,200 @@
+"""From the document and what was written to the composition."""
+
+from bisect import bisect_right
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+
+from kagezou.document import properties
+from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.model import Document, Layer, Note
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.export.after_effects import comp as ae
+from kagezou.export.after_effects.channels import channel_of, seconds
+from kagezou.export.after_effects.drawings import Cels
+from kagezou.export.after_effects.guides import guides_of
+
+Remap = tuple[tuple[float, int | None], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """What lies in the folder, or is referred to.
+
+    Parameters
+    ----------
+    folder
+        Where the script will lie.
+    shadows
+        Kind ("shadow" for the shadows themselves, else a matte with "matte:" before it) and layer id → first file,
+        number of files, and for one picture a drawing the picture of each frame.
+    cels
+        Layer id → the drawings.
+    background
+        The background's file.
+    lit
+        Whether the lit area is asked for; it is made of the mattes of the shadows alone.
+    """
+
+    folder: Path
+    shadows: Mapping[tuple[str, str], tuple[Path, int, tuple[int, ...] | None]]
+    cels: Mapping[str, Cels]
+    background: Path | None
+    lit: bool = False
+
+
+def hand_off(document: Document, name: str, project: str, written: Written) -> ae.HandOff:
+    """Return everything that the script needs to build the composition of a cut."""
+    canvas = document.canvas
+    rate = canvas.frame_rate
+    first, last = document.played
+    main = ae.Comp(
+        "main",
+        name,
+        (*_background(written), *_shadows(document, written), *_characters(document, written)),
+        guides_of(document),
+        tuple(_marker(each.frame, each.comment, rate, each.duration_frames) for each in document.markers),
+    )
+    return ae.HandOff(
+        project=project,
+        name=name,
+        width=canvas.width_px,
+        height=canvas.height_px,
+        frame_rate=float(rate),
+        frames=canvas.length_frames,
+        duration=float(canvas.length_frames / rate),
+        work_area=(seconds(first, rate), float((last - first + 1) / rate)),
+        footage=_footage(document, written),
+        comps=(*_lit(document, written), main),
+    )
+
+
+def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
+    names = {layer.id: layer.name for layer in document.layers}
+    made = []
+    if written.background is not None:
+        path = _path(written.background, written.folder)
+        made.append(ae.Footage("background", written.background.stem, path, 1, "IGNORE", "Background"))
+    for layer_id, cels in written.cels.items():
+        path = _path(cels.first, written.folder)
+        made.append(ae.Footage(f"cels:{layer_id}", names[layer_id], path, cels.count, "STRAIGHT", "Characters"))
+    for (kind, layer_id), (first, count, _) in written.shadows.items():
+        alpha = "PREMULTIPLIED" if first.suffix == ".exr" else "STRAIGHT"
+        folder = "Shadows" if kind == "shadow" else "Mattes"
+        title = f"{names[layer_id]} {kind.removeprefix('matte:')}{' matte' if kind != 'shadow' else ''}"
+        made.append(ae.Footage(f"{kind}:{layer_id}", title, _path(first, written.folder), count, alpha, folder))
+    return tuple(made)
+
+
+def _background(written: Written) -> tuple[ae.Layer, ...]:
+    if written.background is None:
+        return ()
+    return (ae.Layer("background", "Background", "background", "NORMAL", ae.Channel(100.0)),)
+
+
+def _shadows(document: Document, written: Written) -> tuple[ae.Layer, ...]:
+    made = []
+    rate = document.canvas.frame_rate
+    for layer in document.layers:
+        found = written.shadows.get(("shadow", layer.id))
+        if found is None:
+            continue
+        blend = value_of(document, Address(properties.BLEND, layer.id), 1)
+        opacity = channel_of(track_of(document, Address(properties.OPACITY, layer.id)), 0, rate, 100.0)
+        made.append(
+            ae.Layer(
+                tag=f"shadow:{layer.id}",
+                name=f"{layer.name} shadow",
+                footage=f"shadow:{layer.id}",
+                blend=str(blend).upper(),
+                opacity=opacity,
+                remap=_remap(found[2], rate),
+                markers=_notes(document, layer.id),
+            )
+        )
+    return tuple(made)
+
+
+def _characters(document: Document, written: Written) -> tuple[ae.Layer, ...]:
+    rate = document.canvas.frame_rate
+    return tuple(
+        ae.Layer(
+            tag=f"cels:{layer.id}",
+            name=layer.name,
+            footage=f"cels:{layer.id}",
+            blend="NORMAL",
+            opacity=ae.Channel(100.0),
+            remap=_exposures(document, layer, written.cels[layer.id], rate),
+        )
+        for layer in document.layers
+        if layer.id in written.cels
+    )
+
+
+def _lit(document: Document, written: Written) -> tuple[ae.Comp, ...]:
+    """Return the composition of what no shadow lies on: the shadows, turned black, over white."""
+    mattes = [each for each in written.shadows if each[0] == "matte:shadow"]
+    if not mattes or not written.lit:
+        return ()
+    names = {layer.id: layer.name for layer in document.layers}
+    rate = document.canvas.frame_rate
+    layers = tuple(
+        ae.Layer(
+            tag=f"lit:{layer_id}",
+            name=names[layer_id],
+            footage=f"{kind}:{layer_id}",
+            blend="NORMAL",
+            opacity=ae.Channel(100.0),
+            remap=_remap(written.shadows[kind, layer_id][2], rate),
+            inverted=True,
+        )
+        for kind, layer_id in mattes
+    )
+    return (ae.Comp("lit", "Lit area", layers, white=True),)
+
+
+def _remap(pictures: tuple[int, ...] | None, rate: Fraction) -> Remap:
+    """Return when another picture begins to be held, from the picture of every frame."""
+    if pictures is None:
+        return ()
+    held: list[tuple[float, int | None]] = []
+    for frame, picture in enumerate(pictures, start=1):
+        if not held or held[-1][1] != picture:
+            held.append((seconds(frame, rate), picture))
+    return tuple(held)
+
+
+def _exposures(document: Document, layer: Layer, cels: Cels, rate: Fraction) -> Remap:
+    visible = track_of(document, Address(properties.VISIBLE, layer.id))
+    held: list[tuple[float, int | None]] = []
+    for frame in range(1, document.canvas.length_frames + 1):
+        index = _index_at(layer, frame) if visible.value_at(frame) else None
+        picture = None if index is None else cels.places[index]
+        if not held or held[-1][1] != picture:
+            held.append((seconds(frame, rate), picture))
+    return tuple(held)
+
+
+def _index_at(layer: Layer, frame: int) -> int | None:
+    after = bisect_right(layer.cels.exposures, frame, key=lambda exposure: exposure.frame)
+    return layer.cels.exposures[after - 1].drawing if after else None
+
+
+def _notes(document: Document, layer_id: str) -> tuple[ae.Marker, ...]:
+    rate = document.canvas.frame_rate
+    about = [note for note in document.notes if note.layer_id == layer_id]
+    return tuple(_marker(note.frame, _said(note), rate) for note in sorted(about, key=lambda note: note.frame))
+
+
+def _said(note: Note) -> str:
+    line = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
+    return f"{note.author}{': ' if note.author else ''}{line.label.en}: {note.text}"
+
+
+def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) -> ae.Marker:
+    return ae.Marker(seconds(frame, rate), comment, float(duration_frames / rate))
+
+
+def _path(path: Path, folder: Path) -> str:
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()

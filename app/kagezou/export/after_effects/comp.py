@@ -1,0 +1,155 @@
+"""The composition that After Effects is to build: plain values in its own units, nothing of After Effects itself."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelKey:
+    """A key of one number.
+
+    Parameters
+    ----------
+    time
+        Seconds from the start of the composition.
+    value
+        In the units of the property: per cent, px, degrees.
+    into, out
+        "HOLD", "LINEAR" or "BEZIER", before and after the key.
+    ease_in, ease_out
+        (speed in units a second, influence in per cent) of bezier sides.
+    """
+
+    time: float
+    value: float
+    into: str
+    out: str
+    ease_in: tuple[float, float] = (0.0, 100 / 3)
+    ease_out: tuple[float, float] = (0.0, 100 / 3)
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """One number over time: ``value`` where there are no keys."""
+
+    value: float
+    keys: tuple[ChannelKey, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Footage:
+    """Pictures on disk.
+
+    Parameters
+    ----------
+    tag
+        By which a second run finds the item again, whatever it is called by then.
+    name
+        What the item is called.
+    path
+        The first file, from the script's folder, with forward slashes; absolute for footage left where it was.
+    count
+        How many numbered files follow one another; 1 for a still.
+    alpha
+        "STRAIGHT", "PREMULTIPLIED" or "IGNORE".
+    folder
+        The folder of the project panel it goes into.
+    """
+
+    tag: str
+    name: str
+    path: str
+    count: int
+    alpha: str
+    folder: str
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """A marker: seconds, words."""
+
+    time: float
+    comment: str
+    duration: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Layer:
+    """A layer of footage.
+
+    Parameters
+    ----------
+    blend
+        "NORMAL" or "MULTIPLY".
+    opacity
+        In per cent.
+    remap
+        (seconds, picture from 0) of held pictures; empty where every frame has a picture of its own. None for an empty
+        cel.
+    inverted
+        Whether its colours are turned over, black for white.
+    """
+
+    tag: str
+    name: str
+    footage: str
+    blend: str
+    opacity: Channel
+    remap: tuple[tuple[float, int | None], ...] = ()
+    markers: tuple[Marker, ...] = ()
+    inverted: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Null:
+    """A guide: a place on the canvas over time, a turn, and sliders."""
+
+    tag: str
+    name: str
+    x: Channel
+    y: Channel
+    rotation: Channel
+    sliders: tuple[tuple[str, Channel], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Comp:
+    """A composition; layers and nulls from the bottom up.
+
+    Parameters
+    ----------
+    white
+        Whether a white solid lies under everything.
+    """
+
+    tag: str
+    name: str
+    layers: tuple[Layer, ...]
+    nulls: tuple[Null, ...] = ()
+    markers: tuple[Marker, ...] = ()
+    white: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class HandOff:
+    """Everything the script needs.
+
+    Parameters
+    ----------
+    project
+        Tells the hand-offs of several cuts in one project apart.
+    frame_rate, frames
+        As a number; ``frames`` is the length.
+    work_area
+        Start and length in seconds.
+    """
+
+    project: str
+    name: str
+    width: int
+    height: int
+    frame_rate: float
+    frames: int
+    duration: float
+    work_area: tuple[float, float]
+    footage: tuple[Footage, ...]
+    comps: tuple[Comp, ...]

@@ -1,0 +1,215 @@
+"""Exporting to After Effects: everything into one folder, the script last."""
+
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
+from kagezou.export.after_effects.building import Written, hand_off
+from kagezou.export.after_effects.drawings import Cels, copied, referenced, remove_beyond
+from kagezou.export.after_effects.mattes import MATTES, at_full_opacity, matte_document
+from kagezou.export.after_effects.script import script_of
+from kagezou.export.frames import export_frames
+from kagezou.export.jobs import pictures_of, planned
+from kagezou.export.names import digits_for, safe_names
+from kagezou.export.request import SUFFIXES, Cancelled, ExportRequest, Progress, Summary
+from kagezou.io.atomic import write_bytes
+from kagezou.io.encode import write_rgba
+from kagezou.io.faults import output_problem
+from kagezou.io.images import read_cel
+from kagezou.render.context import OpenContext
+
+_AE_LONGEST_S: Final = 10800
+_AE_SIZES_PX: Final = (4, 30000)
+_AE_RATES: Final = (1, 99)
+FORMATS: Final = ("png", "exr")
+
+
+@dataclass(frozen=True, slots=True)
+class HandOffRequest:
+    """What to hand off.
+
+    Parameters
+    ----------
+    folder
+        Where everything goes.
+    name
+        What the composition and the script are called.
+    per_drawing
+        Whether each different shadow is written once and held by time remapping, instead of a file for every frame.
+    copies
+        Whether characters and background are copied; else they are referred to where they lie, if that can be done.
+    mattes
+        Keys of `MATTES`.
+    format, depth, skip_existing, workers
+        As of `ExportRequest`.
+    """
+
+    folder: Path
+    name: str
+    per_drawing: bool = False
+    copies: bool = True
+    mattes: tuple[str, ...] = ()
+    format: str = "png"
+    depth: int = 8
+    skip_existing: bool = False
+    workers: int = 2
+
+    def __post_init__(self) -> None:
+        for matte in self.mattes:
+            if matte not in MATTES:
+                raise UsageProblem(f"there is no matte {matte!r}, only {', '.join(MATTES)}")
+        if self.format not in FORMATS:
+            raise UsageProblem(f"shadows for After Effects are {' or '.join(FORMATS)}, not {self.format!r}")
+
+
+@dataclass(frozen=True, slots=True)
+class HandedOff:
+    """What came of it.
+
+    Parameters
+    ----------
+    script
+        The script; None if the export was stopped before everything it needs was there.
+    exports
+        What came of the sequences of shadows and mattes.
+    notes
+        What the user should know, one sentence each.
+    """
+
+    script: Path | None
+    exports: tuple[Summary, ...]
+    notes: tuple[str, ...]
+    seconds: float
+
+
+def export_to_after_effects(
+    document: Document, request: HandOffRequest, open_context: OpenContext, progress: Progress, cancelled: Cancelled
+) -> HandedOff:
+    """Write shadows, mattes, footage and, when all of it is there, the script that builds the composition.
+
+    A second hand-off into the same folder brings it up to date, and the script then updates what it built before.
+
+    Raises
+    ------
+    UsageProblem
+        After Effects has no composition of such a size, rate or length, or there is nothing to make.
+    InputProblem, DiskFullProblem, OutputProblem, GraphicsProblem
+        As for `export_frames`.
+    """
+    started = time.monotonic()
+    _check(document)
+    request = replace(request, folder=request.folder.absolute())
+    run = _Run(document, request, progress, cancelled)
+    summaries = [run.export(kind, each, open_context) for kind, each in run.documents().items()]
+    if any(summary.cancelled for summary in summaries):
+        return HandedOff(None, tuple(summaries), (), time.monotonic() - started)
+    written = Written(request.folder, run.shadows, run.cels(), run.background(), lit="lit" in request.mattes)
+    file = safe_names([request.name])[request.name] + ".jsx"
+    text = script_of(hand_off(document, request.name, file, written))
+    write_bytes(request.folder / file, text.encode("ascii"))
+    return HandedOff(request.folder / file, tuple(summaries), tuple(run.notes), time.monotonic() - started)
+
+
+def _check(document: Document) -> None:
+    canvas = document.canvas
+    low, high = _AE_SIZES_PX
+    if not (low <= canvas.width_px <= high and low <= canvas.height_px <= high):
+        raise UsageProblem(f"After Effects has no composition of {canvas.width_px}x{canvas.height_px} px")
+    if not _AE_RATES[0] <= canvas.frame_rate <= _AE_RATES[1]:
+        raise UsageProblem(f"After Effects has no composition of {canvas.frame_rate} frames a second")
+    if canvas.length_frames / canvas.frame_rate > _AE_LONGEST_S:
+        raise UsageProblem(f"After Effects has no composition of {canvas.length_frames} frames")
+
+
+class _Run:
+    """One hand-off under way."""
+
+    def __init__(self, document: Document, request: HandOffRequest, progress: Progress, cancelled: Cancelled) -> None:
+        self._document, self._request, self._cancelled = document, request, cancelled
+        self._names = safe_names(layer.name for layer in document.layers)
+        self._tell = progress
+        self._before = 0
+        self._all = sum(planned(each, self._frames_of(kind)).files for kind, each in self.documents().items())
+        self.shadows: dict[tuple[str, str], tuple[Path, int, tuple[int, ...] | None]] = {}
+        self.notes: list[str] = []
+
+    def documents(self) -> dict[str, Document]:
+        """Return what is to be rendered: the shadows and the mattes."""
+        mattes = dict.fromkeys("shadow" if matte == "lit" else matte for matte in self._request.mattes)
+        made = {"shadow": at_full_opacity(self._document)}
+        made.update({f"matte:{matte}": matte_document(self._document, matte) for matte in mattes})
+        return made
+
+    def export(self, kind: str, document: Document, open_context: OpenContext) -> Summary:
+        """Render one kind of sequences."""
+        request = self._frames_of(kind)
+        summary = export_frames(
+            document,
+            request,
+            open_context,
+            lambda done, _all: self._tell(self._before + done, self._all),
+            self._cancelled,
+        )
+        self._before += summary.files
+        if not summary.cancelled:
+            self._note_folders(kind, document, request)
+        return summary
+
+    def cels(self) -> dict[str, Cels]:
+        """Copy or find the drawings of the layers."""
+        found: dict[str, Cels] = {}
+        canvas, request = self._document.canvas, self._request
+        for layer in self._document.layers:
+            cels = None if request.copies else referenced(layer, canvas.length_frames)
+            if cels is None:
+                if not request.copies:
+                    self.notes.append(f"the drawings of {layer.name!r} are no gap-free sequence, so they were copied")
+                name = self._names[layer.name]
+                cels = copied(layer, name, _made(request.folder / "characters" / name), canvas, request.workers)
+            if cels is not None:
+                found[layer.id] = cels
+        return found
+
+    def background(self) -> Path | None:
+        """Copy the background, or refer to it."""
+        path = self._document.background
+        if path is None or not self._request.copies:
+            return path
+        target = _made(self._request.folder / "background") / "background.png"
+        write_rgba(target, read_cel(path, white_is_clear=False).rgba)
+        return target
+
+    def _frames_of(self, kind: str) -> ExportRequest:
+        request = self._request
+        folder = request.folder / ("shadows" if kind == "shadow" else f"matte_{kind.removeprefix('matte:')}")
+        return ExportRequest(
+            folder=folder,
+            format=request.format,
+            depth=request.depth if request.format == "png" else 16,
+            skip_existing=request.skip_existing,
+            workers=request.workers,
+            once=request.per_drawing,
+        )
+
+    def _note_folders(self, kind: str, document: Document, request: ExportRequest) -> None:
+        plan = planned(document, replace(request, once=False))
+        by_name = {layer.name: layer.id for layer in document.layers}
+        digits = digits_for(document.canvas.length_frames)
+        for name, safe in plan.names.items():
+            folder = request.folder / f"{safe}_shadow"
+            pictures = pictures_of(plan, folder) if request.once else None
+            count = document.canvas.length_frames if pictures is None else max(pictures) + 1
+            first = folder / f"{folder.name}_{1:0{digits}d}{SUFFIXES[request.format]}"
+            remove_beyond(folder, folder.name, digits, count)
+            self.shadows[kind, by_name[name]] = (first, count, pictures)
+
+
+def _made(folder: Path) -> Path:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise output_problem(folder, error) from error
+    return folder

@@ -1,0 +1,65 @@
+"""The mattes a compositor may ask for: renderings of the same document with another look."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Final
+
+from kagezou.animation.track import Track, Value
+from kagezou.document import properties
+from kagezou.document.address import Address
+from kagezou.document.edits import set_constant
+from kagezou.document.model import Document, Layer
+from kagezou.document.property import Property
+
+MATTES: Final[Mapping[str, str]] = MappingProxyType({
+    "shadow": "the shadow alone, white",
+    "core": "its part near the feet, fading out over a fifth of the character's height",
+    "distance": "white at the feet to black at twice the character's height, within the shadow",
+    "lit": "what no shadow lies on, white on black; a composition of the shadows alone",
+})  # fmt: skip
+
+_CORE_HEIGHT: Final = 0.2
+_REACH_HEIGHTS: Final = 2.0
+_WHITE: Final = "#FFFFFF"
+_BLACK: Final = "#000000"
+
+
+def at_full_opacity(document: Document) -> Document:
+    """Return the document with shadows at opacity 1: After Effects has the opacity as a property of its own."""
+    for layer in document.layers:
+        document = set_constant(document, Address(properties.OPACITY, layer.id), 1.0)
+    return document
+
+
+def matte_document(document: Document, matte: str) -> Document:
+    """Return the document whose shadow layers are a matte ("shadow", "core" or "distance")."""
+    looks = {"shadow": _plain, "core": _core, "distance": _distance}
+    look = looks[matte]
+    layers = tuple(_changed(layer, look(layer)) for layer in document.layers)
+    return replace(document, layers=layers)
+
+
+def _plain(_layer: Layer) -> dict[Property, Value]:
+    return {
+        properties.COLOR: _WHITE,
+        properties.TIP_COLOR: _WHITE,
+        properties.OPACITY: 1.0,
+        properties.FADE: 0.0,
+        properties.TIP_DISTANCE: 0.0,
+    }
+
+
+def _core(layer: Layer) -> dict[Property, Value]:
+    height = float(layer.figure.height)
+    return {**_plain(layer), properties.FADE: max(height * _CORE_HEIGHT, 1.0), properties.FADE_CURVE: 1.0}
+
+
+def _distance(layer: Layer) -> dict[Property, Value]:
+    reach = min(layer.figure.height * _REACH_HEIGHTS, properties.TIP_DISTANCE.high)
+    return {**_plain(layer), properties.TIP_COLOR: _BLACK, properties.TIP_DISTANCE: reach}
+
+
+def _changed(layer: Layer, values: dict[Property, Value]) -> Layer:
+    tracks = {**layer.tracks, **{line.name: Track(line.canonical(value)) for line, value in values.items()}}
+    return replace(layer, tracks=MappingProxyType(tracks))
