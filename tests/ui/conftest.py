@@ -44,7 +44,7 @@ def english(qapp: QApplication) -> Iterator[Language]:
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
     store = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    return Settings(store, tmp_path / "styles", tmp_path / "unsaved")
+    return Settings(store, tmp_path / "styles", tmp_path / "unsaved", tmp_path / "pictures")
 
 
 @pytest.fixture

@@ -41,11 +41,12 @@ def test_changing_the_language_does_not_end_the_program(
     program.put_away()
 
 
-def test_the_layout_is_remembered(qapp: QApplication, settings: Settings, window: MainWindow) -> None:
-    window.docks[0].hide()
-    window.close_unasked()
+def test_the_layout_is_remembered(qapp: QApplication, settings: Settings, walking: MainWindow, cels: Path) -> None:
+    walking.docks[0].hide()
+    walking.close_unasked()
     program = Program(qapp, settings)
     program.show()
+    program.window.project.bring([cels])
     assert program.window.docks[0].isHidden()
     assert not program.window.docks[1].isHidden()
     program.put_away()

@@ -11,6 +11,7 @@ from kagezou.ui.demo import DemoOpener, MakeDemo
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Dialogs
 from kagezou.ui.dock import Dock
+from kagezou.ui.drop_hint import DropHint, drop_words
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
@@ -76,10 +77,10 @@ class MainWindow(QMainWindow):
         connect_timeline(self)
         connect_messages(self)
         self.show_title()
-        self.show_page()
         self.panel_layout = PanelLayout(self, _DOCKS, self._share_room)
-        connect_frame(self)
         self._restore_layout()
+        connect_frame(self)
+        self.show_page()
 
     def show_title(self) -> None:
         """Show the project's name, and whether it is saved."""
@@ -92,6 +93,8 @@ class MainWindow(QMainWindow):
         blank = self.desk.is_blank
         if blank:
             self.welcome.show_recent(self.settings.recent)
+        # On the first page panels would only be empty.
+        self.panel_layout.hide(blank, "blank")
         self.pages.setCurrentWidget(self.welcome if blank else self.viewport)
         self.transport.setVisible(not blank)
         self.inspector.setEnabled(not blank)
@@ -123,8 +126,9 @@ class MainWindow(QMainWindow):
             self.demo.finish()
         self.thumbnails.wait()
         self.styles.pictures.finish()
+        self.welcome.pictures.finish()
         self.prefetch.finish()
-        self.panel_layout.hide(False)
+        self.panel_layout.bring_back()
         self.settings.set_layout("geometry", self.saveGeometry())
         self.settings.set_layout("state", self.saveState(_DOCKS))
         event.accept()
@@ -143,18 +147,22 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if any(url.isLocalFile() for url in event.mimeData().urls()):
+        if paths := _files(event):
             event.acceptProposedAction()
-            self.welcome.show_hovered(hovered=True)
+            self._show_drop(drop_words(paths))
 
     def dragLeaveEvent(self, event: QDragLeaveEvent) -> None:
-        self.welcome.show_hovered(hovered=False)
+        self._show_drop(None)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        self.welcome.show_hovered(hovered=False)
-        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        self._show_drop(None)
         event.acceptProposedAction()
-        self.project.bring(paths)
+        self.project.bring(_files(event))
+
+    def _show_drop(self, words: str | None) -> None:
+        blank = self.desk.is_blank
+        self.welcome.show_hovered(words if blank else None)
+        self.drop_hint.show_words(None if blank else words)
 
     def _make_parts(self) -> None:
         bridge = self.desk.bridge
@@ -164,7 +172,7 @@ class MainWindow(QMainWindow):
         self.prefetch = Prefetch(bridge, self.player, self.desk.cels)
         self.space = SpaceBar()
         self.thumbnails = Thumbnails()
-        self.welcome = Welcome()
+        self.welcome = Welcome(self.settings.picture_folder)
         self.viewport = Viewport(bridge, self.desk.cels, self.space)
         self.layers = LayerList(bridge, self.thumbnails)
         self.inspector = Inspector(bridge)
@@ -190,6 +198,7 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self.setCentralWidget(middle)
+        self.drop_hint = DropHint(middle)
         self.addToolBar(self.menus.tool_bar())
         self.setStatusBar(self.status)
         self.docks = (
@@ -226,3 +235,7 @@ class MainWindow(QMainWindow):
             self.restoreGeometry(geometry)
         if not state.isEmpty():
             self.restoreState(state, _DOCKS)
+
+
+def _files(event: QDropEvent) -> list[Path]:
+    return [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]

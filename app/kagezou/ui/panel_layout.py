@@ -27,13 +27,14 @@ class PanelLayout(QObject):
         self._share_room = share_room
         self._first = window.saveState(version)
         self._before = self._first
-        self.is_hiding = False
+        self._reasons: set[str] = set()
 
     def reset(self) -> None:
         """Put every panel back to where it was at first."""
-        self.is_hiding = False
-        self._window.restoreState(self._first, self._version)
-        self._share_room()
+        self._before = self._first
+        if not self._reasons:
+            self._window.restoreState(self._first, self._version)
+            self._share_room()
 
     def show(self, name: str) -> None:
         """Bring a panel to the front and give it the keyboard."""
@@ -43,17 +44,30 @@ class PanelLayout(QObject):
             dock.raise_()
             dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
 
-    def hide(self, on: bool) -> None:
-        """Hide all panels, or bring back those that were there."""
-        if on == self.is_hiding:
-            return
-        self.is_hiding = on
+    def hide(self, on: bool, reason: str = "asked") -> None:
+        """Hide all panels for a reason, or let it go; without any reason those that were there come back."""
+        hidden = bool(self._reasons)
         if on:
+            self._reasons.add(reason)
+        else:
+            self._reasons.discard(reason)
+        if self._reasons and not hidden:
             self._before = self._window.saveState(self._version)
             for dock in self._window.findChildren(QDockWidget):
                 dock.hide()
-        else:
-            self._window.restoreState(self._before, self._version)
+        elif hidden and not self._reasons:
+            self._bring_back()
+
+    def bring_back(self) -> None:
+        """Show the panels again whatever hid them."""
+        if self._reasons:
+            self._reasons.clear()
+            self._bring_back()
+
+    def _bring_back(self) -> None:
+        self._window.restoreState(self._before, self._version)
+        if self._before == self._first:
+            self._share_room()
 
 
 class TabKey(QObject):

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from platformdirs import user_config_path, user_state_path
+from platformdirs import user_cache_path, user_config_path, user_state_path
 from PySide6.QtCore import QByteArray, QSettings
 
 MAX_RECENT = 8
@@ -19,13 +19,20 @@ class Settings:
         Where styles are kept; by default the folder of the user's own settings.
     recovery_folder
         Where unsaved work is put aside; by default in the folder of the user's own state.
+    picture_folder
+        Where pictures of projects are kept; by default the user's own cache.
     """
 
     def __init__(
-        self, store: QSettings | None = None, style_folder: Path | None = None, recovery_folder: Path | None = None
+        self,
+        store: QSettings | None = None,
+        style_folder: Path | None = None,
+        recovery_folder: Path | None = None,
+        picture_folder: Path | None = None,
     ) -> None:
         self._store = store or QSettings("Kagezou", "Kagezou")
         self._style_folder = style_folder or user_config_path("kagezou", appauthor=False) / "styles"
+        self._picture_folder = picture_folder or user_cache_path("kagezou", appauthor=False) / "projects"
 
         self._recovery_folder = recovery_folder or user_state_path("kagezou", appauthor=False) / "unsaved"
 
@@ -38,6 +45,11 @@ class Settings:
     def style_folder(self) -> Path:
         """Where the user's own styles are kept."""
         return self._style_folder
+
+    @property
+    def picture_folder(self) -> Path:
+        """Where pictures of projects are kept; losing them costs nothing but drawing them again."""
+        return self._picture_folder
 
     @property
     def language(self) -> str:

@@ -32,6 +32,7 @@ class KeysOfCommand(QFrame):
         self._caps.setSpacing(6)
         self.field = QKeySequenceEdit()
         self.field.setMaximumSequenceLength(1)
+        self.field.setMinimumWidth(22 * self.fontMetrics().averageCharWidth())
         self.field.setAccessibleName(self.tr("Press the new keys"))
         self.field.setToolTip(self.tr("Click here, then press the new keys"))
         self.field.editingFinished.connect(self._record)

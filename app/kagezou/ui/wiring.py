@@ -2,14 +2,16 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 
+from kagezou.document.style import apply_style
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.command_search import CommandSearch
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
 from kagezou.ui.viewport.stage import Broken
+from kagezou.ui.words import said
 
 if TYPE_CHECKING:
     from kagezou.ui.main_window import MainWindow
@@ -50,6 +52,7 @@ def connect_project(window: "MainWindow") -> None:
     window.desk.path_changed.connect(window.show_title)
     bridge.saved_changed.connect(window.show_title)
     bridge.document_changed.connect(window.show_page)
+    bridge.document_changed.connect(lambda: _begin_with_style(window))
     bridge.history_changed.connect(lambda: window.menus.show_steps(session().undo_name, session().redo_name))
     window.menus.show_steps(session().undo_name, session().redo_name)
     _show_recent(window)
@@ -125,6 +128,21 @@ def _show_recent(window: "MainWindow") -> None:
     projects = window.settings.recent
     window.menus.show_recent(projects, window.project.open_recent)
     window.welcome.show_recent(projects)
+
+
+def _begin_with_style(window: "MainWindow") -> None:
+    """Put the look chosen on the first page on what was brought in; a project that has a file keeps its own."""
+    bridge, style = window.desk.bridge, window.welcome.style_chosen
+    if style is None or window.desk.is_blank:
+        return
+    window.welcome.forget_style()
+    if window.desk.path is None:
+        document = bridge.document
+        for layer in document.layers:
+            document = apply_style(document, layer.id, style, bridge.frame)
+        words = QCoreApplication.translate("StyleList", "Style: %1")
+        # Within the gesture that brought the character, if there is one: then both are one step.
+        bridge.session.edit(words.replace("%1", said(style.name)), document)
 
 
 def _export(window: "MainWindow") -> None:

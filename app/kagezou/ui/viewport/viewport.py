@@ -76,6 +76,9 @@ class Viewport(PictureWidget):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QNativeGestureEvent) and self._pinch(event):
             return True
+        if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride and _is_for_the_hand(event):
+            event.accept()
+            return True
         # Qt would take Tab for moving the focus; Escape gives the focus back to the window.
         pressed = event.key() if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.KeyPress else None
         if pressed in _TABS and self.overlay.shows_handles:
@@ -197,3 +200,9 @@ class Viewport(PictureWidget):
             self.setCursor(Qt.CursorShape.OpenHandCursor)
         else:
             self.setCursor(Qt.CursorShape.ArrowCursor if over is None else _CURSORS[over.cursor])
+
+
+def _is_for_the_hand(event: QKeyEvent) -> bool:
+    """Whether a key nudges or steps here, though a set of shortcuts may give it to a command of the window."""
+    others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
+    return event.key() in _ARROWS and not others
