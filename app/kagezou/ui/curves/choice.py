@@ -1,0 +1,82 @@
+"""What the curve editor shows, apart from the document: shared by its parts."""
+
+from enum import StrEnum
+
+from PySide6.QtCore import QObject, Signal
+
+from kagezou.document.model import Document
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.curves.curve_list import Curve, curves_of
+
+
+class GraphKind(StrEnum):
+    """What is drawn over time."""
+
+    VALUE = "value"
+    SPEED = "speed"
+
+
+class Choice(QObject):
+    """Which curves are shown, how, and beside which other version of the document.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    """
+
+    changed = Signal()
+
+    def __init__(self, bridge: Bridge) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._hidden: frozenset[tuple[str, str | None, int]] = frozenset()
+        self.kind = GraphKind.VALUE
+        self.normalises = False
+        self.isolates = False
+        self.is_locked = False
+        self.snapshot: Document | None = None
+        self.shows_snapshot = True
+        bridge.session_replaced.connect(self._begin_anew)
+
+    @property
+    def all(self) -> tuple[Curve, ...]:
+        """Every curve there is."""
+        return curves_of(self._bridge.document, self._bridge.layer_id)
+
+    @property
+    def shown(self) -> tuple[Curve, ...]:
+        """The curves that are drawn: those not hidden, and alone those with selected keys when isolating."""
+        seen = tuple(curve for curve in self.all if not self.is_hidden(curve))
+        chosen = {ref.address for ref in self._bridge.session.state.keys}
+        alone = tuple(curve for curve in seen if curve.address in chosen)
+        return alone if self.isolates and alone else seen
+
+    @property
+    def ghost(self) -> Document | None:
+        """The other version, if it is shown."""
+        return self.snapshot if self.shows_snapshot else None
+
+    def is_hidden(self, curve: Curve) -> bool:
+        """Return whether a curve was switched off."""
+        return _key(curve) in self._hidden
+
+    def show(self, curves: tuple[Curve, ...], *, shown: bool) -> None:
+        """Switch curves on or off."""
+        keys = {_key(curve) for curve in curves}
+        self._hidden = self._hidden - keys if shown else self._hidden | keys
+        self.changed.emit()
+
+    def set(self, **what: object) -> None:
+        """Change one of the public choices by its name."""
+        for name, value in what.items():
+            setattr(self, name, value)
+        self.changed.emit()
+
+    def _begin_anew(self) -> None:
+        self._hidden, self.snapshot, self.isolates = frozenset(), None, False
+        self.changed.emit()
+
+
+def _key(curve: Curve) -> tuple[str, str | None, int]:
+    return curve.address.property.name, curve.address.layer_id, curve.component

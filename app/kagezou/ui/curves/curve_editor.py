@@ -1,0 +1,213 @@
+"""The curve editor: the list of curves, the graph with its tools, and keys, notes and flags to go through."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSplitter,
+    QTabWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from kagezou.animation.ease import EASY, Ease
+from kagezou.document.address import track_of
+from kagezou.document.ease_edits import set_ease
+from kagezou.errors import Problem
+from kagezou.io.project_file import load
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.curves.choice import Choice, GraphKind
+from kagezou.ui.curves.curve_tree import CurveTree
+from kagezou.ui.curves.graph import Graph
+from kagezou.ui.curves.key_table import KeyTable
+from kagezou.ui.curves.readout import readout
+from kagezou.ui.curves.review_lists import FlagList, NoteList
+from kagezou.ui.curves.velocity import VelocityDialog
+
+
+class CurveEditor(QWidget):
+    """Everything about curves, over the session at hand.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    """
+
+    refused = Signal(str)
+
+    def __init__(self, bridge: Bridge) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self.choice = Choice(bridge)
+        self.tree = CurveTree(bridge, self.choice)
+        self.graph = Graph(bridge, self.choice)
+        self.table = KeyTable(bridge, self.choice)
+        self.notes = NoteList(bridge, self.choice, lambda: self.table.address)
+        self.flags = FlagList(bridge, self.choice)
+        self.key_menu = QMenu(self)
+        self._read = QLabel()
+        self._read.setObjectName("readout")
+        self._empty = QLabel(
+            self.tr("Nothing is keyed yet: move the playhead and click the diamond before a property."), self.graph
+        )
+        self._empty.setObjectName("hint")
+        self._empty.move(90, 40)
+        self._lay_out()
+        self._connect()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show everything as it is."""
+        self.tree.refresh()
+        self.graph.refresh()
+        self.table.refresh()
+        self.notes.refresh()
+        self.flags.refresh()
+        self._empty.setVisible(not self.choice.all)
+
+    def take_snapshot(self) -> None:
+        """Keep the curves as they are, to compare with."""
+        self.choice.set(snapshot=self._bridge.document, shows_snapshot=True)
+        self._ghost_button.setChecked(True)
+
+    def swap_snapshot(self) -> None:
+        """Put the snapshot in the place of the document, and the document in its place: one step."""
+        other = self.choice.snapshot
+        if other is not None and not self.choice.is_locked:
+            now = self._bridge.document
+            self._bridge.session.edit(self.tr("Swap with snapshot"), other)
+            self.choice.set(snapshot=now)
+
+    def compare_with(self, path: Path) -> None:
+        """Compare with another saved version of the project."""
+        try:
+            other = load(path)
+        except Problem as problem:
+            self.refused.emit(str(problem))
+            return
+        self.choice.set(snapshot=other, shows_snapshot=True)
+        self._ghost_button.setChecked(True)
+
+    def ask_velocity(self) -> None:
+        """Ask for the exact speed and influence of the selected keys."""
+        refs = self._bridge.session.state.keys
+        if not refs or self.choice.is_locked:
+            return
+        ref = min(refs, key=lambda each: each.frame)
+        key = track_of(self._bridge.document, ref.address).key_at(ref.frame)
+        before = key.ease_in[0] if key is not None and key.ease_in else EASY
+        after = key.ease_out[0] if key is not None and key.ease_out else EASY
+        dialog = VelocityDialog(before, after, ref.address.property.unit, self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.entered.connect(self._set_velocity)
+        dialog.open()
+
+    def _set_velocity(self, into: Ease, out: Ease) -> None:
+        refs = self._bridge.session.state.keys
+        self._bridge.session.edit(self.tr("Key velocity"), set_ease(self._bridge.document, refs, (into,), (out,)))
+
+    def _connect(self) -> None:
+        bridge, choice = self._bridge, self.choice
+        for signal in (choice.changed, bridge.document_changed, bridge.keys_changed, bridge.selection_changed):
+            signal.connect(self.refresh)
+        bridge.frame_changed.connect(self.graph.move_playhead)
+        bridge.session_replaced.connect(self.graph.fit_all)
+        self.graph.hand.read.connect(self._show_readout)
+        self.graph.hand.left.connect(self._read.clear)
+        self.graph.hand.exact_asked.connect(self.ask_velocity)
+        self.graph.menu_asked.connect(self.key_menu.popup)
+        self.table.refused.connect(self.refused)
+        self.notes.refused.connect(self.refused)
+
+    def _show_readout(self, frame: float, _ordinate: float) -> None:
+        whole = min(max(round(frame), 1), self._bridge.document.canvas.length_frames)
+        chosen = [each for each in self.graph.pictures if any(mark.is_chosen for mark in each.keys)]
+        picture = next(iter(chosen or self.graph.pictures), None)
+        self._read.setText(readout(self._bridge.document, self.choice, picture, whole))
+
+    def _lay_out(self) -> None:
+        middle = QWidget()
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(self._tools())
+        column.addWidget(self.graph, 1)
+        column.addWidget(self._read)
+        tabs = QTabWidget()
+        tabs.setDocumentMode(True)
+        tabs.addTab(self.table, self.tr("Keys"))
+        tabs.addTab(self.notes, self.tr("Notes"))
+        tabs.addTab(self.flags, self.tr("Flags"))
+        splitter = QSplitter(Qt.Orientation.Horizontal)
+        for widget in (self.tree, middle, tabs):
+            splitter.addWidget(widget)
+        splitter.setStretchFactor(1, 1)
+        letter = self.fontMetrics().horizontalAdvance("0")
+        splitter.setSizes([26 * letter, 120 * letter, 46 * letter])
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(splitter)
+
+    def _tools(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setContentsMargins(6, 3, 6, 3)
+        row.setSpacing(3)
+        kind = QComboBox()
+        kind.addItem(self.tr("Value"), GraphKind.VALUE)
+        kind.addItem(self.tr("Speed"), GraphKind.SPEED)
+        kind.setAccessibleName(self.tr("What the graph shows"))
+        kind.currentIndexChanged.connect(lambda index: self._show_kind(kind.itemData(index)))
+        row.addWidget(kind)
+        row.addWidget(_tool(self.tr("Fit"), self.tr("Fit the selected keys, else everything (F)"), self.graph.fit_chosen))
+        row.addWidget(self._switch(self.tr("Normalise"), self.tr("Stretch every curve to the same height"), "normalises"))
+        row.addWidget(self._switch(self.tr("Isolate"), self.tr("Show only curves with selected keys"), "isolates"))
+        row.addStretch(1)
+        take = _tool(self.tr("Snapshot"), self.tr("Keep the curves as they are, to compare with"), self.take_snapshot)
+        row.addWidget(take)
+        self._ghost_button = self._switch(
+            self.tr("Compare"), self.tr("Show the snapshot dashed, and the frames that differ"), "shows_snapshot"
+        )
+        self._ghost_button.setChecked(True)
+        row.addWidget(self._ghost_button)
+        row.addWidget(_tool(self.tr("Swap"), self.tr("Exchange the project with the snapshot"), self.swap_snapshot))
+        row.addWidget(_tool(self.tr("With File…"), self.tr("Compare with another saved version"), self._ask_file))
+        row.addStretch(1)
+        locked = self.tr("Look only: nothing can be changed here")
+        row.addWidget(self._switch(self.tr("Look Only"), locked, "is_locked"))
+        return row
+
+    def _switch(self, words: str, tip: str, name: str) -> QToolButton:
+        button = _tool(words, tip, None)
+        button.setCheckable(True)
+        button.toggled.connect(lambda on: self.choice.set(**{name: on}))
+        return button
+
+    def _show_kind(self, kind: GraphKind) -> None:
+        self.choice.set(kind=kind)
+        self.graph.fit_all()
+
+    def _ask_file(self) -> None:
+        words = self.tr("Compare With")
+        chosen, _ = QFileDialog.getOpenFileName(self, words, "", self.tr("Kagezou projects") + " (*.kage *.kage~)")
+        if chosen:
+            self.compare_with(Path(chosen))
+
+
+def _tool(words: str, tip: str, do: Callable[[], None] | None) -> QToolButton:
+    button = QToolButton()
+    action = QAction(words, button)
+    action.setToolTip(tip)
+    button.setDefaultAction(action)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    if do is not None:
+        action.triggered.connect(lambda _checked: do())
+    return button

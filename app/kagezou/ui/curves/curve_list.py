@@ -1,0 +1,89 @@
+"""Which curves there are: one for each component of each keyed property of the scene and the layer worked on."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kagezou.animation.curve import component_count
+from kagezou.animation.track import Track
+from kagezou.document.address import Address, track_of
+from kagezou.document.model import Document
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.property import Kind
+
+COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#d0d0d0", "#d55e00", "#8fb8ff", "#b9d46a")
+"""Colours that are told apart with every kind of eyes; none of them is the yellow of what is selected."""
+
+_PLACES = ("x", "y", "z")
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """One component of one property.
+
+    Parameters
+    ----------
+    address, component
+        What it shows.
+    name
+        The component's own name, empty where there is only one.
+    number
+        Its place among all curves, which chooses its colour and its dashes.
+    """
+
+    address: Address
+    component: int
+    name: str
+    number: int
+
+    @property
+    def color(self) -> str:
+        """Its colour."""
+        return COLORS[self.number % len(COLORS)]
+
+
+def curves_of(document: Document, layer_id: str | None) -> tuple[Curve, ...]:
+    """Return the curves of the scene's keyed properties and of a layer's, in table order."""
+    curves: list[Curve] = []
+    for address in _addresses(layer_id):
+        track = track_of(document, address)
+        if not track.is_keyed or address.property.holds_only:
+            continue
+        count = component_count(track)
+        curves += [
+            Curve(address, component, _name(address, component, count), len(curves) + component)
+            for component in range(count)
+        ]
+    return tuple(curves)
+
+
+def same_in(document: Document, curve: Curve, own: Document) -> Track | None:
+    """Return the track of a curve in another version of its document; None where that has no such property.
+
+    A layer is the same if it has the same id, else if it has the same name.
+    """
+    layer_id = curve.address.layer_id
+    if layer_id is None:
+        return track_of(document, curve.address)
+    found = next((layer for layer in document.layers if layer.id == layer_id), None)
+    if found is None:
+        name = own.layer(layer_id).name
+        found = next((layer for layer in document.layers if layer.name == name), None)
+    return None if found is None else track_of(document, Address(curve.address.property, found.id))
+
+
+def _addresses(layer_id: str | None) -> Iterator[Address]:
+    for line in OF_DOCUMENT.values():
+        yield Address(line)
+    if layer_id is not None:
+        for line in OF_LAYER.values():
+            yield Address(line, layer_id)
+
+
+def _name(address: Address, component: int, count: int) -> str:
+    match address.property.kind:
+        case Kind.COLOR:
+            return "RGB"[component]
+        case Kind.POINTS:
+            return f"{component // 2 + 1}{_PLACES[component % 2]}"
+        case _:
+            return _PLACES[component] if count > 1 else ""

@@ -1,0 +1,178 @@
+"""Keys as rows of a table, and as text with tabs that spreadsheets take and give."""
+
+from dataclasses import dataclass, replace
+
+from kagezou.animation.ease import EASY, MIN_INFLUENCE, Ease
+from kagezou.animation.track import Interpolation, Key, Track, components_of, rebuilt
+from kagezou.document.address import Address, track_of
+from kagezou.document.edits import set_track
+from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
+
+HEADINGS = ("frame", "component", "value", "goes on", "speed in", "influence in %", "speed out", "influence out %")
+
+
+_MOST = 1e12
+"""Comparing with it also keeps out what is no number at all."""
+
+
+@dataclass(frozen=True, slots=True)
+class KeyRow:
+    """One component of one key; speeds in units a frame, influences in per cent."""
+
+    frame: int
+    component: int
+    value: float
+    interpolation: Interpolation
+    ease_in: Ease
+    ease_out: Ease
+
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """What the table and the text show; rounded to what is seen, never in the key itself."""
+        numbers = (self.value, self.ease_in.speed, self.ease_in.influence * 100, self.ease_out.speed)
+        value, speed_in, reach_in, speed_out = (f"{number:.6g}" for number in numbers)
+        reach_out = f"{self.ease_out.influence * 100:.6g}"
+        return (
+            str(self.frame), str(self.component + 1), value, self.interpolation.value,
+            speed_in, reach_in, speed_out, reach_out,
+        )  # fmt: skip
+
+
+def rows_of(document: Document, address: Address) -> tuple[KeyRow, ...]:
+    """Return the rows of a property's keys."""
+    rows = []
+    for key in track_of(document, address).keys:
+        for component, value in enumerate(components_of(key.value) or ()):
+            eases = (_at(key.ease_in, component), _at(key.ease_out, component))
+            rows.append(KeyRow(key.frame, component, value, key.interpolation, *eases))
+    return tuple(rows)
+
+
+def with_cell(document: Document, address: Address, row: KeyRow, column: int, text: str) -> Document:
+    """Return the document with one cell of the table changed.
+
+    Raises
+    ------
+    UsageProblem
+        The text is not what the column holds.
+    """
+    cells = list(row.cells)
+    cells[column] = text
+    changed = parse_row(cells)
+    if changed.component != row.component:
+        raise UsageProblem("a key's component cannot be changed")
+    track = track_of(document, address)
+    key = track.key_at(row.frame)
+    if key is None:
+        return document
+    # Only the number that was typed is taken: the others are shown rounded.
+    match column:
+        case 0:
+            new = replace(key, frame=changed.frame)
+            return set_track(document, address, track.without_key(key.frame).with_key(new))
+        case 2:
+            parts = list(components_of(key.value) or ())
+            parts[row.component] = changed.value
+            new = replace(key, value=address.property.canonical(rebuilt(key.value, tuple(parts))))
+        case 3:
+            new = replace(key, interpolation=changed.interpolation)
+        case _:
+            new = _with_eases(key, row.component, _typed(row, changed, column))
+    return set_track(document, address, track.with_key(new))
+
+
+def text_of(rows: tuple[KeyRow, ...]) -> str:
+    """Return rows as lines with tabs, with a line of headings."""
+    return "\n".join("\t".join(cells) for cells in (HEADINGS, *(row.cells for row in rows))) + "\n"
+
+
+def pasted(document: Document, address: Address, text: str) -> Document:
+    """Return the document with keys from lines with tabs; they take the place of keys on their frames.
+
+    Raises
+    ------
+    UsageProblem
+        A line is no key, or a frame lacks a component.
+    """
+    lines = [line.split("\t") for line in text.splitlines() if line.strip()]
+    if lines and lines[0][: len(HEADINGS)] == list(HEADINGS)[: len(lines[0])]:
+        lines = lines[1:]
+    found: dict[int, dict[int, KeyRow]] = {}
+    for cells in lines:
+        row = parse_row(cells)
+        found.setdefault(row.frame, {})[row.component] = row
+    track = track_of(document, address)
+    for frame, parts in found.items():
+        track = track.with_key(_key(address, track, frame, parts))
+    return set_track(document, address, track)
+
+
+def parse_row(cells: list[str]) -> KeyRow:
+    """Return the row that a line of cells is; columns that are missing have what a new key has.
+
+    Raises
+    ------
+    UsageProblem
+        A cell is not what its column holds.
+    """
+    defaults = ("", "1", "", Interpolation.LINEAR.value, "0", "33.333333", "0", "33.333333")
+    whole = [cells[index].strip() if index < len(cells) else default for index, default in enumerate(defaults)]
+    frame, component = _number(whole[0], "a frame"), _number(whole[1], "a component")
+    if frame < 1 or frame != int(frame) or component < 1 or component != int(component):
+        raise UsageProblem(f"{whole[0]!r}, {whole[1]!r} are not a frame and a component, whole numbers from 1")
+    if whole[3] not in list(Interpolation):
+        raise UsageProblem(f"{whole[3][:30]!r} is not one of {', '.join(Interpolation)}")
+    into = Ease(_number(whole[4], "a speed"), _influence(whole[5]))
+    out = Ease(_number(whole[6], "a speed"), _influence(whole[7]))
+    return KeyRow(int(frame), int(component) - 1, _number(whole[2], "a value"), Interpolation(whole[3]), into, out)
+
+
+def _key(address: Address, track: Track, frame: int, parts: dict[int, KeyRow]) -> Key:
+    like = track.value_at(frame)
+    count = len(components_of(like) or ())
+    if sorted(parts) != list(range(count)):
+        raise UsageProblem(f"frame {frame} needs {count} rows, one for each component")
+    ordered = [parts[component] for component in range(count)]
+    value = address.property.canonical(rebuilt(like, tuple(row.value for row in ordered)))
+    eases_in, eases_out = tuple(row.ease_in for row in ordered), tuple(row.ease_out for row in ordered)
+    return Key(frame, value, ordered[0].interpolation, eases_in, eases_out)
+
+
+def _typed(row: KeyRow, changed: KeyRow, column: int) -> KeyRow:
+    """Return the row with the one ease number of a column as it was typed."""
+    match column:
+        case 4:
+            return replace(row, ease_in=replace(row.ease_in, speed=changed.ease_in.speed))
+        case 5:
+            return replace(row, ease_in=replace(row.ease_in, influence=changed.ease_in.influence))
+        case 6:
+            return replace(row, ease_out=replace(row.ease_out, speed=changed.ease_out.speed))
+        case _:
+            return replace(row, ease_out=replace(row.ease_out, influence=changed.ease_out.influence))
+
+
+def _with_eases(key: Key, component: int, row: KeyRow) -> Key:
+    count = len(components_of(key.value) or ())
+    into = [_at(key.ease_in, index) for index in range(count)]
+    out = [_at(key.ease_out, index) for index in range(count)]
+    into[component], out[component] = row.ease_in, row.ease_out
+    return replace(key, ease_in=tuple(into), ease_out=tuple(out))
+
+
+def _at(eases: tuple[Ease, ...], component: int) -> Ease:
+    return eases[component] if component < len(eases) else EASY
+
+
+def _number(text: str, what: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = float("nan")
+    if not abs(number) <= _MOST:
+        raise UsageProblem(f"{text[:30]!r} is not {what}")
+    return number
+
+
+def _influence(text: str) -> float:
+    return min(max(_number(text.rstrip("% "), "an influence") / 100, MIN_INFLUENCE), 1.0)

@@ -1,0 +1,113 @@
+"""The keys of one property as a table to read, to type into, and to copy to spreadsheets and back."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+
+from kagezou.document.address import Address
+from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
+from kagezou.ui.bridge import Bridge
+from kagezou.ui.curves.choice import Choice
+from kagezou.ui.curves.key_rows import KeyRow, pasted, rows_of, text_of, with_cell
+
+_FIXED_COLUMNS = (1,)
+
+
+class KeyTable(QTableWidget):
+    """Shows the keys of the property of the first selected key, else of the first curve."""
+
+    refused = Signal(str)
+
+    def __init__(self, bridge: Bridge, choice: Choice) -> None:
+        super().__init__(0, 8)
+        self._bridge, self._choice = bridge, choice
+        self._rows: tuple[KeyRow, ...] = ()
+        self.setHorizontalHeaderLabels([
+            self.tr("Frame"), self.tr("Part"), self.tr("Value"), self.tr("Goes on"),
+            self.tr("Speed in"), self.tr("Infl. in %"), self.tr("Speed out"), self.tr("Infl. out %"),
+        ])  # fmt: skip
+        self.verticalHeader().hide()
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.setAlternatingRowColors(True)
+        self.setAccessibleName(self.tr("Keys"))
+        self.itemChanged.connect(self._enter)
+        self.itemSelectionChanged.connect(self._go_there)
+        self.refresh()
+
+    @property
+    def address(self) -> Address | None:
+        """Whose keys are shown."""
+        refs = sorted(self._bridge.session.state.keys, key=lambda ref: (ref.address.property.name, ref.frame))
+        shown = self._choice.shown
+        return refs[0].address if refs else shown[0].address if shown else None
+
+    def refresh(self) -> None:
+        """Show the keys as they are."""
+        address = self.address
+        rows = () if address is None else rows_of(self._bridge.document, address)
+        triggers = QAbstractItemView.EditTrigger
+        locked = self._choice.is_locked
+        self.setEditTriggers(triggers.NoEditTriggers if locked else triggers.DoubleClicked | triggers.AnyKeyPressed)
+        if rows == self._rows:
+            return
+        self._rows = rows
+        with QSignalBlocker(self):
+            self.setRowCount(len(rows))
+            for number, row in enumerate(rows):
+                for column, text in enumerate(row.cells):
+                    self.setItem(number, column, _cell(text, fixed=column in _FIXED_COLUMNS))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copy()
+        elif event.matches(QKeySequence.StandardKey.Paste):
+            self.paste()
+        else:
+            super().keyPressEvent(event)
+
+    def copy(self) -> None:
+        """Put the selected rows, or all, on the clipboard as lines with tabs."""
+        chosen = sorted({index.row() for index in self.selectedIndexes()}) or list(range(len(self._rows)))
+        QGuiApplication.clipboard().setText(text_of(tuple(self._rows[row] for row in chosen)))
+
+    def paste(self) -> None:
+        """Set keys from lines with tabs on the clipboard."""
+        address = self.address
+        if address is not None and not self._choice.is_locked:
+            text = QGuiApplication.clipboard().text()
+            self._edit(self.tr("Paste keys"), lambda: pasted(self._bridge.document, address, text))
+
+    def _enter(self, item: QTableWidgetItem) -> None:
+        address = self.address
+        if address is None:
+            return
+        row = self._rows[item.row()]
+        self._edit(
+            self.tr("Type key"), lambda: with_cell(self._bridge.document, address, row, item.column(), item.text())
+        )
+
+    def _edit(self, name: str, make: Callable[[], Document]) -> None:
+        try:
+            document = make()
+        except UsageProblem as problem:
+            self.refused.emit(str(problem))
+        else:
+            self._bridge.session.edit(name, document)
+        self._rows = ()
+        self.refresh()
+
+    def _go_there(self) -> None:
+        rows = {index.row() for index in self.selectedIndexes()}
+        if len(rows) == 1 and self.hasFocus():
+            self._bridge.session.go_to(self._rows[rows.pop()].frame)
+
+
+def _cell(text: str, *, fixed: bool) -> QTableWidgetItem:
+    item = QTableWidgetItem(text)
+    item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    if fixed:
+        item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
+    return item

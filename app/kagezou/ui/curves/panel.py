@@ -1,0 +1,51 @@
+"""The dock's content: the curve editor is made when it is first shown, for its graph library takes a while to load."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
+
+from kagezou.ui.bridge import Bridge
+
+if TYPE_CHECKING:
+    from kagezou.ui.curves.curve_editor import CurveEditor
+
+
+class CurvesPanel(QWidget):
+    """Holds the editor once there is one.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    fill_menu
+        Fills the menu of what can be done to selected keys.
+    """
+
+    refused = Signal(str)
+
+    def __init__(self, bridge: Bridge, fill_menu: Callable[[QMenu], None]) -> None:
+        super().__init__()
+        self._bridge, self._fill_menu = bridge, fill_menu
+        self.editor: CurveEditor | None = None
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self.made()
+        super().showEvent(event)
+
+    def made(self) -> "CurveEditor":
+        """Return the editor, made now if need be."""
+        if self.editor is None:
+            from kagezou.ui.curves.curve_editor import CurveEditor
+
+            self.editor = CurveEditor(self._bridge)
+            self._fill_menu(self.editor.key_menu)
+            self.editor.refused.connect(self.refused)
+            layout = self.layout()
+            assert layout is not None
+            layout.addWidget(self.editor)
+        return self.editor

@@ -1,0 +1,137 @@
+"""What is drawn of each curve: its lines, keys and handles in the coordinates of the graph."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from kagezou.animation.curve import Floats, Line, handles_of, speed_line, speeds_at, value_line
+from kagezou.animation.track import Interpolation, Key, Track, components_of
+from kagezou.document.address import track_of
+from kagezou.document.key_edits import KeyRef, Refs
+from kagezou.document.model import Document
+from kagezou.ui.curves.choice import Choice, GraphKind
+from kagezou.ui.curves.curve_list import Curve, same_in
+
+
+@dataclass(frozen=True, slots=True)
+class Fitting:
+    """How a curve's own units lie in the graph: (value − middle) · factor."""
+
+    middle: float = 0.0
+    factor: float = 1.0
+
+    def to_graph(self, values: Floats) -> Floats:
+        """Return graph ordinates of values (N,)."""
+        return np.asarray((values - self.middle) * self.factor, np.float64)
+
+    def from_graph(self, ordinate: float) -> float:
+        """Return the value at a graph ordinate."""
+        return ordinate / self.factor + self.middle
+
+
+@dataclass(frozen=True, slots=True)
+class KeyMark:
+    """A key as it is seen."""
+
+    ref: KeyRef
+    frame: float
+    ordinate: float
+    interpolation: Interpolation
+    is_chosen: bool
+
+
+@dataclass(frozen=True, slots=True)
+class HandleMark:
+    """The end of a handle as it is seen, and the key it belongs to."""
+
+    key: KeyMark
+    frame: float
+    ordinate: float
+    is_before: bool
+
+
+@dataclass(frozen=True, slots=True)
+class CurvePicture:
+    """A curve as it is seen; the ghost is its other version."""
+
+    curve: Curve
+    track: Track
+    fitting: Fitting
+    line: Line
+    keys: tuple[KeyMark, ...]
+    handles: tuple[HandleMark, ...]
+    ghost: Line | None
+
+
+def pictures_of(document: Document, choice: Choice, chosen: Refs) -> tuple[CurvePicture, ...]:
+    """Return what is to be drawn now."""
+    return tuple(_picture(document, curve, choice, chosen) for curve in choice.shown)
+
+
+def differing_frames(document: Document, other: Document, curve: Curve) -> tuple[int, ...]:
+    """Return the frames on which a curve differs from its other version."""
+    track = same_in(other, curve, document)
+    if track is None:
+        return ()
+    own = track_of(document, curve.address)
+    frames = range(1, document.canvas.length_frames + 1)
+    return tuple(frame for frame in frames if _number(own, curve, frame) != _number(track, curve, frame))
+
+
+def value_in(track: Track, component: int, frame: float) -> float | None:
+    """Return a component's value, None where the property has no such one."""
+    parts = components_of(track.value_at(frame)) or ()
+    return parts[component] if component < len(parts) else None
+
+
+def _number(track: Track, curve: Curve, frame: int) -> float | None:
+    return value_in(track, curve.component, frame)
+
+
+def _picture(document: Document, curve: Curve, choice: Choice, chosen: Refs) -> CurvePicture:
+    track = track_of(document, curve.address)
+    length = document.canvas.length_frames
+    speeds = choice.kind is GraphKind.SPEED
+    line = (speed_line if speeds else value_line)(track, curve.component, 1, length)
+    fitting = _fitted(line) if choice.normalises else Fitting()
+    levels = _levels(curve, track, speeds=speeds)
+    keys = tuple(
+        _mark(curve, key, float(level), chosen) for key, level in zip(track.keys, fitting.to_graph(levels), strict=True)
+    )
+    ghost = None
+    if choice.ghost is not None and (other := same_in(choice.ghost, curve, document)) is not None:
+        drawn = (speed_line if speeds else value_line)(other, curve.component, 1, length)
+        ghost = Line(drawn.frames, fitting.to_graph(drawn.values))
+    handles = () if speeds else tuple(_handles(curve, track, keys, fitting))
+    return CurvePicture(curve, track, fitting, Line(line.frames, fitting.to_graph(line.values)), keys, handles, ghost)
+
+
+def _fitted(line: Line) -> Fitting:
+    low, high = float(np.min(line.values)), float(np.max(line.values))
+    return Fitting((low + high) / 2, 2 / (high - low) if high > low else 1.0)
+
+
+def _levels(curve: Curve, track: Track, *, speeds: bool) -> Floats:
+    """Return where the keys lie: at their values, or at the speeds they are left with."""
+    if speeds:
+        found = [speeds_at(track, index, curve.component)[1] for index in range(len(track.keys))]
+    else:
+        found = [(components_of(key.value) or (0.0,))[curve.component] for key in track.keys]
+    return np.array(found, np.float64)
+
+
+def _mark(curve: Curve, key: Key, ordinate: float, chosen: Refs) -> KeyMark:
+    ref = KeyRef(curve.address, key.frame)
+    return KeyMark(ref, key.frame, ordinate, key.interpolation, ref in chosen)
+
+
+def _handles(curve: Curve, track: Track, keys: tuple[KeyMark, ...], fitting: Fitting) -> list[HandleMark]:
+    made = []
+    for index, mark in enumerate(keys):
+        if not mark.is_chosen:
+            continue
+        for handle, before in zip(handles_of(track, index, curve.component), (True, False), strict=True):
+            if handle is not None:
+                ordinate = float(fitting.to_graph(np.array([handle.value]))[0])
+                made.append(HandleMark(mark, handle.frame, ordinate, before))
+    return made
