@@ -15,6 +15,7 @@ from kagezou.ui.drop_hint import DropHint, drop_words
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
+from kagezou.ui.look_wiring import connect_views
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
 from kagezou.ui.panel_layout import PanelLayout
@@ -71,6 +72,7 @@ class MainWindow(QMainWindow):
         self._lay_out()
         connect_project(self)
         connect_view(self)
+        connect_views(self)
         connect_playback(self)
         connect_jumps(self)
         connect_keys(self)

@@ -4,13 +4,13 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolBar, QToolButton, QWidget
 
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.actions import Actions
-from kagezou.ui.commands import timeline_commands
+from kagezou.ui.commands import plain, timeline_commands
 from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.language import LANGUAGES
 
@@ -41,6 +41,7 @@ class Menus(QObject):
         self.recent.setIcon(icon("folder"))
         self.view = QMenu(self.tr("&View"), window)
         self.panels = QMenu(self.tr("&Panels"), window)
+        self.views = QMenu(self.tr("&Look At"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
         self._build()
 
@@ -51,6 +52,7 @@ class Menus(QObject):
             Backdrop.CHECKER: self.tr("Checker"),
             Backdrop.GREY: self.tr("Middle Grey"),
             Backdrop.WHITE: self.tr("White"),
+            Backdrop.BLACK: self.tr("Black"),
         }
         choices = [(words[backdrop], backdrop is current, partial(choose, backdrop)) for backdrop in words]
         self._exclusive(self.backdrops, choices)
@@ -100,14 +102,8 @@ class Menus(QObject):
         spring = QWidget()
         spring.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         bar.addWidget(spring)
-        backdrop = QToolButton()
-        backdrop.setIcon(icon("backdrop"))
-        backdrop.setIconSize(bar.iconSize())
-        backdrop.setMenu(self.backdrops)
-        backdrop.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        backdrop.setToolTip(self.tr("Backdrop"))
-        backdrop.setAccessibleName(self.tr("Backdrop"))
-        bar.addWidget(backdrop)
+        for name, menu in (("views", self.views), ("backdrop", self.backdrops)):
+            bar.addWidget(_chooser(name, menu, bar.iconSize()))
         self._fill(bar, ["handles", _SEPARATOR, "fit", "actual", _SEPARATOR, "export"])
         return bar
 
@@ -133,7 +129,8 @@ class Menus(QObject):
 
     def _build_view(self) -> None:
         self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])
-        self._fill(self.view, ["view_composite", "view_shadow", "view_outline", "view_matte", _SEPARATOR])
+        self._fill(self.views, ["view_composite", "view_shadow", "view_outline", "view_matte"])
+        self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
         self._fill(self.view, ["handles", "onion_skin", "safe_area", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self.view.addSeparator()
@@ -172,3 +169,15 @@ class Menus(QObject):
             action.triggered.connect(lambda _checked, do=choose: do())
             group.addAction(action)
             menu.addAction(action)
+
+
+def _chooser(name: str, menu: QMenu, size: QSize) -> QToolButton:
+    """Return a button of the tool bar that opens a menu of choices."""
+    button = QToolButton()
+    button.setIcon(icon(name))
+    button.setIconSize(size)
+    button.setMenu(menu)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setToolTip(plain(menu.title()))
+    button.setAccessibleName(plain(menu.title()))
+    return button

@@ -11,6 +11,7 @@ from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.theme import SURROUND
+from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
 from kagezou.ui.viewport.stage import Broken, Stage
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
@@ -46,6 +47,7 @@ class PictureWidget(QOpenGLWidget):
         self._stage: Stage | None = None
         self._broken: tuple[Broken, ...] = ()
         self._backdrop = Backdrop.BACKGROUND
+        self._view = PictureView.COMPOSITE
         bridge.document_changed.connect(self._document_changed)
         bridge.frame_changed.connect(self.update)
         bridge.session_replaced.connect(viewpoint.fit)
@@ -56,6 +58,16 @@ class PictureWidget(QOpenGLWidget):
     def backdrop(self) -> Backdrop:
         """What is shown where nothing is drawn."""
         return self._backdrop
+
+    @property
+    def view(self) -> PictureView:
+        """What of the frame is looked at."""
+        return self._view
+
+    def show_view(self, view: PictureView) -> None:
+        """Choose what of the frame is looked at."""
+        self._view = view
+        self.update()
 
     @property
     def stage(self) -> Stage | None:
@@ -111,11 +123,9 @@ class PictureWidget(QOpenGLWidget):
         self.started.emit(self._stage.device, self._stage.is_software)
 
     def _paint(self, stage: Stage) -> None:
-        document, backdrop = self._bridge.document, self._backdrop
-        if backdrop is Backdrop.BACKGROUND and document.background is None:
-            # Paper: on any other tone the colour of a shadow could not be judged.
-            backdrop = Backdrop.WHITE
-        stage.draw(document, self._bridge.frame, backdrop)
+        document, view = self._bridge.document, self._view
+        backdrop = behind(view, self._backdrop, has_background=document.background is not None)
+        stage.draw(document, self._bridge.frame, backdrop, view, line_px(view, self.viewpoint.view.zoom))
         stage.present(self._window_view())
         if stage.broken != self._broken:
             self._broken = stage.broken
