@@ -22,7 +22,6 @@ from kagezou.ui.settings import Settings
 CTRL_SHIFT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 AWAITED = {
     *("save_increment", "velocity", "curves"),
-    *("onion_skin", "safe_area", "snapshot_take", "snapshot_show"),
 }
 """Commands of parts that may not be there; whoever makes one says what it does by ``Actions.on``."""
 

@@ -2,14 +2,19 @@
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 from viewing import picture
 
 from kagezou.document import properties
 from kagezou.document.address import Address
-from kagezou.document.edits import set_value
+from kagezou.document.edits import set_exposures, set_value
+from kagezou.document.model import Exposure
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.main_window import MainWindow
+from kagezou.ui.viewport.onion_skin import Neighbour, neighbours, tinted
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
 
 
@@ -79,3 +84,100 @@ class TestViews:
         assert behind(PictureView.COMPOSITE, Backdrop.BACKGROUND, has_background=True) is Backdrop.BACKGROUND
         assert [line_px(PictureView.OUTLINE, zoom) for zoom in (4.0, 1.0, 0.25)] == [1, 1, 4]
         assert line_px(PictureView.MATTE, 0.1) == 0
+
+
+class TestSheets:
+    def test_guides_lie_where_they_should(self, walking: MainWindow) -> None:
+        actions, guides = walking.actions_of, walking.guides
+        assert not guides.isVisible()
+        actions["safe_area"].trigger()
+        assert guides.isVisible()
+        assert guides.size() == walking.viewport.size()
+        drawn, canvas = guides.grab().toImage(), guides.canvas
+        x, y = round(canvas.left() + 0.05 * canvas.width()), round(canvas.center().y() + 30)
+        around = [QColor(drawn.pixelColor(x + step, y)).alpha() for step in range(-3, 4)]
+        assert max(around) > 60, "the action safe line, 5 % from the edge"
+        fields_before = sum(drawn.pixelColor(column, y).alpha() > 60 for column in range(drawn.width()))
+        actions["field_guide"].trigger()
+        drawn = guides.grab().toImage()
+        assert sum(drawn.pixelColor(column, y).alpha() > 60 for column in range(drawn.width())) > fields_before + 10
+        for name in ("safe_area", "field_guide"):
+            actions[name].trigger()
+        assert not guides.isVisible()
+
+    def test_a_snapshot_is_taken_shown_and_wiped(self, walking: MainWindow) -> None:
+        actions, snapshot = walking.actions_of, walking.snapshot
+        assert not actions["snapshot_show"].isEnabled()
+        taken = picture(walking.viewport)
+        actions["snapshot_take"].trigger()
+        view(walking, "matte")
+        actions["snapshot_show"].trigger()
+        assert snapshot.isVisible()
+        middle = snapshot.canvas.center().toPoint()
+        shown = snapshot.grab().toImage()
+        height, width = taken.shape[:2]
+        color = shown.pixelColor(middle)
+        seen = (color.red(), color.green(), color.blue())
+        assert np.abs(np.array(seen) - taken[height // 2, width // 2, :3]).max() <= 2
+        actions["snapshot_wipe"].trigger()
+        QTest.mouseMove(walking.viewport, QPoint(middle.x() - 20, middle.y()))
+        assert snapshot.grab().toImage().pixelColor(middle).alpha() == 0
+        QTest.mouseMove(walking.viewport, QPoint(middle.x() + 20, middle.y()))
+        assert snapshot.grab().toImage().pixelColor(middle).alpha() == 255
+        actions["snapshot_show"].trigger()
+        assert not snapshot.isVisible()
+
+
+class TestOnionSkin:
+    def test_neighbours_are_drawings_not_frames(self, walking: MainWindow) -> None:
+        document = walking.desk.bridge.document
+        held = (Exposure(1, 0), Exposure(3, 1), Exposure(4, None), Exposure(5, 2), Exposure(6, 3))
+        layer = set_exposures(document, document.layers[0].id, held).layers[0]
+        assert neighbours(layer, 3, 1) == (Neighbour(1, -1), Neighbour(5, 1))
+        assert neighbours(layer, 4, 2) == (Neighbour(1, -2), Neighbour(6, 2), Neighbour(3, -1), Neighbour(5, 1))
+        assert neighbours(layer, 2, 3) == (Neighbour(6, 3), Neighbour(5, 2), Neighbour(3, 1))
+
+    def test_tints_tell_before_from_after_and_the_present_covers_them(self) -> None:
+        grey = np.full((1, 2, 4), (90, 90, 90, 255), np.uint8)
+        present = np.array([[0.0, 1.0]])
+        before, after = tinted(grey, -1, present), tinted(grey, 2, present)
+        assert before[0, 0, 0] > before[0, 0, 2]
+        assert after[0, 0, 2] > after[0, 0, 0]
+        assert before[0, 0, 3] == 2 * after[0, 0, 3]
+        assert before[0, 1, 3] == 0
+
+    def test_they_are_drawn_at_rest_and_gone_with_the_frame(self, qtbot: QtBot, walking: MainWindow) -> None:
+        session, onion_skin = walking.desk.bridge.session, walking.onion_skin
+        session.go_to(3)
+        before = picture(walking.viewport)
+        walking.actions_of["onion_skin"].trigger()
+        assert onion_skin.images == []
+        qtbot.waitUntil(lambda: len(onion_skin.images) == 2, timeout=15000)
+        assert onion_skin.isVisible()
+        assert (picture(walking.viewport) == before).all(), "the frame itself is what it was"
+        drawn = onion_skin.grab().toImage()
+        seen = {
+            drawn.pixelColor(x, y).alpha() > 0 for x in range(0, drawn.width(), 4) for y in range(0, drawn.height(), 4)
+        }
+        assert seen == {True, False}
+        session.go_to(4)
+        assert onion_skin.images == []
+        assert not onion_skin.isVisible()
+        walking.actions_of["onion_skin"].trigger()
+        qtbot.wait(300)
+        assert onion_skin.images == []
+
+    def test_nothing_is_drawn_while_the_cut_plays(self, qtbot: QtBot, walking: MainWindow) -> None:
+        walking.actions_of["onion_skin"].trigger()
+        walking.player.toggle()
+        qtbot.wait(500)
+        assert walking.onion_skin.images == []
+        walking.player.stop()
+        qtbot.waitUntil(lambda: bool(walking.onion_skin.images), timeout=15000)
+
+    def test_how_many_is_chosen_and_remembered(self, qtbot: QtBot, walking: MainWindow) -> None:
+        walking.desk.bridge.session.go_to(3)
+        walking.menus.onion.actions()[1].trigger()
+        assert walking.actions_of["onion_skin"].isChecked()
+        assert walking.settings.word("onion_drawings", "") == "2"
+        qtbot.waitUntil(lambda: len(walking.onion_skin.images) == 4, timeout=15000)

@@ -132,8 +132,10 @@ def view_commands() -> tuple[Command, ...]:
         Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
+        Command("field_guide", translate("Commands", "Field &Guide"), ("Ctrl+'", "Ctrl+Shift+G"), checkable=True),
         Command("snapshot_take", translate("Commands", "&Take Snapshot"), ("Shift+F5",)),
         Command("snapshot_show", translate("Commands", "Sho&w Snapshot"), ("F5",), checkable=True),
+        Command("snapshot_wipe", translate("Commands", "Wi&pe Snapshot"), ("Ctrl+F5",), checkable=True),
     )
 
 

@@ -42,6 +42,7 @@ class Menus(QObject):
         self.view = QMenu(self.tr("&View"), window)
         self.panels = QMenu(self.tr("&Panels"), window)
         self.views = QMenu(self.tr("&Look At"), window)
+        self.onion = QMenu(self.tr("Onion Skin &Drawings"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
         self._build()
 
@@ -56,6 +57,11 @@ class Menus(QObject):
         }
         choices = [(words[backdrop], backdrop is current, partial(choose, backdrop)) for backdrop in words]
         self._exclusive(self.backdrops, choices)
+
+    def add_onion_counts(self, most: int, current: int, choose: Callable[[int], None]) -> None:
+        """Fill the choice of how many drawings the onion skin shows on each side."""
+        choices = [(str(count), count == current, partial(choose, count)) for count in range(1, most + 1)]
+        self._exclusive(self.onion, choices)
 
     def add_languages(self, current: str, choose: Callable[[str], None]) -> None:
         """Fill the choice of languages; each is written in its own words."""
@@ -132,7 +138,10 @@ class Menus(QObject):
         self._fill(self.views, ["view_composite", "view_shadow", "view_outline", "view_matte"])
         self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
-        self._fill(self.view, ["handles", "onion_skin", "safe_area", _SEPARATOR, "snapshot_take", "snapshot_show"])
+        self._fill(self.view, ["handles", "onion_skin"])
+        self.view.addMenu(self.onion)
+        self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])
+        self._fill(self.view, ["snapshot_wipe"])
         self.view.addSeparator()
         names = [command.name for command in timeline_commands()]
         self.view.addMenu(self._menu(None, self.tr("&Timeline Shows"), [*names[3:], _SEPARATOR, *names[:3]]))

@@ -1,12 +1,16 @@
 """The widget with the OpenGL context: it shows the session's frame, and is made anew with every context."""
 
 import sys
+from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 
+from kagezou.document.model import Document
 from kagezou.errors import GraphicsProblem, Problem
 from kagezou.io.cels import CelCache
+from kagezou.io.images import Steps
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.ui.bridge import Bridge
@@ -90,6 +94,20 @@ class PictureWidget(QOpenGLWidget):
             self._stage.forget_picture()
         self.update()
 
+    def read_picture(self) -> Steps | None:
+        """Return the picture on screen, (H, W, 4), or None before there is one."""
+        stage = self._stage
+        if stage is None or not stage.pictures_drawn:
+            return None
+        return self._with_context(stage.read_picture)
+
+    def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps | None:
+        """Return a layer alone on nothing, (H, W, 4), or None if it cannot be drawn."""
+        stage = self._stage
+        if stage is None:
+            return None
+        return self._with_context(partial(stage.layer_picture, document, frame, layer_id, with_shadow=with_shadow))
+
     def initializeGL(self) -> None:
         try:
             self._begin()
@@ -111,6 +129,16 @@ class PictureWidget(QOpenGLWidget):
 
     def resizeGL(self, width: int, height: int) -> None:
         self.viewpoint.resize((float(self.width()), float(self.height())), self.devicePixelRatioF())
+
+    def _with_context(self, draw: Callable[[], Steps]) -> Steps | None:
+        self.makeCurrent()
+        try:
+            return draw()
+        except Problem as problem:
+            self.failed.emit(str(problem))
+            return None
+        finally:
+            self.doneCurrent()
 
     def _begin(self) -> None:
         context = self.context()

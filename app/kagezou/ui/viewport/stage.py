@@ -81,6 +81,16 @@ class Stage:
         """Return the picture drawn last, (H, W, 4) straight sRGB, as the command line would write it."""
         return self._renderer.read_picture()
 
+    def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps:
+        """Return a layer alone on nothing, (H, W, 4); what is on screen is drawn anew next time."""
+        scene = self._readable(evaluate(document, frame))
+        layers = tuple(
+            layer if with_shadow else replace(layer, cast=None) for layer in scene.layers if layer.id == layer_id
+        )
+        self._renderer.draw_picture(replace(scene, background=None, layers=layers), Backdrop.TRANSPARENT)
+        self._drawn = None
+        return self._renderer.read_picture()
+
     def close(self) -> None:
         """Give the memory back; the context must be current."""
         self._renderer.close()
