@@ -39,7 +39,7 @@
     }
 
     function folderOf(name, parent) {
-        var found = findItem("folder:" + name);
+        var found = /** @type {FolderItem} */ (findItem("folder:" + name));
         if (found === null) {
             found = app.project.items.addFolder(name);
             found.comment = tagOf("folder:" + name);
@@ -59,7 +59,7 @@
 
     function importFootage(footage, root) {
         var file = fileOf(footage.path);
-        var item = findItem(footage.tag);
+        var item = /** @type {FootageItem} */ (findItem(footage.tag));
         if (item !== null) {
             if (footage.count > 1) {
                 item.replaceWithSequence(file, false);
@@ -74,7 +74,7 @@
             options.importAs = ImportAsType.FOOTAGE;
             options.sequence = footage.count > 1;
             options.forceAlphabetical = false;
-            item = app.project.importFile(options);
+            item = /** @type {FootageItem} */ (app.project.importFile(options));
             item.name = footage.name;
             item.comment = tagOf(footage.tag);
             item.parentFolder = folderOf(footage.folder, root);
@@ -84,7 +84,7 @@
             source.conformFrameRate = HAND_OFF.frame_rate;
         }
         if (source.hasAlpha) {
-            source.alphaMode = AlphaMode[footage.alpha];
+            source.alphaMode = /** @type {any} */ (AlphaMode[footage.alpha]);
             if (footage.alpha === "PREMULTIPLIED") {
                 source.premulColor = [0, 0, 0];
             }
@@ -191,11 +191,14 @@
         layer.outPoint = HAND_OFF.duration;
     }
 
-    function putLayer(comp, wanted, items) {
+    function putLayer(comp, wanted, items, below) {
         var layer = findLayer(comp, wanted.tag);
         var isNew = layer === null;
         if (layer === null) {
             layer = comp.layers.add(items[wanted.footage]);
+            if (below) {
+                layer.moveAfter(below);
+            }
             layer.comment = tagOf(wanted.tag);
             layer.name = wanted.name;
             layer.blendingMode = BlendingMode[wanted.blend];
@@ -250,8 +253,26 @@
         }
     }
 
+    /* From the panel: shadows and guides into a composition that is there, under its character. */
+    function fillComp(target, wanted, items) {
+        var i;
+        for (i = wanted.layers.length - 1; i >= 0; i--) {
+            if (wanted.layers[i].tag.indexOf("shadow:") === 0) {
+                putLayer(target.comp, wanted.layers[i], items, target.below);
+            }
+        }
+        for (i = 0; i < wanted.nulls.length; i++) {
+            putNull(target.comp, wanted.nulls[i]);
+        }
+        return target.comp;
+    }
+
+    function isNeeded(footage, target) {
+        return !target || footage.tag.indexOf("shadow:") === 0;
+    }
+
     function buildComp(wanted, items, root) {
-        var comp = findItem("comp:" + wanted.tag);
+        var comp = /** @type {CompItem} */ (findItem("comp:" + wanted.tag));
         if (comp === null) {
             comp = app.project.items.addComp(wanted.name, HAND_OFF.width, HAND_OFF.height, 1, HAND_OFF.duration, HAND_OFF.frame_rate);
             comp.comment = tagOf("comp:" + wanted.tag);
@@ -271,7 +292,7 @@
         }
         /* A layer is added on top, so the lowest comes first. */
         for (i = 0; i < wanted.layers.length; i++) {
-            putLayer(comp, wanted.layers[i], items);
+            putLayer(comp, wanted.layers[i], items, null);
         }
         for (i = 0; i < wanted.nulls.length; i++) {
             putNull(comp, wanted.nulls[i]);
@@ -288,11 +309,18 @@
             app.newProject();
         }
         var root = folderOf(HAND_OFF.name, app.project.rootFolder);
+        var target = $.global.KAGEZOU_TARGET || null;
         var items = {};
         var comp = null;
         var i;
         for (i = 0; i < HAND_OFF.footage.length; i++) {
-            items[HAND_OFF.footage[i].tag] = importFootage(HAND_OFF.footage[i], root);
+            if (isNeeded(HAND_OFF.footage[i], target)) {
+                items[HAND_OFF.footage[i].tag] = importFootage(HAND_OFF.footage[i], root);
+            }
+        }
+        if (target) {
+            /* The main composition comes last. */
+            return fillComp(target, HAND_OFF.comps[HAND_OFF.comps.length - 1], items);
         }
         for (i = 0; i < HAND_OFF.comps.length; i++) {
             comp = buildComp(HAND_OFF.comps[i], items, root);

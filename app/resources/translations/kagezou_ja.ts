@@ -566,6 +566,25 @@
     </message>
 </context>
 <context>
+    <name>DropHint</name>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 を開く</translation>
+    </message>
+    <message>
+        <source>Put %1 under everything</source>
+        <translation>%1 を背景にする</translation>
+    </message>
+    <message>
+        <source>Bring in %1</source>
+        <translation>%1 を読み込む</translation>
+    </message>
+    <message>
+        <source>Bring in %1 and %2 more</source>
+        <translation>%1 ほか %2 件を読み込む</translation>
+    </message>
+</context>
+<context>
     <name>Exporting</name>
     <message>
         <source>Exporting</source>
@@ -1619,6 +1638,10 @@ Drop a folder of cels here.</source>
         <translation>セルのフォルダーをここにドロップ</translation>
     </message>
     <message>
+        <source>Projects that you save or open are listed here.</source>
+        <translation>保存または開いたプロジェクトがここに並びます。</translation>
+    </message>
+    <message>
         <source>Numbered images with transparency, one folder a character; or a .kage project</source>
         <translation>透明部分のある連番画像（キャラクターごとに1フォルダー）、または .kage プロジェクト</translation>
     </message>
@@ -1629,6 +1652,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>Open a project…</source>
         <translation>プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>Begin with a look</source>
+        <translation>見た目を選んで始める</translation>
+    </message>
+    <message>
+        <source>The next character gets it; the Styles panel changes it at any time.</source>
+        <translation>次に読み込むキャラクターに適用されます。スタイルパネルでいつでも変更できます。</translation>
     </message>
     <message>
         <source>Open the demo</source>

