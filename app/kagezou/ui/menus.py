@@ -41,7 +41,7 @@ class Menus(QObject):
         self.recent.setIcon(icon("folder"))
         self.view = QMenu(self.tr("&View"), window)
         self.panels = QMenu(self.tr("&Panels"), window)
-        self.views = QMenu(self.tr("&Look At"), window)
+        self.views = QMenu(self.tr("Loo&k At"), window)
         self.onion = QMenu(self.tr("Onion Skin &Drawings"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
         self._build()
