@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from documents import documents
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track
-from kagezou.document import edits, invariants, key_edits
+from kagezou.document import ease_edits, edits, invariants, key_edits
 from kagezou.document.address import Address, addresses, track_of, value_of
 from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
@@ -87,7 +87,7 @@ def test_stretching_keeps_documents_sound(document: Document, about: int, factor
 
 
 def test_stretching_spreads_about_its_frame_and_slows_the_eases(document: Document, opacity: Address) -> None:
-    eased = key_edits.set_ease(document, chosen(opacity, 9), (Ease(0.1),), None)
+    eased = ease_edits.set_ease(document, chosen(opacity, 9), (Ease(0.1),), None)
     stretched, refs = key_edits.stretch_keys(eased, chosen(opacity, 1, 5, 9), 1, 2.0)
     assert frames_of(stretched, opacity) == [1, 9, 17]
     assert refs == chosen(opacity, 1, 9, 17)
@@ -144,29 +144,29 @@ def test_nothing_is_copied_of_nothing(document: Document, opacity: Address) -> N
 def test_interpolation_of_many_keys(document: Document, opacity: Address) -> None:
     visible = Address(VISIBLE, "layer-1")
     keyed = edits.set_key(document, visible, 1, raw=False)
-    held = key_edits.set_interpolation(keyed, chosen(opacity, 1, 5) | chosen(visible, 1), BEZIER)
+    held = ease_edits.set_interpolation(keyed, chosen(opacity, 1, 5) | chosen(visible, 1), BEZIER)
     assert [key.interpolation for key in track_of(held, opacity).keys] == [BEZIER, BEZIER, LINEAR]
     assert track_of(held, opacity).keys[0].ease_out == (EASY,)
     assert track_of(held, visible) == track_of(keyed, visible)
-    assert key_edits.set_interpolation(held, chosen(opacity, 1), BEZIER) is held
+    assert ease_edits.set_interpolation(held, chosen(opacity, 1), BEZIER) is held
 
 
 def test_easing_one_side_leaves_the_other_end_of_the_segment_at_its_speed(document: Document, opacity: Address) -> None:
-    eased = key_edits.set_ease(document, chosen(opacity, 5), (EASY,), None)
+    eased = ease_edits.set_ease(document, chosen(opacity, 5), (EASY,), None)
     first, middle, last = track_of(eased, opacity).keys
     assert first.interpolation is BEZIER
     assert first.ease_out[0].speed == pytest.approx(0.05)
     assert middle.ease_in == (EASY,)
     assert middle.interpolation is LINEAR
     assert last == track_of(document, opacity).keys[2]
-    leaving = key_edits.set_ease(document, chosen(opacity, 5), None, (EASY,))
+    leaving = ease_edits.set_ease(document, chosen(opacity, 5), None, (EASY,))
     first, middle, last = track_of(leaving, opacity).keys
     assert (first.interpolation, middle.interpolation) == (LINEAR, BEZIER)
     assert last.ease_in[0].speed == pytest.approx(0.1)
 
 
 def test_turning_a_linear_segment_into_a_bezier_alone_does_not_bend_it(document: Document, opacity: Address) -> None:
-    eased = key_edits.set_ease(document, chosen(opacity, 5), (Ease(0.05),), (Ease(0.1),))
+    eased = ease_edits.set_ease(document, chosen(opacity, 5), (Ease(0.05),), (Ease(0.1),))
     for frame in range(1, 10):
         assert value_of(eased, opacity, frame) == pytest.approx(value_of(document, opacity, frame))
 
@@ -174,7 +174,7 @@ def test_turning_a_linear_segment_into_a_bezier_alone_does_not_bend_it(document:
 def test_an_ease_for_one_component_stands_for_all(document: Document) -> None:
     keyed = edits.set_key(document, LIGHT, 1, (0.0, 0.0, 10.0))
     keyed = edits.set_key(keyed, LIGHT, 11, (10.0, 20.0, 30.0))
-    eased = key_edits.set_ease(keyed, chosen(LIGHT, 1, 11), (EASY,), (EASY,))
+    eased = ease_edits.set_ease(keyed, chosen(LIGHT, 1, 11), (EASY,), (EASY,))
     first, last = track_of(eased, LIGHT).keys
     assert first.ease_out == last.ease_in == (EASY,) * 3
 
@@ -184,3 +184,19 @@ def test_only_keys_that_are_there_are_present(document: Document, opacity: Addre
     assert key_edits.present_keys(document, refs) == chosen(opacity, 1, 5)
     whole = chosen(opacity, 1, 9)
     assert key_edits.present_keys(document, whole) is whole
+
+
+def test_one_handle_of_one_component_alone_or_joined_with_its_other_side(document: Document) -> None:
+    keyed = document
+    for frame, x in ((1, 0.0), (11, 10.0), (21, 0.0)):
+        keyed = edits.set_key(keyed, LIGHT, frame, (x, 0.0, 10.0), BEZIER)
+    ref, ease = KeyRef(LIGHT, 11), Ease(2.0, 0.5)
+    alone = ease_edits.set_handle(keyed, ref, 0, ease, before=True, joined=False)
+    key = track_of(alone, LIGHT).keys[1]
+    assert key.ease_in == (ease, EASY, EASY)
+    assert key.ease_out == (EASY, EASY, EASY)
+    joined = ease_edits.set_handle(keyed, ref, 0, ease, before=False, joined=True)
+    key = track_of(joined, LIGHT).keys[1]
+    assert key.ease_in == (Ease(2.0), EASY, EASY)
+    assert key.ease_out == (ease, EASY, EASY)
+    assert ease_edits.set_handle(keyed, KeyRef(LIGHT, 5), 0, ease, before=True, joined=False) is keyed

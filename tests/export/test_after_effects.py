@@ -17,8 +17,9 @@ from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Track, components_of
 from kagezou.document import review
 from kagezou.document.address import Address, resolve, value_of
+from kagezou.document.ease_edits import set_ease
 from kagezou.document.edits import add_layer, rename_layer, set_background, set_canvas, set_key, set_track
-from kagezou.document.key_edits import all_keys, set_ease
+from kagezou.document.key_edits import all_keys
 from kagezou.document.model import Cels, Document, Exposure, Marker
 from kagezou.document.properties import GROUNDING, LIGHT_POSITION, OPACITY
 from kagezou.errors import UsageProblem

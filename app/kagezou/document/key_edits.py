@@ -9,15 +9,12 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Final
 
-from kagezou.animation.ease import EASY, Ease
-from kagezou.animation.track import Interpolation, Key, Track, Value, components_of, ordered, rebuilt
+from kagezou.animation.ease import Ease
+from kagezou.animation.track import Key, Track, Value, components_of, ordered, rebuilt
 from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
 from kagezou.document.model import Document
 from kagezou.document.property import Kind
-
-Eases = tuple[Ease, ...] | None
-"""One ease a component; one alone stands for all; None leaves what is there."""
 
 Amounts = Mapping[Address, tuple[float, ...]]
 
@@ -47,7 +44,7 @@ def present_keys(document: Document, refs: Refs) -> Refs:
     """Return those of the keys that are there."""
     ids = {None, *(layer.id for layer in document.layers)}
     found: set[KeyRef] = set()
-    for address, frames in _by_address(refs).items():
+    for address, frames in frames_by_address(refs).items():
         if address.layer_id in ids:
             there = {key.frame for key in track_of(document, address).keys}
             found.update(KeyRef(address, frame) for frame in frames & there)
@@ -104,7 +101,7 @@ def stretch_keys(document: Document, refs: Refs, about: int, factor: float) -> t
 
 def remove_keys(document: Document, refs: Refs) -> Document:
     """Take keys away; a property's last ones leave the value of the first of them as its constant."""
-    for address, frames in _by_address(refs).items():
+    for address, frames in frames_by_address(refs).items():
         track = track_of(document, address)
         left = tuple(key for key in track.keys if key.frame not in frames)
         gone = [key for key in track.keys if key.frame in frames]
@@ -117,7 +114,7 @@ def copy_keys(document: Document, refs: Refs) -> KeyClip | None:
     """Return copies of keys, None if there are none."""
     found = [
         (address, key)
-        for address, frames in _by_address(refs).items()
+        for address, frames in frames_by_address(refs).items()
         for key in track_of(document, address).keys
         if key.frame in frames
     ]
@@ -150,67 +147,6 @@ def paste_keys(document: Document, clip: KeyClip, frame: int | None, onto: str |
     return document, frozenset(put)
 
 
-def set_interpolation(document: Document, refs: Refs, interpolation: Interpolation) -> Document:
-    """Let values go on from these keys in one way; switches and choices are only ever held."""
-
-    def changed(address: Address, key: Key) -> Key:
-        if address.property.holds_only or key.interpolation is interpolation:
-            return key
-        eases = key.ease_out
-        if interpolation is Interpolation.BEZIER and not eases:
-            eases = (EASY,) * len(components_of(key.value) or ())
-        return replace(key, interpolation=interpolation, ease_out=eases)
-
-    return _replaced(document, refs, changed)[0]
-
-
-def set_ease(document: Document, refs: Refs, ease_in: Eases, ease_out: Eases) -> Document:
-    """Set how curves reach and leave these keys; the segments beside them become beziers.
-
-    A segment that was linear keeps its speed at its other end, so that only the end that is asked for changes.
-    """
-    for address, frames in _by_address(refs).items():
-        if address.property.holds_only:
-            continue
-        track = track_of(document, address)
-        keys = list(track.keys)
-        for index, key in enumerate(keys):
-            if key.frame not in frames:
-                continue
-            count = len(components_of(key.value) or ())
-            if ease_in is not None:
-                if index:
-                    keys[index - 1], keys[index] = _as_bezier(keys[index - 1], keys[index])
-                keys[index] = replace(keys[index], ease_in=_each(ease_in, count))
-            if ease_out is not None:
-                if index + 1 < len(keys):
-                    keys[index], keys[index + 1] = _as_bezier(keys[index], keys[index + 1])
-                keys[index] = replace(keys[index], ease_out=_each(ease_out, count), interpolation=Interpolation.BEZIER)
-        document = set_track(document, address, replace(track, keys=tuple(keys)))
-    return document
-
-
-def chord_speeds(key: Key, follower: Key) -> tuple[float, ...]:
-    """Return the even speed from one key to the next of each component, in units per frame; none for held values."""
-    start, end = components_of(key.value) or (), components_of(follower.value) or ()
-    if len(start) != len(end):
-        return ()
-    span = follower.frame - key.frame
-    return tuple((b - a) / span for a, b in zip(start, end, strict=True))
-
-
-def _as_bezier(key: Key, follower: Key) -> tuple[Key, Key]:
-    """Return two neighbours with a bezier between them; one that was linear keeps its shape."""
-    if key.interpolation is Interpolation.BEZIER:
-        return key, follower
-    chord = tuple(Ease(speed) for speed in chord_speeds(key, follower))
-    return replace(key, interpolation=Interpolation.BEZIER, ease_out=chord), replace(follower, ease_in=chord)
-
-
-def _each(eases: tuple[Ease, ...], count: int) -> tuple[Ease, ...]:
-    return eases * count if len(eases) == 1 else eases[:count]
-
-
 def _added(address: Address, value: Value, amounts: tuple[float, ...]) -> Value:
     parts = components_of(value)
     if parts is None or not any(amounts):
@@ -222,7 +158,8 @@ def _added(address: Address, value: Value, amounts: tuple[float, ...]) -> Value:
     return rebuilt(value, moved)
 
 
-def _by_address(refs: Iterable[KeyRef]) -> dict[Address, set[int]]:
+def frames_by_address(refs: Iterable[KeyRef]) -> dict[Address, set[int]]:
+    """Return the frames of keys by their address."""
     found: dict[Address, set[int]] = {}
     for ref in refs:
         found.setdefault(ref.address, set()).add(ref.frame)
@@ -237,7 +174,7 @@ def _replaced(
 ) -> tuple[Document, Refs]:
     """Put the changed keys in the place of the old ones; of two on one frame the one of higher rank stays."""
     put: set[KeyRef] = set()
-    for address, frames in _by_address(refs).items():
+    for address, frames in frames_by_address(refs).items():
         track = track_of(document, address)
         chosen = [key for key in track.keys if key.frame in frames]
         others = {key.frame: key for key in track.keys if key.frame not in frames}

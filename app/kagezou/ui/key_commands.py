@@ -5,6 +5,7 @@ from PySide6.QtCore import QObject, Signal
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.ease_edits import set_ease, set_interpolation
 from kagezou.document.edits import set_key
 from kagezou.document.key_edits import (
     KeyClip,
@@ -14,8 +15,6 @@ from kagezou.document.key_edits import (
     move_keys,
     paste_keys,
     remove_keys,
-    set_ease,
-    set_interpolation,
 )
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
