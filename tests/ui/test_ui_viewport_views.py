@@ -2,20 +2,21 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
-from viewing import picture
+from viewing import drag, picture
 
 from kagezou.document import properties
-from kagezou.document.address import Address
+from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_exposures, set_value
 from kagezou.document.model import Exposure
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.viewport.onion_skin import Neighbour, neighbours, tinted
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
+from kagezou.ui.viewport.typed_value import with_typed
 
 
 def view(window: MainWindow, name: str) -> np.ndarray[tuple[int, ...], np.dtype[np.int_]]:
@@ -181,3 +182,60 @@ class TestOnionSkin:
         assert walking.actions_of["onion_skin"].isChecked()
         assert walking.settings.word("onion_drawings", "") == "2"
         qtbot.waitUntil(lambda: len(walking.onion_skin.images) == 4, timeout=15000)
+
+
+class TestTyping:
+    def test_what_is_typed_while_dragging_is_the_value(self, qtbot: QtBot, walking: MainWindow) -> None:
+        viewport, session = walking.viewport, walking.desk.bridge.session
+        viewport.setFocus()
+        declination = Address(properties.GROUND_DECLINATION)
+        drag(qtbot, viewport, "ground.declination", QPoint(0, 25), let_go=False)
+        QTest.keyClicks(viewport, "4.5")
+        QTest.keyClick(viewport, Qt.Key.Key_Backspace)
+        QTest.keyClick(viewport, Qt.Key.Key_Backspace)
+        QTest.keyClicks(viewport, "2.")
+        QTest.keyClicks(viewport, "5")
+        assert "42.5" in viewport.hand.words
+        qtbot.mouseMove(viewport, QPoint(20, 20))
+        assert value_of(session.document, declination, 1) == 42.5
+        assert walking.desk.bridge.frame == 1, "the full stop is no command while a handle is held"
+        QTest.keyClick(viewport, Qt.Key.Key_Return)
+        assert not viewport.hand.is_busy
+        assert value_of(session.document, declination, 1) == 42.5
+        session.undo()
+        assert value_of(session.document, declination, 1) != 42.5
+
+    def test_escape_takes_the_typed_value_back(self, qtbot: QtBot, walking: MainWindow) -> None:
+        viewport, session = walking.viewport, walking.desk.bridge.session
+        before = session.document
+        drag(qtbot, viewport, "ground.position", QPoint(10, 10), let_go=False)
+        QTest.keyClicks(viewport, "50")
+        assert session.document is not before
+        QTest.keyClick(viewport, Qt.Key.Key_Escape)
+        assert session.document is before
+
+    @pytest.mark.parametrize(
+        ("text", "place"),
+        [("50", (50.0, None)), ("50,60", (50.0, 60.0)), (",60", (None, 60.0)), ("+10,*2", (10, 2)), ("1,2,3", None)],
+    )
+    def test_places_are_typed_by_their_coordinates(
+        self, walking: MainWindow, text: str, place: tuple[float | None, float | None] | None
+    ) -> None:
+        document = walking.desk.bridge.document
+        handle = walking.viewport.hand.handles.find("ground.position")
+        assert handle is not None
+        position = Address(properties.GROUND_POSITION)
+        x, y = np.asarray(value_of(document, position, 1), float)
+        made = with_typed(handle, document, 1, text)
+        if place is None:
+            assert made is None
+            return
+        assert made is not None
+        wanted = (x + 10, y * 2) if "*" in text else (place[0] or x, place[1] or y)
+        assert value_of(made, position, 1) == pytest.approx(wanted)
+
+    @pytest.mark.parametrize("text", ["", "-", "4+", "x", "1,2,3,4,5"])
+    def test_half_a_number_changes_nothing(self, walking: MainWindow, text: str) -> None:
+        handle = walking.viewport.hand.handles.find("ground.declination")
+        assert handle is not None
+        assert with_typed(handle, walking.desk.bridge.document, 1, text) is None
