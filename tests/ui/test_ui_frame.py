@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document.edits import set_exposures
@@ -22,8 +22,6 @@ from kagezou.ui.settings import Settings
 CTRL_SHIFT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 AWAITED = {
     *("save_increment", "velocity", "curves"),
-    *("view_composite", "view_shadow", "view_outline", "view_matte"),
-    *("onion_skin", "safe_area", "snapshot_take", "snapshot_show"),
 }
 """Commands of parts that may not be there; whoever makes one says what it does by ``Actions.on``."""
 
@@ -342,3 +340,11 @@ class TestPanels:
     def test_the_view_menu_lists_them(self, window: MainWindow) -> None:
         listed = [action.text() for action in window.menus.panels.actions()]
         assert listed[: len(window.docks)] == [dock.windowTitle() for dock in window.docks]
+
+
+def test_no_two_entries_of_a_menu_share_a_letter(window: MainWindow) -> None:
+    menus = [window.menus.view, window.menus.views, window.menus.panels]
+    menus += [menu for action in window.menuBar().actions() if isinstance(menu := action.menu(), QMenu)]
+    for menu in menus:
+        letters = [action.text().split("&")[1][0].lower() for action in menu.actions() if "&" in action.text()]
+        assert len(set(letters)) == len(letters), (menu.title(), sorted(letters))

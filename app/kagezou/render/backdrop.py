@@ -11,6 +11,7 @@ class Backdrop(StrEnum):
     TRANSPARENT = "transparent"
     CHECKER = "checker"
     GREY = "grey"
+    BLACK = "black"
     WHITE = "white"
     BACKGROUND = "background"
     """The document's background picture; transparent where it has none."""
@@ -31,6 +32,7 @@ _TONES = {
     Backdrop.CHECKER: (_grey(204), _grey(178)),
     # 18 % reflectance: the neutral against which colour is judged.
     Backdrop.GREY: (_grey(118), _grey(118)),
+    Backdrop.BLACK: (_grey(0), _grey(0)),
     Backdrop.WHITE: (_grey(255), _grey(255)),
     Backdrop.BACKGROUND: (_CLEAR, _CLEAR),
 }

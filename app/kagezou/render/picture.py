@@ -16,6 +16,8 @@ from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import ShadowCast, ShadowLook
 
 _NO_COLOR = (0.0, 0.0, 0.0)
+_LINE_COLOR = (0xD5 / 255, 0x5E / 255, 0.0)
+"""Vermilion: seen on paper, on dark drawings and by those who see few colours."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +75,20 @@ class Picture:
             },
             switches,
         )
+
+    def lay_outline(self, coverage: Texture, box: Box, line_px: int) -> None:
+        """Lay a shadow's outline over the picture as a line that reaches ``line_px`` to both sides of it."""
+        uniforms: dict[str, Uniform] = {
+            "u_source_corner_px": (0.0, 0.0),
+            "u_is_picture": False,
+            "u_color": _LINE_COLOR,
+            "u_opacity": 1.0,
+            "u_multiply": False,
+            "u_line_px": line_px,
+        }
+        around = box.grown(line_px).intersection(self._target.box)
+        if around is not None:
+            self._lay(self._target, around, coverage, uniforms, frozenset({"OUTLINED"}))
 
     def lay_cel(self, cel: Cel) -> None:
         """Lay a drawing over the picture, centred, pixel for pixel."""

@@ -17,7 +17,7 @@ from kagezou.render.picture import Picture
 from kagezou.render.presenter import Presenter, WindowView
 from kagezou.render.program import Variants
 from kagezou.render.shadow_layers import ShadowLayers
-from kagezou.render.targets import Format, Target
+from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Scene
 
 MATTE_BUDGET_BYTES = 128 << 20
@@ -119,20 +119,31 @@ class Renderer:
             return np.zeros((scene.canvas.height, scene.canvas.width), np.uint16)
         return coverage.target.read(scene.canvas)
 
-    def draw_picture(self, scene: Scene, backdrop: Backdrop = Backdrop.BACKGROUND, depth: int = 8) -> None:
-        """Draw backdrop, shadows and characters; the result stays in the renderer until the next picture."""
+    def draw_picture(
+        self, scene: Scene, backdrop: Backdrop = Backdrop.BACKGROUND, depth: int = 8, line_px: int = 0
+    ) -> None:
+        """Draw backdrop, shadows and characters; the result stays in the renderer until the next picture.
+
+        With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width.
+        """
         form = Format.RGBA8 if depth == 8 else Format.RGBA16
         picture = self._picture_for(scene.canvas, form)
         picture.begin(backdrop, scene.background)
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
         cels = [self._cels.cel(layer.drawing.path) for layer in scene.layers if layer.drawing is not None]
+        outlines: list[tuple[Texture, Box]] = []
         for layer in scene.layers:
             coverage = self._shadows.coverage(scene, layer)
             if coverage is not None and coverage.box is not None and layer.cast is not None:
-                picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look)
+                if line_px:
+                    outlines.append((coverage.target.texture, coverage.box))
+                else:
+                    picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look)
         for cel in cels:
             picture.lay_cel(cel)
+        for texture, box in outlines:
+            picture.lay_outline(texture, box, line_px)
         check("drawing the picture")
 
     def read_picture(self) -> Steps:

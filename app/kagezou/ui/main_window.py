@@ -15,6 +15,7 @@ from kagezou.ui.drop_hint import DropHint, drop_words
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
+from kagezou.ui.look_wiring import connect_sheets, connect_views
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
 from kagezou.ui.panel_layout import PanelLayout
@@ -31,6 +32,8 @@ from kagezou.ui.status import Status
 from kagezou.ui.time_wiring import connect_jumps, connect_keys, connect_playback, connect_timeline
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.transport import Transport
+from kagezou.ui.viewport.onion_skin import OnionSkin
+from kagezou.ui.viewport.sheets import Guides, Snapshot
 from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.welcome import Welcome
 from kagezou.ui.wiring import connect_frame, connect_messages, connect_project, connect_view
@@ -59,6 +62,9 @@ class MainWindow(QMainWindow):
     """
 
     language_chosen = Signal(str)
+    guides: Guides
+    snapshot: Snapshot
+    onion_skin: OnionSkin
 
     def __init__(self, desk: Desk, settings: Settings, make_demo: MakeDemo | None = None) -> None:
         super().__init__()
@@ -71,6 +77,8 @@ class MainWindow(QMainWindow):
         self._lay_out()
         connect_project(self)
         connect_view(self)
+        connect_views(self)
+        connect_sheets(self)
         connect_playback(self)
         connect_jumps(self)
         connect_keys(self)

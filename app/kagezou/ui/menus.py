@@ -4,13 +4,13 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolBar, QToolButton, QWidget
 
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.actions import Actions
-from kagezou.ui.commands import timeline_commands
+from kagezou.ui.commands import plain, timeline_commands
 from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.language import LANGUAGES
 
@@ -41,6 +41,8 @@ class Menus(QObject):
         self.recent.setIcon(icon("folder"))
         self.view = QMenu(self.tr("&View"), window)
         self.panels = QMenu(self.tr("&Panels"), window)
+        self.views = QMenu(self.tr("Loo&k At"), window)
+        self.onion = QMenu(self.tr("Onion Skin &Drawings"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
         self._build()
 
@@ -51,9 +53,15 @@ class Menus(QObject):
             Backdrop.CHECKER: self.tr("Checker"),
             Backdrop.GREY: self.tr("Middle Grey"),
             Backdrop.WHITE: self.tr("White"),
+            Backdrop.BLACK: self.tr("Black"),
         }
         choices = [(words[backdrop], backdrop is current, partial(choose, backdrop)) for backdrop in words]
         self._exclusive(self.backdrops, choices)
+
+    def add_onion_counts(self, most: int, current: int, choose: Callable[[int], None]) -> None:
+        """Fill the choice of how many drawings the onion skin shows on each side."""
+        choices = [(str(count), count == current, partial(choose, count)) for count in range(1, most + 1)]
+        self._exclusive(self.onion, choices)
 
     def add_languages(self, current: str, choose: Callable[[str], None]) -> None:
         """Fill the choice of languages; each is written in its own words."""
@@ -100,14 +108,8 @@ class Menus(QObject):
         spring = QWidget()
         spring.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         bar.addWidget(spring)
-        backdrop = QToolButton()
-        backdrop.setIcon(icon("backdrop"))
-        backdrop.setIconSize(bar.iconSize())
-        backdrop.setMenu(self.backdrops)
-        backdrop.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        backdrop.setToolTip(self.tr("Backdrop"))
-        backdrop.setAccessibleName(self.tr("Backdrop"))
-        bar.addWidget(backdrop)
+        for name, menu in (("views", self.views), ("backdrop", self.backdrops)):
+            bar.addWidget(_chooser(name, menu, bar.iconSize()))
         self._fill(bar, ["handles", _SEPARATOR, "fit", "actual", _SEPARATOR, "export"])
         return bar
 
@@ -133,9 +135,13 @@ class Menus(QObject):
 
     def _build_view(self) -> None:
         self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])
-        self._fill(self.view, ["view_composite", "view_shadow", "view_outline", "view_matte", _SEPARATOR])
+        self._fill(self.views, ["view_composite", "view_shadow", "view_outline", "view_matte"])
+        self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
-        self._fill(self.view, ["handles", "onion_skin", "safe_area", _SEPARATOR, "snapshot_take", "snapshot_show"])
+        self._fill(self.view, ["handles", "onion_skin"])
+        self.view.addMenu(self.onion)
+        self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])
+        self._fill(self.view, ["snapshot_wipe"])
         self.view.addSeparator()
         names = [command.name for command in timeline_commands()]
         self.view.addMenu(self._menu(None, self.tr("&Timeline Shows"), [*names[3:], _SEPARATOR, *names[:3]]))
@@ -172,3 +178,15 @@ class Menus(QObject):
             action.triggered.connect(lambda _checked, do=choose: do())
             group.addAction(action)
             menu.addAction(action)
+
+
+def _chooser(name: str, menu: QMenu, size: QSize) -> QToolButton:
+    """Return a button of the tool bar that opens a menu of choices."""
+    button = QToolButton()
+    button.setIcon(icon(name))
+    button.setIconSize(size)
+    button.setMenu(menu)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setToolTip(plain(menu.title()))
+    button.setAccessibleName(plain(menu.title()))
+    return button

@@ -197,6 +197,7 @@ def _gestures() -> tuple[tuple[str, tuple[str, ...]], ...]:
         (translate("Help", "Drag at a tenth of the speed"), (translate("Help", "Shift + Alt + drag"),)),
         (translate("Help", "Do not snap"), (translate("Help", "Ctrl + drag"),)),
         (translate("Help", "Take a drag back"), (translate("Help", "Esc"), translate("Help", "Right button"))),
+        (translate("Help", "Set the exact value while dragging"), (translate("Help", "Digits"), "412,203", "+10")),
         (translate("Help", "Select the next handle"), (translate("Help", "Tab"),)),
         (
             translate("Help", "Hide or show the panels, while no handle or field has the keyboard"),

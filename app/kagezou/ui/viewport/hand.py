@@ -15,6 +15,7 @@ from kagezou.tools.handles import drag_of, handles_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.viewport.pointer_report import PointerReport
+from kagezou.ui.viewport.typed_value import with_typed
 from kagezou.ui.viewport.viewpoint import Viewpoint
 from kagezou.ui.words import is_japanese, said
 
@@ -60,6 +61,7 @@ class Hand(QObject):
         self.hovered_id: str | None = None
         self.selected_id: str | None = None
         self.place_px: Point2 | None = None
+        self.typed = ""
         bridge.session_replaced.connect(self._drop)
         bridge.selection_changed.connect(self._keep_to_what_is_there)
 
@@ -86,6 +88,8 @@ class Hand(QObject):
         """What stands beside the pointer: the values while dragging, else the name of the handle under it."""
         if self._held is not None:
             held = self._held
+            if self.typed:
+                return f"{said(held.handle.label)}  {self.typed}"
             language = "ja" if is_japanese() else "en"
             return readout(held.handle, held.gesture.start, self._bridge.document, held.frame, language)
         hovered = self.handles.find(self.hovered_id)
@@ -118,8 +122,17 @@ class Hand(QObject):
     def move(self, report: PointerReport) -> None:
         """Go on with the drag."""
         self.place_px = report.view_px
-        if self._held is not None:
+        if self._held is not None and not self.typed:
             self._held.gesture.show(self._held.drag.send(report.pointer(self._viewpoint.view)))
+            self.changed.emit()
+
+    def type(self, typed: str) -> None:
+        """Set the value of what is held by typed text; without any the hand goes on."""
+        if self._held is not None:
+            self.typed, held = typed, self._held
+            document = with_typed(held.handle, held.gesture.start, held.frame, typed)
+            if document is not None:
+                held.gesture.show(document)
             self.changed.emit()
 
     def release(self) -> None:
@@ -203,6 +216,7 @@ class Hand(QObject):
 
     def _let_go(self, *, keep: bool) -> None:
         held, self._held = self._held, None
+        self.typed = ""
         if held is None:
             return
         held.drag.close()

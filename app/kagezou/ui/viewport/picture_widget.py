@@ -1,16 +1,21 @@
 """The widget with the OpenGL context: it shows the session's frame, and is made anew with every context."""
 
 import sys
+from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 
+from kagezou.document.model import Document
 from kagezou.errors import GraphicsProblem, Problem
 from kagezou.io.cels import CelCache
+from kagezou.io.images import Steps
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.theme import SURROUND
+from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
 from kagezou.ui.viewport.stage import Broken, Stage
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
@@ -46,6 +51,7 @@ class PictureWidget(QOpenGLWidget):
         self._stage: Stage | None = None
         self._broken: tuple[Broken, ...] = ()
         self._backdrop = Backdrop.BACKGROUND
+        self._view = PictureView.COMPOSITE
         bridge.document_changed.connect(self._document_changed)
         bridge.frame_changed.connect(self.update)
         bridge.session_replaced.connect(viewpoint.fit)
@@ -56,6 +62,16 @@ class PictureWidget(QOpenGLWidget):
     def backdrop(self) -> Backdrop:
         """What is shown where nothing is drawn."""
         return self._backdrop
+
+    @property
+    def view(self) -> PictureView:
+        """What of the frame is looked at."""
+        return self._view
+
+    def show_view(self, view: PictureView) -> None:
+        """Choose what of the frame is looked at."""
+        self._view = view
+        self.update()
 
     @property
     def stage(self) -> Stage | None:
@@ -77,6 +93,20 @@ class PictureWidget(QOpenGLWidget):
         if self._stage is not None:
             self._stage.forget_picture()
         self.update()
+
+    def read_picture(self) -> Steps | None:
+        """Return the picture on screen, (H, W, 4), or None before there is one."""
+        stage = self._stage
+        if stage is None or not stage.pictures_drawn:
+            return None
+        return self._with_context(stage.read_picture)
+
+    def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps | None:
+        """Return a layer alone on nothing, (H, W, 4), or None if it cannot be drawn."""
+        stage = self._stage
+        if stage is None:
+            return None
+        return self._with_context(partial(stage.layer_picture, document, frame, layer_id, with_shadow=with_shadow))
 
     def initializeGL(self) -> None:
         try:
@@ -100,6 +130,16 @@ class PictureWidget(QOpenGLWidget):
     def resizeGL(self, width: int, height: int) -> None:
         self.viewpoint.resize((float(self.width()), float(self.height())), self.devicePixelRatioF())
 
+    def _with_context(self, draw: Callable[[], Steps]) -> Steps | None:
+        self.makeCurrent()
+        try:
+            return draw()
+        except Problem as problem:
+            self.failed.emit(str(problem))
+            return None
+        finally:
+            self.doneCurrent()
+
     def _begin(self) -> None:
         context = self.context()
         context.aboutToBeDestroyed.connect(self._release, Qt.ConnectionType.DirectConnection)
@@ -111,11 +151,9 @@ class PictureWidget(QOpenGLWidget):
         self.started.emit(self._stage.device, self._stage.is_software)
 
     def _paint(self, stage: Stage) -> None:
-        document, backdrop = self._bridge.document, self._backdrop
-        if backdrop is Backdrop.BACKGROUND and document.background is None:
-            # Paper: on any other tone the colour of a shadow could not be judged.
-            backdrop = Backdrop.WHITE
-        stage.draw(document, self._bridge.frame, backdrop)
+        document, view = self._bridge.document, self._view
+        backdrop = behind(view, self._backdrop, has_background=document.background is not None)
+        stage.draw(document, self._bridge.frame, backdrop, view, line_px(view, self.viewpoint.view.zoom))
         stage.present(self._window_view())
         if stage.broken != self._broken:
             self._broken = stage.broken

@@ -12,6 +12,7 @@ from kagezou.render.presenter import WindowView
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import LayerScene, Scene
+from kagezou.ui.viewport.picture_view import PictureView, seen
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,7 @@ class Stage:
         self._cels = cels
         self._renderer = Renderer(cels)
         self._evaluated: tuple[Document, int, Scene] | None = None
-        self._drawn: tuple[Scene, Backdrop] | None = None
+        self._drawn: tuple[Scene, Backdrop, PictureView, int] | None = None
         self.broken: tuple[Broken, ...] = ()
         self.pictures_drawn = 0
 
@@ -55,15 +56,22 @@ class Stage:
         """Draw anew next time, because files may have changed."""
         self._evaluated = self._drawn = None
 
-    def draw(self, document: Document, frame: int, backdrop: Backdrop) -> None:
+    def draw(
+        self,
+        document: Document,
+        frame: int,
+        backdrop: Backdrop,
+        view: PictureView = PictureView.COMPOSITE,
+        line_px: int = 0,
+    ) -> None:
         """Draw a frame unless it is the one drawn last; drawings that cannot be read are left out and noted."""
         scene = self._scene(document, frame)
-        if self._drawn == (scene, backdrop):
+        if self._drawn == (scene, backdrop, view, line_px):
             return
         whole = self._readable(scene)
-        self._renderer.draw_picture(whole, backdrop)
+        self._renderer.draw_picture(seen(whole, view), backdrop, line_px=line_px)
         self.pictures_drawn += 1
-        self._drawn = (scene, backdrop)
+        self._drawn = (scene, backdrop, view, line_px)
 
     def present(self, view: WindowView) -> None:
         """Place the picture in the window."""
@@ -71,6 +79,16 @@ class Stage:
 
     def read_picture(self) -> Steps:
         """Return the picture drawn last, (H, W, 4) straight sRGB, as the command line would write it."""
+        return self._renderer.read_picture()
+
+    def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps:
+        """Return a layer alone on nothing, (H, W, 4); what is on screen is drawn anew next time."""
+        scene = self._readable(evaluate(document, frame))
+        layers = tuple(
+            layer if with_shadow else replace(layer, cast=None) for layer in scene.layers if layer.id == layer_id
+        )
+        self._renderer.draw_picture(replace(scene, background=None, layers=layers), Backdrop.TRANSPARENT)
+        self._drawn = None
         return self._renderer.read_picture()
 
     def close(self) -> None:

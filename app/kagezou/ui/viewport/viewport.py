@@ -12,6 +12,7 @@ from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, report_of
+from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 _CURSORS = {
@@ -27,6 +28,7 @@ _ARROWS = {
     Qt.Key.Key_Down: (0.0, 1.0),
 }
 _TABS: dict[int | None, int] = {Qt.Key.Key_Tab: 1, Qt.Key.Key_Backtab: -1}
+_TYPING = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Backspace)
 NUDGE_PX, LONG_NUDGE_PX = 1.0, 10.0
 
 
@@ -76,7 +78,11 @@ class Viewport(PictureWidget):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QNativeGestureEvent) and self._pinch(event):
             return True
-        if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride and _is_for_the_hand(event):
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() is QEvent.Type.ShortcutOverride
+            and self._is_for_the_hand(event)
+        ):
             event.accept()
             return True
         # Qt would take Tab for moving the focus; Escape gives the focus back to the window.
@@ -162,7 +168,9 @@ class Viewport(PictureWidget):
         self.hand.hover(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape:
+        if self.hand.is_busy and _is_typing(event):
+            self._type(event)
+        elif event.key() == Qt.Key.Key_Escape:
             if not self.hand.cancel():
                 self.clearFocus()
         elif event.key() in _ARROWS and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
@@ -192,6 +200,21 @@ class Viewport(PictureWidget):
         if not self.hand.nudge(dx * length, dy * length) and dx:
             self.step_asked.emit(round(dx * length))
 
+    def _type(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.hand.release()
+        elif event.key() == Qt.Key.Key_Backspace:
+            self.hand.type(self.hand.typed[:-1])
+        else:
+            self.hand.type(self.hand.typed + event.text())
+
+    def _is_for_the_hand(self, event: QKeyEvent) -> bool:
+        """Whether a key nudges, steps or types here, though it may lie on a command of the window."""
+        if self.hand.is_busy:
+            return _is_typing(event)
+        others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
+        return event.key() in _ARROWS and not others
+
     def _show_cursor(self) -> None:
         over = self.hand.held or self.hand.handles.find(self.hand.hovered_id)
         if self._panned_from is not None:
@@ -202,7 +225,5 @@ class Viewport(PictureWidget):
             self.setCursor(Qt.CursorShape.ArrowCursor if over is None else _CURSORS[over.cursor])
 
 
-def _is_for_the_hand(event: QKeyEvent) -> bool:
-    """Whether a key nudges or steps here, though a set of shortcuts may give it to a command of the window."""
-    others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
-    return event.key() in _ARROWS and not others
+def _is_typing(event: QKeyEvent) -> bool:
+    return event.key() in _TYPING or (len(event.text()) == 1 and event.text() in LETTERS)
