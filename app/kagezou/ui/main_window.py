@@ -7,6 +7,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEv
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from kagezou.ui.actions import Actions
+from kagezou.ui.curves.panel import CurvesPanel
 from kagezou.ui.demo import DemoOpener, MakeDemo
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Dialogs
@@ -29,7 +30,7 @@ from kagezou.ui.project_actions import ProjectActions
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.status import Status
-from kagezou.ui.time_wiring import connect_jumps, connect_keys, connect_playback, connect_timeline
+from kagezou.ui.time_wiring import connect_curves, connect_jumps, connect_keys, connect_playback, connect_timeline
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.transport import Transport
 from kagezou.ui.viewport.onion_skin import OnionSkin
@@ -40,7 +41,7 @@ from kagezou.ui.wiring import connect_frame, connect_messages, connect_project, 
 
 _BUTTONS = ("first", "key_previous", "back", "play", "forward", "key_next", "last", None, "loop")
 
-_DOCKS = 3
+_DOCKS = 4
 """Counts up with every new dock: a layout remembered without it is not restored, as it would squeeze the dock in."""
 
 _DOCK_LETTERS = 38
@@ -83,6 +84,7 @@ class MainWindow(QMainWindow):
         connect_jumps(self)
         connect_keys(self)
         connect_timeline(self)
+        connect_curves(self)
         connect_messages(self)
         self.show_title()
         self.panel_layout = PanelLayout(self, _DOCKS, self._share_room)
@@ -108,6 +110,7 @@ class MainWindow(QMainWindow):
         self.inspector.setEnabled(not blank)
         self.styles.setEnabled(not blank)
         self.timeline.setEnabled(not blank)
+        self.curves.setEnabled(not blank)
         for name in ("save_as", "export", "delete", "rename_layer", "play"):
             self.actions_of[name].setEnabled(not blank)
         self.actions_of["no_background"].setEnabled(self.desk.bridge.document.background is not None)
@@ -192,6 +195,7 @@ class MainWindow(QMainWindow):
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
         self.menus = Menus(self, self.actions_of)
+        self.curves = CurvesPanel(bridge, self.menus.fill_keys)
         self.keyboard = Keyboard(self, self.actions_of, self.settings, self.bar)
 
     def _lay_out(self) -> None:
@@ -214,16 +218,19 @@ class MainWindow(QMainWindow):
             Dock("inspector", self.tr("Inspector"), self.inspector),
             Dock("styles", self.tr("Styles"), self.styles),
             Dock("timeline", self.tr("Timeline"), self.timeline),
+            Dock("curves", self.tr("Curves"), self.curves),
         )
-        layers, _, styles, timeline = self.docks
+        layers, _, styles, timeline, curves = self.docks
+        areas = Qt.DockWidgetArea
         for dock in self.docks:
-            area = Qt.DockWidgetArea.BottomDockWidgetArea if dock is timeline else Qt.DockWidgetArea.RightDockWidgetArea
-            self.addDockWidget(area, dock)
+            below = dock in (timeline, curves)
+            self.addDockWidget(areas.BottomDockWidgetArea if below else areas.RightDockWidgetArea, dock)
             self.menus.add_panel(dock.toggleViewAction())
         # The panels at the right reach down beside the timeline, which needs the width less than they the height.
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
-        self.tabifyDockWidget(layers, styles)
-        layers.raise_()
+        for front, behind in ((layers, styles), (timeline, curves)):
+            self.tabifyDockWidget(front, behind)
+            front.raise_()
         self.setAcceptDrops(True)
         self.setDockNestingEnabled(True)
         self.resize(1360, 860)

@@ -109,6 +109,21 @@ def connect_timeline(window: "MainWindow") -> None:
     timeline.count_chosen.connect(lambda count: settings.set_word("ruler", count.value))
 
 
+def connect_curves(window: "MainWindow") -> None:
+    """Connect what the curve editor answers; it is made when it is first shown."""
+    curves, actions = window.curves, window.actions_of
+
+    def show_velocity() -> None:
+        window.panel_layout.show("curves")
+        curves.ask_velocity()
+
+    actions.on("curves", lambda: window.panel_layout.show("curves"))
+    actions.on("velocity", show_velocity)
+    actions.on("fit", curves.fit_chosen, within=curves)
+    actions.on("timeline_fit", curves.fit_all, within=curves)
+    curves.refused.connect(lambda sentence: window.bar.say("curves", sentence, Severity.NOTE))
+
+
 def _reveal(window: "MainWindow", name: str) -> None:
     rows = window.timeline.rows
     rows.show_only(toggled(rows.reveal, name))

@@ -125,6 +125,10 @@
         <translation>レイヤー名を変更(&amp;N)</translation>
     </message>
     <message>
+        <source>Paste Keys at Their Old Ti&amp;me</source>
+        <translation>元の時間にキーを貼り付け (&amp;M)</translation>
+    </message>
+    <message>
         <source>&amp;Fit in Window</source>
         <translation>ウィンドウに全体を表示(&amp;F)</translation>
     </message>
@@ -141,8 +145,24 @@
         <translation>縮小(&amp;O)</translation>
     </message>
     <message>
+        <source>View O&amp;utline</source>
+        <translation>輪郭を表示 (&amp;U)</translation>
+    </message>
+    <message>
         <source>&amp;Handles</source>
         <translation>ハンドル(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Field &amp;Guide</source>
+        <translation>フィールドガイド(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Tak&amp;e Snapshot</source>
+        <translation>スナップショットを撮る (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Wipe Snapshot</source>
+        <translation>スナップショットをワイプ</translation>
     </message>
     <message>
         <source>&amp;Play / Stop</source>
@@ -151,6 +171,10 @@
     <message>
         <source>&amp;Loop</source>
         <translation>ループ再生(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Play &amp;There and Back</source>
+        <translation>往復再生 (&amp;T)</translation>
     </message>
     <message>
         <source>Play &amp;Every Frame</source>
@@ -181,8 +205,20 @@
         <translation>最後のフレーム(&amp;S)</translation>
     </message>
     <message>
-        <source>Play There and &amp;Back</source>
-        <translation>往復再生 (&amp;B)</translation>
+        <source>Work Are&amp;a Ends Here</source>
+        <translation>ワークエリアの終了をここに (&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear Work Area</source>
+        <translation>ワークエリアを解除 (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show &amp;Body Tilt</source>
+        <translation>体の傾きを表示 (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show Op&amp;acity and Fading</source>
+        <translation>不透明度とフェードを表示 (&amp;A)</translation>
     </message>
     <message>
         <source>Previous &amp;Key</source>
@@ -211,10 +247,6 @@
     <message>
         <source>&amp;Paste Keys</source>
         <translation>キーを貼り付け (&amp;P)</translation>
-    </message>
-    <message>
-        <source>Paste Keys at Their &amp;Old Time</source>
-        <translation>元の時間にキーを貼り付け (&amp;O)</translation>
     </message>
     <message>
         <source>Select &amp;All Keys</source>
@@ -269,10 +301,6 @@
         <translation>影のみ表示 (&amp;O)</translation>
     </message>
     <message>
-        <source>View &amp;Outline</source>
-        <translation>輪郭を表示 (&amp;O)</translation>
-    </message>
-    <message>
         <source>View &amp;Matte</source>
         <translation>マットを表示 (&amp;M)</translation>
     </message>
@@ -283,10 +311,6 @@
     <message>
         <source>&amp;Safe Area</source>
         <translation>セーフエリア (&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Take Snapshot</source>
-        <translation>スナップショットを撮る (&amp;T)</translation>
     </message>
     <message>
         <source>Sho&amp;w Snapshot</source>
@@ -327,14 +351,6 @@
     <message>
         <source>Work Area &amp;Begins Here</source>
         <translation>ワークエリアの開始をここに (&amp;B)</translation>
-    </message>
-    <message>
-        <source>Work Area E&amp;nds Here</source>
-        <translation>ワークエリアの終了をここに (&amp;N)</translation>
-    </message>
-    <message>
-        <source>Clea&amp;r Work Area</source>
-        <translation>ワークエリアを解除 (&amp;R)</translation>
     </message>
     <message>
         <source>First Frame of the Work Area</source>
@@ -389,14 +405,6 @@
         <translation>形状を表示 (&amp;S)</translation>
     </message>
     <message>
-        <source>Show Body T&amp;ilt</source>
-        <translation>体の傾きを表示 (&amp;I)</translation>
-    </message>
-    <message>
-        <source>Show &amp;Opacity and Fading</source>
-        <translation>不透明度とフェードを表示 (&amp;O)</translation>
-    </message>
-    <message>
         <source>Show &amp;Waves</source>
         <translation>波を表示 (&amp;W)</translation>
     </message>
@@ -447,6 +455,124 @@
     <message>
         <source>Help</source>
         <translation>ヘルプ</translation>
+    </message>
+</context>
+<context>
+    <name>CurveEditor</name>
+    <message>
+        <source>Nothing is keyed yet: move the playhead and click the diamond before a property.</source>
+        <translation>まだキーがありません。再生ヘッドを動かし、プロパティの左のひし形をクリックしてください。</translation>
+    </message>
+    <message>
+        <source>Swap with snapshot</source>
+        <translation>スナップショットと入れ替え</translation>
+    </message>
+    <message>
+        <source>Key velocity</source>
+        <translation>キーの速度</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>注意点</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>What the graph shows</source>
+        <translation>グラフの表示内容</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>フィット</translation>
+    </message>
+    <message>
+        <source>Fit the selected keys, else everything (F)</source>
+        <translation>選択したキー、なければ全体を表示 (F)</translation>
+    </message>
+    <message>
+        <source>Normalise</source>
+        <translation>正規化</translation>
+    </message>
+    <message>
+        <source>Stretch every curve to the same height</source>
+        <translation>すべてのカーブを同じ高さで表示</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>選択のみ</translation>
+    </message>
+    <message>
+        <source>Show only curves with selected keys</source>
+        <translation>選択したキーのカーブだけを表示</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>スナップショット</translation>
+    </message>
+    <message>
+        <source>Keep the curves as they are, to compare with</source>
+        <translation>今のカーブを比較用に残す</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Show the snapshot dashed, and the frames that differ</source>
+        <translation>スナップショットを破線で、違うフレームを色で表示</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>入れ替え</translation>
+    </message>
+    <message>
+        <source>Exchange the project with the snapshot</source>
+        <translation>プロジェクトとスナップショットを入れ替える</translation>
+    </message>
+    <message>
+        <source>With File…</source>
+        <translation>ファイルと…</translation>
+    </message>
+    <message>
+        <source>Compare with another saved version</source>
+        <translation>保存した別のバージョンと比較</translation>
+    </message>
+    <message>
+        <source>Look only: nothing can be changed here</source>
+        <translation>閲覧のみ: ここでは変更できません</translation>
+    </message>
+    <message>
+        <source>Look Only</source>
+        <translation>閲覧のみ</translation>
+    </message>
+    <message>
+        <source>Compare With</source>
+        <translation>比較するプロジェクト</translation>
+    </message>
+    <message>
+        <source>Kagezou projects</source>
+        <translation>Kagezou プロジェクト</translation>
+    </message>
+</context>
+<context>
+    <name>CurveTree</name>
+    <message>
+        <source>Curves</source>
+        <translation>カーブ</translation>
     </message>
 </context>
 <context>
@@ -616,6 +742,29 @@
     </message>
 </context>
 <context>
+    <name>FlagList</name>
+    <message>
+        <source>Flags</source>
+        <translation>注意点</translation>
+    </message>
+    <message>
+        <source>Jumps farther than, a frame:</source>
+        <translation>1フレームでこれより大きく動いたら:</translation>
+    </message>
+    <message>
+        <source>Nothing stands out.</source>
+        <translation>目立つ点はありません。</translation>
+    </message>
+    <message>
+        <source>jumps by %1 px</source>
+        <translation>%1 px 跳んでいます</translation>
+    </message>
+    <message>
+        <source>key between two drawings</source>
+        <translation>動画の途中にあるキー</translation>
+    </message>
+</context>
+<context>
     <name>FrameField</name>
     <message>
         <source>Frame</source>
@@ -624,6 +773,28 @@
     <message>
         <source>Frame; type 84, 3+12 (seconds + frames) or +6</source>
         <translation>フレーム：84、3+12（秒＋コマ）、+6 のように入力</translation>
+    </message>
+</context>
+<context>
+    <name>Graph</name>
+    <message>
+        <source>Curves over time</source>
+        <translation>時間上のカーブ</translation>
+    </message>
+</context>
+<context>
+    <name>GraphHand</name>
+    <message>
+        <source>Move handle</source>
+        <translation>ハンドルを移動</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>キーを追加</translation>
     </message>
 </context>
 <context>
@@ -730,6 +901,14 @@
     <message>
         <source>Right button</source>
         <translation>右ボタン</translation>
+    </message>
+    <message>
+        <source>Set the exact value while dragging</source>
+        <translation>ドラッグ中に数値を直接入力</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>数字</translation>
     </message>
     <message>
         <source>Hide or show the panels, while no handle or field has the keyboard</source>
@@ -920,6 +1099,53 @@
     </message>
 </context>
 <context>
+    <name>KeyTable</name>
+    <message>
+        <source>Frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>成分</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Goes on</source>
+        <translation>補間</translation>
+    </message>
+    <message>
+        <source>Speed in</source>
+        <translation>入り速度</translation>
+    </message>
+    <message>
+        <source>Infl. in %</source>
+        <translation>入り影響%</translation>
+    </message>
+    <message>
+        <source>Speed out</source>
+        <translation>出速度</translation>
+    </message>
+    <message>
+        <source>Infl. out %</source>
+        <translation>出影響%</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>キーを貼り付け</translation>
+    </message>
+    <message>
+        <source>Type key</source>
+        <translation>キーを入力</translation>
+    </message>
+</context>
+<context>
     <name>Keyboard</name>
     <message>
         <source>Your own shortcuts could not be read; the set&apos;s are used.</source>
@@ -1086,6 +1312,10 @@ Drop a folder of cels here.</source>
         <source>Timeline</source>
         <translation>タイムライン</translation>
     </message>
+    <message>
+        <source>Curves</source>
+        <translation>カーブ</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -1100,6 +1330,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>&amp;Panels</source>
         <translation>パネル (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k At</source>
+        <translation>表示内容 (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Onion Skin &amp;Drawings</source>
+        <translation>オニオンスキンの枚数(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Backdrop</source>
@@ -1120,6 +1358,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>White</source>
         <translation>白</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>黒背景</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -1144,10 +1386,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>Tools</source>
         <translation>ツール</translation>
-    </message>
-    <message>
-        <source>Backdrop</source>
-        <translation>下地</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -1185,6 +1423,49 @@ Drop a folder of cels here.</source>
         <translation>
             <numerusform>他 %n 件</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>NoteList</name>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Add Note…</source>
+        <translation>メモを追加…</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>編集…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>A note is pinned to a keyed property, and nothing is keyed yet.</source>
+        <translation>メモはキーのあるプロパティに付けますが、まだキーがありません。</translation>
+    </message>
+    <message>
+        <source>Note on frame %1, %2</source>
+        <translation>フレーム %1、%2 のメモ</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>メモを追加</translation>
+    </message>
+    <message>
+        <source>Change note</source>
+        <translation>メモを変更</translation>
+    </message>
+    <message>
+        <source>Delete note</source>
+        <translation>メモを削除</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
     </message>
 </context>
 <context>
@@ -1275,6 +1556,17 @@ Drop a folder of cels here.</source>
     <message>
         <source>Copy name for scripts</source>
         <translation>スクリプト用の名前をコピー</translation>
+    </message>
+</context>
+<context>
+    <name>Readout</name>
+    <message>
+        <source>%1 since key %2</source>
+        <translation>キー %2 から %1</translation>
+    </message>
+    <message>
+        <source>%1 against the snapshot</source>
+        <translation>スナップショットとの差 %1</translation>
     </message>
 </context>
 <context>
@@ -1475,6 +1767,13 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>Snapshot</name>
+    <message>
+        <source>Snapshot</source>
+        <translation>スナップショット</translation>
+    </message>
+</context>
+<context>
     <name>Status</name>
     <message>
         <source>software rendering</source>
@@ -1583,6 +1882,37 @@ Drop a folder of cels here.</source>
     <message>
         <source>(slow)</source>
         <translation>（遅れ）</translation>
+    </message>
+</context>
+<context>
+    <name>VelocityDialog</name>
+    <message>
+        <source>Key Velocity</source>
+        <translation>キーの速度</translation>
+    </message>
+    <message>
+        <source>%1 / frame</source>
+        <translation>%1 / フレーム</translation>
+    </message>
+    <message>
+        <source>Incoming</source>
+        <translation>入り</translation>
+    </message>
+    <message>
+        <source>Outgoing</source>
+        <translation>出</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Influence</source>
+        <translation>影響</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
     </message>
 </context>
 <context>

@@ -167,8 +167,12 @@ class CurveEditor(QWidget):
         kind.setAccessibleName(self.tr("What the graph shows"))
         kind.currentIndexChanged.connect(lambda index: self._show_kind(kind.itemData(index)))
         row.addWidget(kind)
-        row.addWidget(_tool(self.tr("Fit"), self.tr("Fit the selected keys, else everything (F)"), self.graph.fit_chosen))
-        row.addWidget(self._switch(self.tr("Normalise"), self.tr("Stretch every curve to the same height"), "normalises"))
+        row.addWidget(
+            _tool(self.tr("Fit"), self.tr("Fit the selected keys, else everything (F)"), self.graph.fit_chosen)
+        )
+        row.addWidget(
+            self._switch(self.tr("Normalise"), self.tr("Stretch every curve to the same height"), "normalises")
+        )
         row.addWidget(self._switch(self.tr("Isolate"), self.tr("Show only curves with selected keys"), "isolates"))
         row.addStretch(1)
         take = _tool(self.tr("Snapshot"), self.tr("Keep the curves as they are, to compare with"), self.take_snapshot)

@@ -111,6 +111,7 @@ class Graph(pg.PlotWidget):
         if not frames:
             self.fit_all()
             return
+        frames += [handle.frame for picture in chosen for handle in picture.handles]
         self._fit(chosen, (min(frames) - 3, max(frames) + 3))
 
     def place_of(self, point: QPointF) -> tuple[float, float]:

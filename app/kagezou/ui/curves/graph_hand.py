@@ -133,27 +133,20 @@ class GraphHand(QObject):
 
     def wants(self, event: QKeyEvent) -> bool:
         """Return whether a key belongs to the hand, not to the window's commands."""
-        if event.modifiers() & (_CONTROL | _ALT):
+        if event.modifiers() & (_CONTROL | _ALT | _SHIFT):
             return False
-        if event.modifiers() & _SHIFT:
-            return event.key() == Qt.Key.Key_F
         if event.key() == Qt.Key.Key_Escape:
             return self.is_down or bool(self._bridge.session.state.keys)
-        return event.key() in (Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_F)
+        return event.key() in (Qt.Key.Key_Left, Qt.Key.Key_Right)
 
     def key(self, event: QKeyEvent) -> bool:
         """Take a key going down; false if it is another one."""
         if not self.wants(event):
             return False
-        match event.key():
-            case Qt.Key.Key_Escape:
-                self.cancel()
-            case Qt.Key.Key_F if event.modifiers() & _SHIFT:
-                self._graph.fit_all()
-            case Qt.Key.Key_F:
-                self._graph.fit_chosen()
-            case _:
-                self._bridge.session.go_to(self._bridge.frame + (1 if event.key() == Qt.Key.Key_Right else -1))
+        if event.key() == Qt.Key.Key_Escape:
+            self.cancel()
+        else:
+            self._bridge.session.go_to(self._bridge.frame + (1 if event.key() == Qt.Key.Key_Right else -1))
         return True
 
     def cancel(self) -> None:

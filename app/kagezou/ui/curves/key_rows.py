@@ -29,14 +29,19 @@ class KeyRow:
 
     @property
     def cells(self) -> tuple[str, ...]:
-        """What the table and the text show; rounded to what is seen, never in the key itself."""
-        numbers = (self.value, self.ease_in.speed, self.ease_in.influence * 100, self.ease_out.speed)
-        value, speed_in, reach_in, speed_out = (f"{number:.6g}" for number in numbers)
-        reach_out = f"{self.ease_out.influence * 100:.6g}"
-        return (
-            str(self.frame), str(self.component + 1), value, self.interpolation.value,
-            speed_in, reach_in, speed_out, reach_out,
-        )  # fmt: skip
+        """What the table shows, rounded to what is of use to the eye."""
+        return self._written("{:.6g}")
+
+    @property
+    def exact_cells(self) -> tuple[str, ...]:
+        """The same to the last bit, for text that comes back."""
+        return self._written("{!r}")
+
+    def _written(self, form: str) -> tuple[str, ...]:
+        into, out = self.ease_in, self.ease_out
+        numbers = (self.value, into.speed, into.influence * 100, out.speed, out.influence * 100)
+        value, *eases = (form.format(number) for number in numbers)
+        return (str(self.frame), str(self.component + 1), value, self.interpolation.value, *eases)
 
 
 def rows_of(document: Document, address: Address) -> tuple[KeyRow, ...]:
@@ -84,7 +89,7 @@ def with_cell(document: Document, address: Address, row: KeyRow, column: int, te
 
 def text_of(rows: tuple[KeyRow, ...]) -> str:
     """Return rows as lines with tabs, with a line of headings."""
-    return "\n".join("\t".join(cells) for cells in (HEADINGS, *(row.cells for row in rows))) + "\n"
+    return "\n".join("\t".join(cells) for cells in (HEADINGS, *(row.exact_cells for row in rows))) + "\n"
 
 
 def pasted(document: Document, address: Address, text: str) -> Document:

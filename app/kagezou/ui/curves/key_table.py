@@ -30,6 +30,7 @@ class KeyTable(QTableWidget):
             self.tr("Speed in"), self.tr("Infl. in %"), self.tr("Speed out"), self.tr("Infl. out %"),
         ])  # fmt: skip
         self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setAlternatingRowColors(True)
         self.setAccessibleName(self.tr("Keys"))

@@ -49,3 +49,15 @@ class CurvesPanel(QWidget):
             assert layout is not None
             layout.addWidget(self.editor)
         return self.editor
+
+    def fit_chosen(self) -> None:
+        """Show the selected keys, else everything."""
+        self.made().graph.fit_chosen()
+
+    def fit_all(self) -> None:
+        """Show the whole cut and every curve."""
+        self.made().graph.fit_all()
+
+    def ask_velocity(self) -> None:
+        """Ask for the exact speed and influence of the selected keys."""
+        self.made().ask_velocity()

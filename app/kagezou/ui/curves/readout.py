@@ -1,5 +1,7 @@
 """One line under the graph: where the pointer is, and what the nearest curve does there."""
 
+from PySide6.QtCore import QCoreApplication
+
 from kagezou.document.address import track_of
 from kagezou.document.model import Document
 from kagezou.ui.curves.choice import Choice
@@ -19,15 +21,18 @@ def readout(document: Document, choice: Choice, picture: CurvePicture | None, fr
     value, before = (value_in(track, curve.component, each) for each in (frame, frame - 1))
     if value is None or before is None:
         return where
-    unit = f" {curve.address.property.unit}" if curve.address.property.unit else ""
+    unit = curve.address.property.unit
+    unit = f" {unit}" if unit and unit != "°" else unit
     words = [where, f"{said(curve.address.property.label)} {curve.name}".strip(), f"{value:.4g}{unit}"]
     words.append(f"{value - before:+.4g}{unit}/f")
     earlier = [key for key in track.keys if key.frame <= frame]
     if earlier:
         start = value_in(track, curve.component, earlier[-1].frame) or 0.0
-        words.append(f"Δ {value - start:+.4g} @ {earlier[-1].frame}")
+        since = QCoreApplication.translate("Readout", "%1 since key %2")
+        words.append(since.replace("%1", f"{value - start:+.4g}").replace("%2", str(earlier[-1].frame)))
     if choice.ghost is not None and (other := same_in(choice.ghost, curve, document)) is not None:
         there = value_in(other, curve.component, frame)
         if there is not None:
-            words.append(f"Δ▒ {value - there:+.4g}")
+            against = QCoreApplication.translate("Readout", "%1 against the snapshot")
+            words.append(against.replace("%1", f"{value - there:+.4g}"))
     return "    ".join(words)
