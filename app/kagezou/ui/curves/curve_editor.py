@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QMenu,
+    QSizePolicy,
     QSplitter,
     QTabWidget,
     QToolButton,
@@ -56,6 +57,8 @@ class CurveEditor(QWidget):
         self.key_menu = QMenu(self)
         self._read = QLabel()
         self._read.setObjectName("readout")
+        # Its words may be longer than there is room; they never make the panel wider.
+        self._read.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._empty = QLabel(
             self.tr("Nothing is keyed yet: move the playhead and click the diamond before a property."), self.graph
         )
@@ -152,6 +155,8 @@ class CurveEditor(QWidget):
             splitter.addWidget(widget)
         splitter.setStretchFactor(1, 1)
         letter = self.fontMetrics().horizontalAdvance("0")
+        self.tree.setMinimumWidth(17 * letter)
+        tabs.setMinimumWidth(20 * letter)
         splitter.setSizes([26 * letter, 120 * letter, 46 * letter])
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
@@ -170,9 +175,11 @@ class CurveEditor(QWidget):
         row.addWidget(
             _tool(self.tr("Fit"), self.tr("Fit the selected keys, else everything (F)"), self.graph.fit_chosen)
         )
-        row.addWidget(
-            self._switch(self.tr("Normalise"), self.tr("Stretch every curve to the same height"), "normalises")
+        self.normalise_button = self._switch(
+            self.tr("Normalise"), self.tr("Stretch every curve to the same height"), "normalises"
         )
+        self.normalise_button.toggled.connect(lambda _on: self.graph.fit_all())
+        row.addWidget(self.normalise_button)
         row.addWidget(self._switch(self.tr("Isolate"), self.tr("Show only curves with selected keys"), "isolates"))
         row.addStretch(1)
         take = _tool(self.tr("Snapshot"), self.tr("Keep the curves as they are, to compare with"), self.take_snapshot)
