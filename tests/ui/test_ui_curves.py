@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
 
 from kagezou.animation.ease import EASY, Ease
@@ -206,6 +206,15 @@ def test_hidden_isolated_and_normalised_curves(editor: CurveEditor, keyed: Desk)
     assert (values.min(), values.max()) == (-1, 1)
     drag(editor, point(editor, 15, 1.0), point(editor, 15, 0.5))
     assert value_of(keyed.bridge.document, LIGHT, 15)[0] == pytest.approx(75, abs=4)  # type: ignore[index]
+
+
+def test_every_switch_switches(editor: CurveEditor) -> None:
+    for button in editor.findChildren(QToolButton):
+        if button.isCheckable():
+            before = button.isChecked()
+            button.click()
+            assert button.isChecked() != before, button.text()
+    assert (editor.choice.isolates, editor.choice.is_locked, editor.choice.shows_snapshot) == (True, True, False)
 
 
 def test_a_snapshot_is_compared_swapped_and_its_differences_found(editor: CurveEditor, keyed: Desk) -> None:

@@ -4,7 +4,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
@@ -215,10 +214,9 @@ class CurveEditor(QWidget):
 
 def _tool(words: str, tip: str, do: Callable[[], None] | None) -> QToolButton:
     button = QToolButton()
-    action = QAction(words, button)
-    action.setToolTip(tip)
-    button.setDefaultAction(action)
+    button.setText(words)
+    button.setToolTip(tip)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     if do is not None:
-        action.triggered.connect(lambda _checked: do())
+        button.clicked.connect(lambda _checked: do())
     return button
