@@ -6,6 +6,7 @@ from pathlib import Path
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.doors import Doors
 from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
 from kagezou.cli.terminal import ProgressLine
@@ -18,6 +19,7 @@ EXAMPLES = """\
   kagezou render walk.kage -o shadows --composite --frames 1-48
   kagezou render walk.kage -o shadows --layer Hero --format exr
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
+  kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
 """
 _DEFAULT_DEPTH = {"exr": 16}
 
@@ -41,6 +43,12 @@ def add_arguments(parser: Parser) -> None:
         "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
     )
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
+    parser.add_argument(
+        "--openjd", action="store_true", help="print progress and failures as Open Job Description reads them"
+    )
+    parser.add_argument(
+        "--path-mapping", type=Path, metavar="FILE", help="rules of Open Job Description: where pictures lie here"
+    )
 
 
 def run(options: Namespace, doors: Doors) -> int:
@@ -48,6 +56,7 @@ def run(options: Namespace, doors: Doors) -> int:
     from kagezou.animation.frames import parse_frames
     from kagezou.export.frames import export_frames
     from kagezou.export.request import ExportRequest
+    from kagezou.io.path_mapping import read_rules, with_mapped_paths
     from kagezou.io.project_file import load
 
     request = ExportRequest(
@@ -61,8 +70,14 @@ def run(options: Namespace, doors: Doors) -> int:
         workers=options.workers or processors(),
         keep_going=options.keep_going,
     )
-    document = load(options.project)
-    with stopping_gently() as interruption, ProgressLine("rendering") as line:
+    lines = JobLines() if options.openjd else ProgressLine("rendering")
+    with stopping_gently() as interruption, lines as line:
+        document = load(options.project)
+        if options.path_mapping is not None:
+            document = with_mapped_paths(document, read_rules(options.path_mapping))
         summary = export_frames(document, request, doors.open_context, line.update, interruption.is_set)
-    report(summary, as_json=options.json)
+        if isinstance(lines, JobLines) and summary.failures:
+            lines.fail(summary.failures[0].sentence)
+    if not options.openjd:
+        report(summary, as_json=options.json)
     return verdict(summary, interruption)

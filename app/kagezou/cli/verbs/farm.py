@@ -1,0 +1,58 @@
+"""``kagezou farm``: a job bundle for a render farm."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from kagezou.cli.arguments import Parser, project_path, whole_number
+from kagezou.cli.doors import Doors
+from kagezou.cli.terminal import give
+
+DESCRIPTION = """\
+Write an Open Job Description job bundle into DIR: template.json, parameter_values.json, asset_references.json. Run it
+anywhere with `openjd run`, or give it to Deadline Cloud as it is. Its tasks are chunks of frames; frames, output,
+format and the program's name are parameters of the job. Prints the template."""
+EXAMPLES = """\
+  kagezou farm walk.kage -o job --output shadows
+  kagezou farm walk.kage -o job --output /mnt/shows/c012/shadows --chunk 24 --format exr --composite
+  openjd run job/template.json --step Render -p ProjectFile=$PWD/walk.kage -p OutputDir=$PWD/shadows
+  deadline bundle submit job
+"""
+_DEFAULT_DEPTH = {"exr": 16}
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file")
+    parser.add_argument("-o", "--bundle", type=Path, required=True, metavar="DIR", help="where the bundle is written")
+    parser.add_argument("--output", type=Path, metavar="DIR", help="where the job renders to (PROJECT_shadows)")
+    parser.add_argument("--chunk", type=whole_number, default=10, metavar="N", help="frames a task (10)")
+    parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
+    parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
+    parser.add_argument("--format", choices=("png", "tga", "tiff", "exr"), default="png", help="the format (png)")
+    parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16)")
+    parser.add_argument("--composite", action="store_true", help="also background, shadows and characters in one")
+    parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
+
+
+def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+    """Write the bundle."""
+    from kagezou.animation.frames import parse_frames
+    from kagezou.export.farm import TEMPLATE, FarmRequest, write_bundle
+    from kagezou.export.request import ExportRequest
+    from kagezou.io.faults import shown
+    from kagezou.io.project_file import load
+
+    project: Path = options.project.absolute()
+    output = options.output or project.with_name(f"{project.stem}_shadows")
+    export = ExportRequest(
+        folder=output.absolute(),
+        frames=None if options.frames is None else parse_frames(options.frames),
+        layers=None if options.layer is None else tuple(options.layer),
+        format=options.format,
+        depth=options.depth or _DEFAULT_DEPTH.get(options.format, 8),
+        composite=options.composite,
+    )
+    document = load(project)
+    write_bundle(document, FarmRequest(project, export, options.chunk, options.program), options.bundle)
+    give(shown(options.bundle / TEMPLATE))
+    return 0

@@ -1,0 +1,190 @@
+"""Render jobs for farms: an Open Job Description job bundle, which Deadline Cloud takes as it is.
+
+The bundle is three JSON files: the template, the values of its parameters, and the files that go with the job. See
+https://github.com/OpenJobDescription/openjd-specifications, revision 2023-09 with the extension TASK_CHUNKING.
+"""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from kagezou.animation.frames import format_frames
+from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
+from kagezou.export.jobs import planned
+from kagezou.export.request import DEPTHS, SUFFIXES, ExportRequest
+from kagezou.io.atomic import write_bytes
+from kagezou.io.faults import output_problem
+
+TEMPLATE: Final = "template.json"
+PARAMETERS: Final = "parameter_values.json"
+ASSETS: Final = "asset_references.json"
+MAX_CHUNK: Final = 10_000
+
+_NAME_CHARACTERS: Final = 64
+
+Json = dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class FarmRequest:
+    """What a farm is to make.
+
+    Parameters
+    ----------
+    project
+        The project file, absolute.
+    export
+        As of a local export; its folder is the job's output, absolute.
+    chunk
+        How many frames one task has: a task opens OpenGL once.
+    program
+        How the program is called on the workers.
+    """
+
+    project: Path
+    export: ExportRequest
+    chunk: int = 10
+    program: str = "kagezou"
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.chunk <= MAX_CHUNK:
+            raise UsageProblem(f"a task has 1 to {MAX_CHUNK} frames, not {self.chunk}")
+
+
+def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tuple[Path, ...]:
+    """Write a job bundle into a folder, which is made if need be, and return its files.
+
+    Raises
+    ------
+    UsageProblem
+        The request does not fit the document.
+    DiskFullProblem, OutputProblem
+        A file cannot be written.
+    """
+    planned(document, request.export)
+    trees = {
+        TEMPLATE: template(document, request),
+        PARAMETERS: {"parameterValues": _values(document, request)},
+        ASSETS: {"assetReferences": _assets(document, request)},
+    }
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise output_problem(folder, error) from error
+    for name, tree in trees.items():
+        write_bytes(folder / name, (json.dumps(tree, indent=2, ensure_ascii=False) + "\n").encode("utf-8"))
+    return tuple(folder / name for name in trees)
+
+
+def template(document: Document, request: FarmRequest) -> Json:
+    """Return the job template; frames, output, format and program stay parameters of the job."""
+    return {
+        "specificationVersion": "jobtemplate-2023-09",
+        "extensions": ["TASK_CHUNKING"],
+        "name": _job_name(request.project.stem),
+        "parameterDefinitions": _definitions(document, request),
+        "steps": [
+            {
+                "name": "Render",
+                "parameterSpace": {
+                    "taskParameterDefinitions": [
+                        {
+                            "name": "Frame",
+                            "type": "CHUNK[INT]",
+                            "range": "{{Param.Frames}}",
+                            "chunks": {"defaultTaskCount": request.chunk, "rangeConstraint": "CONTIGUOUS"},
+                        }
+                    ]
+                },
+                "script": {"actions": {"onRun": {"command": "{{Param.Program}}", "args": _words(request)}}},
+            }
+        ],
+    }
+
+
+def _words(request: FarmRequest) -> list[str]:
+    export = request.export
+    words = ["render", "{{Param.ProjectFile}}", "-o", "{{Param.OutputDir}}", "--frames", "{{Task.Param.Frame}}"]
+    words += ["--format", "{{Param.Format}}", "--depth", "{{Param.Depth}}"]
+    words += ["--path-mapping", "{{Session.PathMappingRulesFile}}", "--skip-existing", "--openjd"]
+    for layer in export.layers or ():
+        if "{{" in layer:
+            raise UsageProblem(f"the layer {layer!r} cannot be named in a job: it has braces")
+        words += ["--layer", layer]
+    return words + (["--composite"] if export.composite else [])
+
+
+def _definitions(document: Document, request: FarmRequest) -> list[Json]:
+    length, export = document.canvas.length_frames, request.export
+    depths = sorted({depth for each in DEPTHS.values() for depth in each})
+    return [
+        {
+            "name": "ProjectFile",
+            "type": "PATH",
+            "objectType": "FILE",
+            "dataFlow": "IN",
+            "description": "The Kagezou project.",
+        },
+        {
+            "name": "OutputDir",
+            "type": "PATH",
+            "objectType": "DIRECTORY",
+            "dataFlow": "OUT",
+            "description": "Where the shadow layers go.",
+        },
+        {
+            "name": "Frames",
+            "type": "STRING",
+            "default": format_frames(export.frames or tuple(range(1, length + 1))),
+            "description": "Frames such as 1-48 or 1-10,20.",
+        },
+        {
+            "name": "Format",
+            "type": "STRING",
+            "default": export.format,
+            "allowedValues": list(SUFFIXES),
+            "description": "The format of the frames.",
+        },
+        {
+            "name": "Depth",
+            "type": "INT",
+            "default": export.depth,
+            "allowedValues": depths,
+            "description": "Bits a channel; exr has 16, tga 8.",
+        },
+        {
+            "name": "Program",
+            "type": "STRING",
+            "default": request.program,
+            "description": "How Kagezou is called on the workers.",
+        },
+    ]
+
+
+def _values(document: Document, request: FarmRequest) -> list[Json]:
+    frames = request.export.frames or tuple(range(1, document.canvas.length_frames + 1))
+    return [
+        {"name": "ProjectFile", "value": str(request.project)},
+        {"name": "OutputDir", "value": str(request.export.folder)},
+        {"name": "Frames", "value": format_frames(frames)},
+    ]
+
+
+def _assets(document: Document, request: FarmRequest) -> Json:
+    """Return what must be there on a worker: the project and every picture it shows."""
+    pictures = {drawing.path for layer in document.layers for drawing in layer.cels.drawings}
+    if document.background is not None:
+        pictures.add(document.background)
+    return {
+        "inputs": {"filenames": [str(request.project), *sorted(map(str, pictures))], "directories": []},
+        "outputs": {"directories": [str(request.export.folder)]},
+        "referencedPaths": [],
+    }
+
+
+def _job_name(stem: str) -> str:
+    """Return a name without what the specification forbids: braces, which would be filled in, and control signs."""
+    name = "".join(sign if sign.isprintable() and sign not in "{}" else "_" for sign in stem)
+    return f"Kagezou {name}"[:_NAME_CHARACTERS]

@@ -1,0 +1,198 @@
+"""Farm jobs: a bundle that the specification's own runner takes, and frames that do not depend on who made them."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from small_cuts import bytes_below, cut, export, with_key
+
+from kagezou.document.edits import rename_layer, set_background
+from kagezou.document.model import Document
+from kagezou.errors import InputProblem, UsageProblem
+from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, template, write_bundle
+from kagezou.export.request import ExportRequest
+from kagezou.io.path_mapping import Rule, mapped, read_rules, with_mapped_paths
+from kagezou.io.project_file import save
+
+posix = pytest.mark.skipif(os.name != "posix", reason="the worker is called through a shell script")
+
+
+@pytest.fixture
+def document(tmp_path: Path) -> Document:
+    """24 frames with a moving light, so that every frame is another picture."""
+    made = cut(tmp_path, count=6, length=24)
+    made = with_key(made, "light.position", 1, [5, -20, 40])
+    return with_key(made, "light.position", 24, [60, -25, 45])
+
+
+@pytest.fixture
+def worker(tmp_path: Path) -> Path:
+    """The program as a worker calls it."""
+    script = tmp_path / "kagezou worker"
+    script.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m kagezou "$@"\n')
+    script.chmod(0o755)
+    return script
+
+
+def bundle(document: Document, folder: Path, worker: Path | str = "kagezou", chunk: int = 6) -> tuple[Path, Path]:
+    project = folder / "cut 12.kage"
+    save(document, project)
+    request = FarmRequest(project, ExportRequest(folder / "out"), chunk, str(worker))
+    write_bundle(document, request, folder / "job")
+    return folder / "job" / TEMPLATE, project
+
+
+def openjd(*words: str) -> subprocess.CompletedProcess[str]:
+    command = [str(Path(sys.executable).with_name("openjd")), *words]
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+
+
+def run_words(job: Path, project: Path, out: Path) -> list[str]:
+    return ["run", str(job), "--step", "Render", "-p", f"ProjectFile={project}", "-p", f"OutputDir={out}"]
+
+
+def test_the_bundle_passes_the_specifications_own_checks(document: Document, tmp_path: Path) -> None:
+    job, _ = bundle(document, tmp_path)
+    done = openjd("check", str(job))
+    assert done.returncode == 0, done.stdout
+    assert "passes validation" in done.stdout
+
+
+def test_the_bundle_names_what_a_worker_needs(document: Document, tmp_path: Path) -> None:
+    document = set_background(document, tmp_path / "bg.png")
+    job, project = bundle(document, tmp_path)
+    assets = json.loads((job.parent / ASSETS).read_text())["assetReferences"]
+    assert str(project) in assets["inputs"]["filenames"]
+    assert str(tmp_path / "bg.png") in assets["inputs"]["filenames"]
+    assert len(assets["inputs"]["filenames"]) == 8
+    assert assets["outputs"]["directories"] == [str(tmp_path / "out")]
+    values = json.loads((job.parent / PARAMETERS).read_text())["parameterValues"]
+    assert {"name": "Frames", "value": "1-24"} in values
+
+
+@posix
+def test_two_workers_at_once_make_the_bytes_of_a_local_render(document: Document, worker: Path, tmp_path: Path) -> None:
+    job, project = bundle(document, tmp_path, worker)
+    export(document, tmp_path / "local")
+    halves = ('[{"Frame":"1-6"},{"Frame":"7-12"}]', '[{"Frame":"13-18"},{"Frame":"19-24"}]')
+    command = [str(Path(sys.executable).with_name("openjd")), *run_words(job, project, tmp_path / "farm")]
+    sessions = [
+        subprocess.Popen([*command, "--tasks", tasks], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        for tasks in halves
+    ]
+    said = [session.communicate(timeout=120)[0] for session in sessions]
+    assert [session.returncode for session in sessions] == [0, 0], said
+    assert "openjd_progress: 100.0" in said[0]
+    assert "openjd_status: 6 of 6 files" in said[0]
+    assert bytes_below(tmp_path / "farm") == bytes_below(tmp_path / "local")
+
+
+@posix
+def test_a_killed_workers_task_is_taken_up_by_another(document: Document, worker: Path, tmp_path: Path) -> None:
+    job, project = bundle(document, tmp_path, worker, chunk=24)
+    out = tmp_path / "farm" / "A_shadow"
+    words = ["render", str(project), "-o", str(tmp_path / "farm"), "--frames", "1-24", "--skip-existing", "--openjd"]
+    with subprocess.Popen([sys.executable, "-m", "kagezou", *words], stdout=subprocess.DEVNULL) as first:
+        for _ in range(4000):
+            if out.is_dir() and len(list(out.glob("A_*.png"))) >= 3:
+                break
+            time.sleep(0.005)
+        first.send_signal(signal.SIGKILL)
+    whole = {path.name: path.stat().st_mtime_ns for path in out.glob("A_*.png")}
+    assert len(whole) >= 3
+    done = openjd(*run_words(job, project, tmp_path / "farm"))
+    assert done.returncode == 0, done.stdout
+    export(document, tmp_path / "local")
+    assert bytes_below(tmp_path / "farm") == bytes_below(tmp_path / "local")
+    # The very last one may have been in its place before its line was in the ledger.
+    kept = sum((out / name).stat().st_mtime_ns == changed for name, changed in whole.items())
+    assert kept >= len(whole) - 2
+
+
+@posix
+def test_a_failing_frame_fails_the_task_with_its_reason(document: Document, worker: Path, tmp_path: Path) -> None:
+    job, project = bundle(document, tmp_path, worker)
+    document.layers[0].cels.drawings[2].path.unlink()
+    done = openjd(*run_words(job, project, tmp_path / "farm"))
+    assert done.returncode != 0
+    assert "openjd_fail: " in done.stdout
+    assert "a_0003.png" in done.stdout
+
+
+@posix
+def test_paths_of_another_machine_are_mapped(document: Document, worker: Path, tmp_path: Path) -> None:
+    home = tmp_path / "elsewhere"
+    home.mkdir()
+    # From another folder the drawings are named absolutely once they lie on another root.
+    job, project = bundle(document, tmp_path, worker, chunk=24)
+    (tmp_path / "drawings").rename(home / "drawings")
+    rules = {
+        "version": "pathmapping-1.0",
+        "path_mapping_rules": [
+            {
+                "source_path_format": "POSIX",
+                "source_path": str(tmp_path / "drawings"),
+                "destination_path": str(home / "drawings"),
+            }
+        ],
+    }
+    (tmp_path / "rules.json").write_text(json.dumps(rules))
+    done = openjd(
+        *run_words(job, project, tmp_path / "farm"), "--path-mapping-rules", f"file://{tmp_path / 'rules.json'}"
+    )
+    assert done.returncode == 0, done.stdout
+    assert len(bytes_below(tmp_path / "farm")) == 24
+
+
+def test_rules_move_paths_of_either_system(document: Document) -> None:
+    windows = read_source("WINDOWS", "Z:\\shows", "/mnt/shows")
+    posix_rule = read_source("POSIX", "/home/a/cuts", "/mnt/cuts")
+    assert mapped(Path("Z:\\shows\\c012\\A\\1.png"), (windows,)) == Path("/mnt/shows/c012/A/1.png")
+    assert mapped(Path("z:/Shows/c012/1.png"), (windows,)) == Path("/mnt/shows/c012/1.png")
+    assert mapped(Path("/home/a/cuts/1.png"), (windows, posix_rule)) == Path("/mnt/cuts/1.png")
+    assert mapped(Path("/home/a/cutsB/1.png"), (posix_rule,)) == Path("/home/a/cutsB/1.png")
+    assert with_mapped_paths(document, ()) is document
+
+
+def read_source(kind: str, source: str, destination: str) -> Rule:
+    from pathlib import PurePosixPath, PureWindowsPath
+
+    return Rule({"WINDOWS": PureWindowsPath, "POSIX": PurePosixPath}[kind](source), Path(destination))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("{", "these are no rules of path mapping"),
+        ("[]", "is not an object"),
+        ('{"version": "2"}', "the key 'path_mapping_rules' is missing"),
+        ('{"version": "2", "path_mapping_rules": []}', "is not one of pathmapping-1.0"),
+        ('{"version": "pathmapping-1.0", "path_mapping_rules": [{}]}', "the key 'source_path_format' is missing"),
+    ],
+)
+def test_rules_that_are_none_are_one_sentence(tmp_path: Path, text: str, said: str) -> None:
+    file = tmp_path / "rules.json"
+    file.write_text(text)
+    with pytest.raises(InputProblem, match=r"rules\.json") as caught:
+        read_rules(file)
+    assert said in str(caught.value)
+    file.write_text("{}")
+    assert read_rules(file) == ()
+    with pytest.raises(InputProblem, match="it does not exist"):
+        read_rules(tmp_path / "nowhere.json")
+
+
+def test_what_a_farm_cannot_have_is_refused(document: Document, tmp_path: Path) -> None:
+    with pytest.raises(UsageProblem, match="1 to 10000 frames, not 0"):
+        FarmRequest(tmp_path / "a.kage", ExportRequest(tmp_path), 0)
+    named = rename_layer(document, "layer-1", "{{Param.X}}")
+    request = FarmRequest(tmp_path / "a.kage", ExportRequest(tmp_path, layers=("{{Param.X}}",)))
+    with pytest.raises(UsageProblem, match="has braces"):
+        template(named, request)
+    strange = FarmRequest(tmp_path / "{{x}}\n.kage", ExportRequest(tmp_path))
+    assert template(document, strange)["name"] == "Kagezou __x___"
