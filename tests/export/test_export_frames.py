@@ -143,11 +143,12 @@ def test_a_frame_that_no_ledger_knows_is_not_trusted(tmp_path: Path) -> None:
 def test_a_cancelled_export_leaves_whole_frames_and_can_go_on(tmp_path: Path) -> None:
     document = two_layers(tmp_path)
     export(document, tmp_path / "whole")
-    stopped = export(document, tmp_path / "out", stop_after=3)
+    # One worker, so that few pictures are under way when it is stopped, however slow the machine is.
+    stopped = export(document, tmp_path / "out", stop_after=1, workers=1)
     assert stopped.cancelled
     assert not stopped.is_whole
     some = bytes_below(tmp_path / "out")
-    assert 3 <= len(some) < 12
+    assert 1 <= len(some) < 12
     whole = bytes_below(tmp_path / "whole")
     assert some.items() <= whole.items()
     rest = export(document, tmp_path / "out", skip_existing=True)
