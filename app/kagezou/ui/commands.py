@@ -80,7 +80,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
         Command("background", translate("Commands", "Set &Background…")),
         Command("no_background", translate("Commands", "Remove Background")),
-        Command("export", translate("Commands", "&Export Shadow Layers…"), ("Ctrl+M",), "export"),
+        Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),
         Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),
     )
 

@@ -65,12 +65,6 @@ class Dialogs:
         chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("background"), _picture_filter())
         return self._remembered("background", chosen)
 
-    def folder_for_export(self) -> Path | None:
-        """Ask where shadow layers go."""
-        title = QCoreApplication.translate("Dialogs", "Export Shadow Layers To")
-        chosen = QFileDialog.getExistingDirectory(self._parent, title, self._folder("export"))
-        return self._remembered("export", chosen)
-
     def unsaved(self, name: str) -> Answer:
         """Ask what to do with unsaved work."""
         question = QCoreApplication.translate("Dialogs", "Save the changes to “%1”?").replace("%1", name)

@@ -1,16 +1,13 @@
 """Exporting beside the window: a thread that draws, and its progress in the status bar."""
 
-import os
 import threading
-from pathlib import Path
+from time import monotonic
 
 from PySide6.QtCore import QThread, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
-from kagezou.document.model import Document
 from kagezou.errors import Problem
-from kagezou.export.frames import export_frames
-from kagezou.export.request import ExportRequest, Summary
+from kagezou.ui.export_plan import ExportOutcome, Work
 from kagezou.ui.icons import icon
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.offscreen_context import OffscreenSurface
@@ -19,24 +16,21 @@ _KEY = "export"
 
 
 class ExportJob(QThread):
-    """One export of one document, which may meanwhile be edited further: documents never change.
+    """One export; its document may meanwhile be edited further, for documents never change.
 
     Parameters
     ----------
-    document
-        What to export.
-    request
-        How and where to.
+    work
+        What carries it out.
     """
 
     progressed = Signal(int, int)
-    done = Signal(Summary)
+    done = Signal(object)
     failed = Signal(str)
 
-    def __init__(self, document: Document, request: ExportRequest) -> None:
+    def __init__(self, work: Work) -> None:
         super().__init__()
-        self._document = document
-        self._request = request
+        self._work = work
         self._surface = OffscreenSurface()
         self._stop = threading.Event()
 
@@ -46,13 +40,11 @@ class ExportJob(QThread):
 
     def run(self) -> None:
         try:
-            summary = export_frames(
-                self._document, self._request, self._surface.open, self.progressed.emit, self._stop.is_set
-            )
+            outcome = self._work(self._surface.open, self.progressed.emit, self._stop.is_set)
         except Problem as problem:
             self.failed.emit(str(problem))
         else:
-            self.done.emit(summary)
+            self.done.emit(outcome)
 
 
 class Exporting(QWidget):
@@ -68,6 +60,8 @@ class Exporting(QWidget):
         super().__init__()
         self._bar = bar
         self._job: ExportJob | None = None
+        self._began_s = 0.0
+        self._stopping = False
         self._words = QLabel(self.tr("Exporting"))
         self._progress = QProgressBar()
         self._progress.setFixedWidth(180)
@@ -89,20 +83,19 @@ class Exporting(QWidget):
         """Whether an export is under way."""
         return self._job is not None
 
-    def start(self, document: Document, folder: Path) -> None:
-        """Export every layer's shadow of the whole cut."""
+    def start(self, work: Work) -> None:
+        """Carry an export out beside the window."""
         if self._job is not None:
             self.say_running()
             return
-        # One core is left to the window.
-        workers = max((os.cpu_count() or 2) - 1, 1)
-        job = ExportJob(document, ExportRequest(folder, workers=workers))
+        job = ExportJob(work)
         job.progressed.connect(self._show_progress)
         job.done.connect(self._say_done)
         job.failed.connect(lambda sentence: self._bar.say(_KEY, sentence))
         job.finished.connect(self._end)
         self._job = job
         self._progress.setRange(0, 0)
+        self._began_s = monotonic()
         self._words.setText(self.tr("Exporting"))
         self.show()
         job.start(QThread.Priority.LowPriority)
@@ -114,6 +107,7 @@ class Exporting(QWidget):
     def cancel(self) -> None:
         """Stop soon."""
         if self._job is not None:
+            self._stopping = True
             self._words.setText(self.tr("Stopping"))
             self._job.cancel()
 
@@ -126,18 +120,22 @@ class Exporting(QWidget):
     def _show_progress(self, finished: int, whole: int) -> None:
         self._progress.setRange(0, whole)
         self._progress.setValue(finished)
+        left_s = (monotonic() - self._began_s) * (whole - finished) / max(finished, 1)
+        if not self._stopping:
+            words = self.tr("Exporting, %1 s left").replace("%1", f"{left_s:.0f}")
+            self._words.setText(words)
 
-    def _say_done(self, summary: Summary) -> None:
-        if summary.failures:
-            self._bar.say(_KEY, summary.failures[-1].sentence)
-        elif summary.cancelled:
-            words = self.tr("Export stopped; %n file(s) are written and whole.", "", summary.written)
+    def _say_done(self, outcome: ExportOutcome) -> None:
+        if outcome.problem:
+            self._bar.say(_KEY, outcome.problem)
+        elif outcome.cancelled:
+            words = self.tr("Export stopped; %n file(s) are written and whole.", "", outcome.written)
             self._bar.say(_KEY, words, Severity.NOTE)
         else:
-            words = self.tr("Exported %n file(s) to %1", "", summary.files)
-            where = str(summary.folders[0].parent) if summary.folders else ""
-            self._bar.say(_KEY, words.replace("%1", where), Severity.NOTE)
+            words = self.tr("Exported %n file(s) to %1", "", outcome.files)
+            self._bar.say(_KEY, words.replace("%1", str(outcome.where)), Severity.NOTE)
 
     def _end(self) -> None:
         self._job = None
+        self._stopping = False
         self.hide()

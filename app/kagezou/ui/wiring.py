@@ -1,5 +1,6 @@
 """Who tells whom: the connections between the parts of the main window, by subject."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, Qt
@@ -7,6 +8,8 @@ from PySide6.QtCore import QCoreApplication, Qt
 from kagezou.document.style import apply_style
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.command_search import CommandSearch
+from kagezou.ui.export_dialog import ExportDialog
+from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan, work_of
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
@@ -146,9 +149,24 @@ def _begin_with_style(window: "MainWindow") -> None:
 
 
 def _export(window: "MainWindow") -> None:
-    folder = window.project.dialogs.folder_for_export()
-    if folder is not None:
-        window.exporting.start(window.desk.bridge.document, folder)
+    if window.exporting.is_running:
+        window.exporting.say_running()
+        return
+    settings, path, name = window.settings, window.desk.path, window.project.project_name
+    beside = Path.home() if path is None else path.parent
+    folder = Path(settings.folder("export")) if settings.folder("export") else beside
+    place = Place(folder / f"{name}_export", path, name)
+    document = window.desk.bridge.document
+    dialog = ExportDialog(document, loads_plan(settings.word("export_plan", "")), place, window)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+
+    def start(plan: ExportPlan, chosen: Place) -> None:
+        settings.set_word("export_plan", dumps_plan(plan))
+        settings.remember_folder("export", chosen.folder.parent)
+        window.exporting.start(work_of(document, plan, chosen))
+
+    dialog.chosen.connect(start)
+    dialog.open()
 
 
 def _delete(window: "MainWindow") -> None:

@@ -101,10 +101,6 @@
         <translation>背景を外す</translation>
     </message>
     <message>
-        <source>&amp;Export Shadow Layers…</source>
-        <translation>影レイヤーを書き出し(&amp;E)…</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>終了(&amp;Q)</translation>
     </message>
@@ -231,6 +227,10 @@
     <message>
         <source>Set &amp;Keys Here</source>
         <translation>ここにキーを設定 (&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>書き出し (&amp;E)…</translation>
     </message>
     <message>
         <source>Edit &amp;Keyboard Shortcuts…</source>
@@ -624,10 +624,6 @@
         <translation>背景を選択</translation>
     </message>
     <message>
-        <source>Export Shadow Layers To</source>
-        <translation>影レイヤーの書き出し先</translation>
-    </message>
-    <message>
         <source>Save the changes to “%1”?</source>
         <translation>「%1」への変更を保存しますか？</translation>
     </message>
@@ -711,6 +707,97 @@
     </message>
 </context>
 <context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>書き出される内容</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>フォルダーを選択してください。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Shadow layers</source>
+        <translation>影レイヤー</translation>
+    </message>
+    <message>
+        <source>After Effects</source>
+        <translation>After Effects</translation>
+    </message>
+    <message>
+        <source>Render farm job</source>
+        <translation>レンダーファームのジョブ</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>参照…</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>Composite with background and characters</source>
+        <translation>背景・キャラクターとの合成も書き出す</translation>
+    </message>
+    <message>
+        <source>Only the work area</source>
+        <translation>ワークエリアのみ</translation>
+    </message>
+    <message>
+        <source>Each different shadow once, held by time remapping</source>
+        <translation>異なる影を1枚ずつ書き出し、タイムリマップで保持</translation>
+    </message>
+    <message>
+        <source>Copy characters and background into the folder</source>
+        <translation>キャラクターと背景をフォルダーにコピー</translation>
+    </message>
+    <message>
+        <source> frames a task</source>
+        <translation> フレーム / タスク</translation>
+    </message>
+    <message>
+        <source>Leave frames alone that would come out the same</source>
+        <translation>変わらないフレームは書き出さない</translation>
+    </message>
+    <message>
+        <source>Matte: the shadow alone</source>
+        <translation>マット: 影のみ</translation>
+    </message>
+    <message>
+        <source>Matte: the part near the feet</source>
+        <translation>マット: 足元の部分</translation>
+    </message>
+    <message>
+        <source>Matte: distance from the feet</source>
+        <translation>マット: 足元からの距離</translation>
+    </message>
+    <message>
+        <source>Matte: what no shadow lies on</source>
+        <translation>マット: 影のない部分</translation>
+    </message>
+    <message>
+        <source>%1 bit</source>
+        <translation>%1 bit</translation>
+    </message>
+    <message>
+        <source>Export To</source>
+        <translation>書き出し先</translation>
+    </message>
+</context>
+<context>
     <name>Exporting</name>
     <message>
         <source>Exporting</source>
@@ -727,6 +814,10 @@
     <message>
         <source>Stopping</source>
         <translation>停止中</translation>
+    </message>
+    <message>
+        <source>Exporting, %1 s left</source>
+        <translation>書き出し中、残り %1 秒</translation>
     </message>
     <message numerus="yes">
         <source>Export stopped; %n file(s) are written and whole.</source>
