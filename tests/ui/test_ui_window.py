@@ -16,6 +16,7 @@ from kagezou.io import project_file
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.application import Program
 from kagezou.ui.dialogs import Answer
+from kagezou.ui.export_dialog import ExportDialog
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.settings import Settings
 from kagezou.ui.viewport import picture_widget
@@ -201,9 +202,16 @@ def test_delete_removes_the_layer_while_the_list_has_the_focus(qtbot: QtBot, wal
     assert walking.desk.bridge.document.layers == ()
 
 
+def start_export(window: MainWindow, folder: Path) -> None:
+    window.actions_of["export"].trigger()
+    dialog = window.findChild(ExportDialog)
+    assert dialog is not None
+    dialog.folder.setText(str(folder))
+    dialog.go.click()
+
+
 def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tmp_path: Path) -> None:
-    reply(walking, tmp_path / "out")
-    walking.actions_of["export"].trigger()
+    start_export(walking, tmp_path / "out")
     assert walking.exporting.is_running
     qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=30000)
     files = sorted((tmp_path / "out" / "walker_shadow").glob("*.png"))
@@ -213,8 +221,7 @@ def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tm
 
 def test_an_export_that_cannot_be_made_is_said(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:
     (cels / "walk_0002.png").unlink()
-    reply(walking, tmp_path / "out")
-    walking.actions_of["export"].trigger()
+    start_export(walking, tmp_path / "out")
     qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=30000)
     assert "walk_0002.png" in walking.bar.text
 
