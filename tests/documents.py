@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Tracks
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
 
@@ -91,13 +91,20 @@ def layers(draw: st.DrawFn, number: int, name: str) -> Layer:
 
 
 @st.composite
+def pieces(draw: st.DrawFn, number: int, name: str) -> Piece:
+    return Piece(f"piece-{number}", name, draw(track_tables(dict(OF_PIECE))))
+
+
+@st.composite
 def documents(draw: st.DrawFn) -> Document:
     rate = Fraction(draw(st.integers(1, 60000)), draw(st.integers(60, 2000)))
     canvas = Canvas(draw(st.integers(1, 16384)), draw(st.integers(1, 16384)), rate, draw(st.integers(1, 1000)))
     chosen = draw(st.lists(names, max_size=3, unique=True))
+    set_names = draw(st.lists(names, max_size=2, unique=True))
     return Document(
         canvas,
         draw(st.one_of(st.none(), paths)),
         tuple(draw(layers(number, name)) for number, name in enumerate(chosen, start=1)),
         draw(track_tables(dict(OF_DOCUMENT))),
+        tuple(draw(pieces(number, name)) for number, name in enumerate(set_names, start=1)),
     )

@@ -95,13 +95,33 @@ class Layer:
 
 
 @dataclass(frozen=True, slots=True)
+class Piece:
+    """A set piece on the ground: a wall, a box and the like, by its properties.
+
+    Parameters
+    ----------
+    id
+        Stable for the life of the document; never shown.
+    name
+        Unique in the set; part of property paths.
+    tracks
+        By set piece property name; its shape is one of them.
+    """
+
+    id: str
+    name: str
+    tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+
+
+@dataclass(frozen=True, slots=True)
 class Document:
-    """A cut: canvas, background picture, character layers from bottom to top, and the scene's properties."""
+    """A cut: canvas, background picture, character layers from bottom to top, the scene's properties and its set."""
 
     canvas: Canvas
     background: Path | None = None
     layers: tuple[Layer, ...] = ()
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    pieces: tuple[Piece, ...] = ()
 
     def layer(self, layer_id: str) -> Layer:
         """Return the layer with this id; KeyError if there is none."""
@@ -109,3 +129,10 @@ class Document:
             if layer.id == layer_id:
                 return layer
         raise KeyError(layer_id)
+
+    def piece(self, piece_id: str) -> Piece:
+        """Return the set piece with this id; KeyError if there is none."""
+        for piece in self.pieces:
+            if piece.id == piece_id:
+                return piece
+        raise KeyError(piece_id)

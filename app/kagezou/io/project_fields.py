@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
+from kagezou.document.set_pieces import MAX_PIECES
+
 
 @dataclass(frozen=True, slots=True)
 class Field:
@@ -39,6 +41,8 @@ PROJECT: Final[Fields] = MappingProxyType({
     "background": Field("path or null", "The picture under everything."),
     "tracks": Field("object", "Property name → track, for the properties of the scene."),
     "layers": Field(f"list of at most {MAX_LAYERS} objects", "The character layers from bottom to top."),
+    "set": Field(f"list of at most {MAX_PIECES} objects", "The set pieces; missing where there are none.",
+                 optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({
@@ -56,6 +60,12 @@ LAYER: Final[Fields] = MappingProxyType({
     "exposures": Field("list of [frame, index]",
                        "From this frame on that drawing is seen, counted from 0, or none for null; frames go up."),
     "tracks": Field("object", "Property name → track, for the properties of the layer."),
+})  # fmt: skip
+
+PIECE: Final[Fields] = MappingProxyType({
+    "id": Field("text", "Unique and unchanging; never shown."),
+    "name": Field("text", "Unique in the set; part of property paths."),
+    "tracks": Field("object", "Property name → track, for the properties of the piece."),
 })  # fmt: skip
 
 TRACK: Final[Fields] = MappingProxyType({
