@@ -92,7 +92,7 @@ def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -
     art = camera.canvas_from_world() @ card_from_world @ lift
     return Cast(
         art_from_canvas=art / np.abs(art).max(),
-        receiver_from_canvas=_plane_coordinates(receiver) @ lift,
+        receiver_from_canvas=plane_coordinates(receiver) @ lift,
         side=distance_form(-front * (plane @ lift)),
         horizon=distance_form(lift[3]),
         left_fold=_fold(art[0] - piece.left * art[2] if isfinite(piece.left) else None),
@@ -117,7 +117,7 @@ def _fold(form: Matrix | None) -> Matrix:
     return np.array([0.0, 0.0, 1e6]) if form is None else distance_form(form)
 
 
-def _plane_coordinates(receiver: Plane) -> Matrix:
+def plane_coordinates(receiver: Plane) -> Matrix:
     """Return the (3, 4) map from the world to the receiver's own (u, v, 1)."""
     axes = np.array([receiver.u, receiver.v])
     shift = -axes @ np.asarray(receiver.origin)
