@@ -5,15 +5,19 @@ from typing import TypeAlias
 
 import numpy as np
 
+from kagezou.geometry.box import Box
 from kagezou.geometry.pieces import Ball, Body, Solid
-from kagezou.geometry.polygon import distance_form, shifted
+from kagezou.geometry.polygon import box_polygon, distance_forms, shifted
 from kagezou.geometry.vectors import Matrix, Vector4, dot, height_over
 from kagezou.geometry.veils import Cone, Veil
 
 TOUCHING_PX = 1e-4
 """What is no farther from a receiver than this lies on it."""
 
-_ASIDE_PX = 4.0
+_ASIDE_PX = 0.75
+"""Far enough that no half pixel on the one line reaches the other."""
+
+_COINCIDENT_PX = 1e-3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -110,7 +114,7 @@ class Flat:
             if cone.edges is None and keeps_footprint:
                 regions.append(self._region(cone.planes[:-1], cone.quadric))
             return
-        touching = [] if cone.edges is None else np.nonzero(self._touches(cone.edges))[0].tolist()
+        touching = [] if cone.edges is None else self._touching(cone.edges)
         # Where an edge lies on the receiver, the line in which the thing's plane meets it is that edge.
         region = self._region(cone.planes[:-1] if touching else cone.planes, cone.quadric)
         regions.append(region)
@@ -118,22 +122,22 @@ class Flat:
             seams += [Seam(cone.edges[index], len(regions) - 1, index) for index in touching]
 
     def _region(self, planes: Matrix, quadric: Matrix | None) -> Region:
-        forms = planes @ self.lift
-        lines = np.array([distance_form(form) for form in forms]).reshape(-1, 3)
+        lines = distance_forms(planes @ self.lift)
         if quadric is None:
             return Region(lines)
         conic = self.lift.T @ quadric @ self.lift
         return Region(lines, conic / np.abs(conic).max())
 
     def _is_in_plane(self, plane: Matrix) -> bool:
-        normal = np.array(self.equation[:3])
-        across = np.cross(normal, plane[:3])
-        gap = self.equation[3] - float(plane[3]) * float(np.sign(plane[:3] @ normal))
-        return float(np.abs(across).max()) < 1e-9 and abs(gap) < TOUCHING_PX
+        x, y, z, d = plane.tolist()
+        nx, ny, nz, nd = self.equation
+        cosine = x * nx + y * ny + z * nz
+        return 1.0 - abs(cosine) < 1e-12 and abs(nd - (d if cosine > 0 else -d)) < TOUCHING_PX
 
-    def _touches(self, edges: Matrix) -> Matrix:
-        heights = edges @ np.array(self.equation[:3]) + self.equation[3]
-        return np.asarray((np.abs(heights) < TOUCHING_PX).all(axis=1))
+    def _touching(self, edges: Matrix) -> list[int]:
+        """Return the numbers of the edges that lie on the receiver."""
+        heights = np.abs(edges @ np.array(self.equation[:3]) + self.equation[3]).max(axis=1)
+        return [index for index, height in enumerate(heights.tolist()) if height < TOUCHING_PX]
 
 
 def heights_over(plane: Vector4, body: Body) -> tuple[float, float]:
@@ -171,6 +175,39 @@ def apart(lit: Taken, seen: Taken) -> Group:
                 lines[seam.region][seam.line] = shifted(line, -_ASIDE_PX if is_alike else _ASIDE_PX)
     regions = (replace(region, lines=each) for region, each in zip(group.regions, lines, strict=True))
     return replace(group, regions=tuple(regions))
+
+
+def beyond(group: Group, outline: Region, box: Box) -> Group:
+    """Return a group with those of its lines moved outward that are also lines of a receiver's outline.
+
+    Beyond the outline nothing is seen; at it, as in :func:`apart`, two parts of a pixel would tell nothing of where.
+
+    Parameters
+    ----------
+    group, outline
+        What is taken of a receiver, and where that would be seen alone.
+    box
+        Where on the canvas.
+    """
+    corners = np.column_stack([box_polygon(box), np.ones(4)]).T
+    own = outline.lines @ corners
+    return replace(group, regions=tuple(_moved_beyond(region, own, corners) for region in group.regions))
+
+
+def _moved_beyond(region: Region, own: Matrix, corners: Matrix) -> Region:
+    if len(own) == 0 or len(region.lines) == 0:
+        return region
+    values = region.lines @ corners
+    apart_by = [np.abs(values[:, np.newaxis] - sign * own[np.newaxis]).max(axis=2).min(axis=1) for sign in (1, -1)]
+    # A line that has the outline's inside on its own is moved out; one that has its outside loses as much.
+    shift = np.where(apart_by[0] < _COINCIDENT_PX, _ASIDE_PX, 0.0) - np.where(
+        apart_by[1] < _COINCIDENT_PX, _ASIDE_PX, 0.0
+    )
+    if not shift.any():
+        return region
+    lines = region.lines.copy()
+    lines[:, 2] += shift
+    return replace(region, lines=lines)
 
 
 def _same_ends(first: Matrix, second: Matrix) -> bool:

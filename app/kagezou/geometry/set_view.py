@@ -1,7 +1,7 @@
 """What a camera sees of a set: the ground and every flat face that is turned to it, and what hides parts of them."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.pieces import Body, Drum, Solid
 from kagezou.geometry.polygon import bounding_box, box_polygon, clipped, shifted
-from kagezou.geometry.regions import Flat, Group, Region, Taken, apart
+from kagezou.geometry.regions import Flat, Group, Region, Taken, apart, beyond
 from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.geometry.veils import Cone, Veil, end_cone, facet_cone, veil_of
 
@@ -54,31 +54,44 @@ class Face:
             taken = self.flat.group(bodies[index], veil, keeps_footprint=False)
             if taken is not None:
                 seen = self.hidden.get(index)
-                groups.append(taken[0] if seen is None else apart(taken, seen))
+                groups.append(self._beyond(taken[0] if seen is None else apart(taken, seen)))
         return tuple(groups)
+
+    def hidden_by(self, bodies: Sequence[Body], veils: dict[int, Veil]) -> "Face":
+        """Return the face with what the camera's veils, but for its own body's, hide of it."""
+        hidden: dict[int, Taken] = {}
+        for index, veil in veils.items():
+            taken = None if index == self.body else self.flat.group(bodies[index], veil, keeps_footprint=True)
+            if taken is not None:
+                hidden[index] = (self._beyond(taken[0]), taken[1])
+        return replace(self, hidden=hidden)
+
+    def _beyond(self, group: Group) -> Group:
+        return group if self.outline is None else beyond(group, self.outline, self.box)
 
 
 def faces_of(camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body]) -> tuple[Face, ...]:
     """Return the ground and the flat faces turned to the eye, those outside of the canvas left out."""
-    outlines: list[tuple[int, Plane, Cone | None]] = [(GROUND, ground, None)]
+    veils = dict(enumerate(veil_of(body, camera.eye) for body in bodies))
+    found = [_face(camera, canvas, ground, None)]
+    owners = [GROUND]
     for index, body in enumerate(bodies):
-        outlines += [(index, plane, cone) for plane, cone in _seen_of(body, camera.eye)]
-    veils = [veil_of(body, camera.eye) for body in bodies]
-    found: list[Face] = []
-    for index, plane, cone in outlines:
-        lift = world_from_canvas_on(camera, plane)
-        if lift is None:
-            continue
-        flat = Flat(lift / np.abs(lift).max(), plane.equation)
-        outline = None if cone is None else flat.outline(cone)
-        box = canvas if outline is None else region_box(outline, canvas)
-        if box is not None:
-            others = (
-                (other, flat.group(bodies[other], veil, keeps_footprint=True)) for other, veil in enumerate(veils)
-            )
-            hidden = {other: taken for other, taken in others if other != index and taken is not None}
-            found.append(Face(index, plane, flat, outline, hidden, box))
-    return tuple(found)
+        for plane, cone in _seen_of(body, camera.eye):
+            found.append(_face(camera, canvas, plane, cone))
+            owners.append(index)
+    faces = (None if face is None else replace(face, body=owner) for face, owner in zip(found, owners, strict=True))
+    return tuple(face.hidden_by(bodies, veils) for face in faces if face is not None)
+
+
+def _face(camera: Camera, canvas: Box, plane: Plane, cone: Cone | None) -> Face | None:
+    """Return a face as if nothing else were there."""
+    lift = world_from_canvas_on(camera, plane)
+    if lift is None:
+        return None
+    flat = Flat(lift / np.abs(lift).max(), plane.equation)
+    outline = None if cone is None else flat.outline(cone)
+    box = canvas if outline is None else region_box(outline, canvas)
+    return None if box is None else Face(GROUND, plane, flat, outline, {}, box)
 
 
 def _seen_of(body: Body, eye: Vector4) -> Iterator[tuple[Plane, Cone]]:

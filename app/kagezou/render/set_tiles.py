@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
+from kagezou.geometry.polygon import box_polygon
 from kagezou.geometry.regions import Group, Region
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.tiles import TILE_PX, Boxes, runs_of, tile_corners
@@ -66,14 +67,10 @@ class MaskTiling:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _States:
-    """For each tile whether something holds all of it, and whether it holds any."""
+    """For tiles (…, N) whether something holds all of each, and whether it holds any of it."""
 
     full: Flags
     some: Flags
-
-    @property
-    def rim(self) -> Flags:
-        return self.some & ~self.full
 
 
 def mask_tiles(mask: Mask, area: Box, canvas: Box, *, own_shadow: bool) -> MaskTiling:
@@ -91,74 +88,104 @@ def mask_tiles(mask: Mask, area: Box, canvas: Box, *, own_shadow: bool) -> MaskT
     columns = np.arange(area.left // TILE_PX, -(-area.right // TILE_PX))
     rows = np.arange(area.top // TILE_PX, -(-area.bottom // TILE_PX))
     corners = tile_corners(columns, rows)
-    count = corners.shape[2]
-    outline = _States(np.ones(count, bool), np.ones(count, bool))
-    if mask.outline is not None:
-        outline = region_states(mask.outline, corners)
-    hidden = [_group_states(group, corners) for group in mask.hidden]
-    unlit = [_group_states(group, corners) for group in mask.unlit]
-    seen, seen_whole = _left_over(outline, hidden)
+    around = np.column_stack([box_polygon(area.grown(2 * TILE_PX)), np.ones(4)]).T
+    near = Mask(mask.outline, _touching(mask.hidden, around), _touching(mask.unlit, around))
+    outline = _one(mask.outline, corners)
+    hidden = [_group_states(group, corners) for group in near.hidden]
+    unlit = [_group_states(group, corners) for group in near.unlit]
+    seen = _left_over(outline, hidden)
     if own_shadow:
-        taken = _any([each.full for each, _ in unlit], count)
-        possible, whole = seen & _any([each.some for each, _ in unlit], count), seen_whole & taken
+        every = np.zeros(corners.shape[2], bool)
+        taken = _States(every.copy(), every.copy())
+        for group, _ in unlit:
+            taken = _States(taken.full | group.full, taken.some | group.some)
+        asked = taken
     else:
-        lit, lit_whole = _left_over(_States(np.ones(count, bool), np.ones(count, bool)), unlit)
-        possible, whole = seen & lit, seen_whole & lit_whole
+        asked = _left_over(_one(None, corners), unlit)
+    whole, possible = seen.full & asked.full, seen.some & asked.some
     codes = np.where(whole, _WHOLE, np.where(possible, _EDGE, _NOTHING))
-    grid = codes.reshape(len(rows), len(columns))
-    boxes, kinds = runs_of(grid, (int(columns[0]), int(rows[0])), canvas)
+    boxes, kinds = runs_of(codes.reshape(len(rows), len(columns)), (int(columns[0]), int(rows[0])), canvas)
     edge = codes == _EDGE
+    is_rim = bool((outline.some & ~outline.full & edge).any())
     needed = Mask(
-        mask.outline if mask.outline is not None and bool((outline.rim & edge).any()) else None,
-        _needed(mask.hidden, hidden, edge),
-        _needed(mask.unlit, unlit, edge),
+        near.outline if is_rim else None, _needed(near.hidden, hidden, edge), _needed(near.unlit, unlit, edge)
     )
     return MaskTiling(boxes[kinds == _WHOLE], boxes[kinds == _EDGE], needed)
 
 
-def region_states(region: Region, corners: Matrix) -> _States:
-    """Return what a region holds of tiles, given by their corners (4, 3, N)."""
-    full, some = np.ones(corners.shape[2], bool), np.ones(corners.shape[2], bool)
-    if len(region.lines):
-        distances = np.matmul(region.lines, corners)
-        full &= (distances.min(axis=0) >= 0).all(axis=0)
-        some &= (distances.max(axis=0) > 0).all(axis=0)
-    if region.conic is not None:
-        middle = corners.mean(axis=0)
-        slopes = 2 * (region.conic @ middle)
-        values = np.einsum("in,in->n", middle, slopes) / 2
-        # How far the form can be from its value in the middle of a tile: by its slope there, and by its curvature.
-        bend = float(np.abs(np.linalg.eigvalsh(region.conic[:2, :2])).max())
-        reach = np.hypot(slopes[0], slopes[1]) * _HALF_DIAGONAL_PX + bend * _HALF_DIAGONAL_PX**2
-        full &= values >= reach
-        some &= values > -reach
+def region_states(regions: Sequence[Region], corners: Matrix) -> _States:
+    """Return what regions hold of tiles, given by their corners (4, 3, N): flags (regions, N)."""
+    full, some = np.ones((len(regions), corners.shape[2]), bool), np.ones((len(regions), corners.shape[2]), bool)
+    lined = [index for index, region in enumerate(regions) if len(region.lines)]
+    if lined:
+        starts = np.cumsum([0, *(len(regions[index].lines) for index in lined[:-1])])
+        distances = np.matmul(np.concatenate([regions[index].lines for index in lined]), corners)
+        full[lined] = np.logical_and.reduceat(distances.min(axis=0) >= 0, starts, axis=0)
+        some[lined] = np.logical_and.reduceat(distances.max(axis=0) > 0, starts, axis=0)
+    for index, region in enumerate(regions):
+        if region.conic is not None:
+            low, high = _conic_bounds(region.conic, corners)
+            full[index] &= low >= 0
+            some[index] &= high > 0
     return _States(full, some)
 
 
-def _group_states(group: Group, corners: Matrix) -> tuple[_States, list[_States]]:
-    each = [region_states(region, corners) for region in group.regions]
-    count = corners.shape[2]
-    return _States(_any([state.full for state in each], count), _any([state.some for state in each], count)), each
+def _conic_bounds(conic: Matrix, corners: Matrix) -> tuple[Matrix, Matrix]:
+    """Return between which values a conic stays in tiles: by its slope in the middle, and by its curvature."""
+    middle = corners.mean(axis=0)
+    slopes = 2 * (conic @ middle)
+    values = np.einsum("in,in->n", middle, slopes) / 2
+    bend = float(np.abs(np.linalg.eigvalsh(conic[:2, :2])).max())
+    reach = np.hypot(slopes[0], slopes[1]) * _HALF_DIAGONAL_PX + bend * _HALF_DIAGONAL_PX**2
+    return values - reach, values + reach
 
 
-def _any(flags: Sequence[Flags], count: int) -> Flags:
-    return np.logical_or.reduce(flags) if flags else np.zeros(count, bool)
+def _touching(groups: Sequence[Group], around: Matrix) -> tuple[Group, ...]:
+    """Return the groups without the regions that lie wholly beyond one of their lines, given corners (3, 4)."""
+    regions = [region for group in groups for region in group.regions]
+    if not regions:
+        return ()
+    lines = [region.lines for region in regions]
+    inside = iter((np.concatenate(lines) @ around).max(axis=1).tolist())
+    kept = [min((next(inside) for _ in each), default=1.0) > 0 for each in lines]
+    found: list[Group] = []
+    at = 0
+    for group in groups:
+        left = tuple(region for region, keep in zip(group.regions, kept[at:], strict=False) if keep)
+        at += len(group.regions)
+        if left:
+            found.append(Group(left, group.overlaps))
+    return tuple(found)
 
 
-def _left_over(start: _States, taken: Sequence[tuple[_States, list[_States]]]) -> tuple[Flags, Flags]:
-    """Return which tiles may be left when groups take their parts, and which are left whole."""
+def _one(region: Region | None, corners: Matrix) -> _States:
+    if region is None:
+        return _States(np.ones(corners.shape[2], bool), np.ones(corners.shape[2], bool))
+    states = region_states([region], corners)
+    return _States(states.full[0], states.some[0])
+
+
+def _group_states(group: Group, corners: Matrix) -> tuple[_States, _States]:
+    """Return what a group holds of tiles, and what each of its regions does."""
+    each = region_states(group.regions, corners)
+    return _States(each.full.any(axis=0), each.some.any(axis=0)), each
+
+
+def _left_over(start: _States, taken: Sequence[tuple[_States, _States]]) -> _States:
+    """Return what is left of tiles when groups take their parts."""
     some, full = start.some, start.full
     for group, _ in taken:
         some = some & ~group.full
         full = full & ~group.some
-    return some, full
+    return _States(full, some)
 
 
-def _needed(groups: Sequence[Group], states: Sequence[tuple[_States, list[_States]]], edge: Flags) -> tuple[Group, ...]:
+def _needed(groups: Sequence[Group], states: Sequence[tuple[_States, _States]], edge: Flags) -> tuple[Group, ...]:
     """Return the groups with the regions that hold a part of an edge tile."""
     kept: list[Group] = []
     for group, (_, each) in zip(groups, states, strict=True):
-        regions = [region for region, state in zip(group.regions, each, strict=True) if bool((state.some & edge).any())]
+        holds = (each.some & edge).any(axis=1).tolist()
+        regions = tuple(region for region, is_held in zip(group.regions, holds, strict=True) if is_held)
         if regions:
-            kept.append(Group(tuple(regions), group.overlaps))
+            kept.append(Group(regions, group.overlaps))
     return tuple(kept)
