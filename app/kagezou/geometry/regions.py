@@ -132,7 +132,8 @@ class Flat:
         x, y, z, d = plane.tolist()
         nx, ny, nz, nd = self.equation
         cosine = x * nx + y * ny + z * nz
-        return 1.0 - abs(cosine) < 1e-12 and abs(nd - (d if cosine > 0 else -d)) < TOUCHING_PX
+        gap = nd - (d if cosine > 0 else -d)
+        return bool(1.0 - abs(cosine) < 1e-12 and abs(gap) < TOUCHING_PX)
 
     def _touching(self, edges: Matrix) -> list[int]:
         """Return the numbers of the edges that lie on the receiver."""

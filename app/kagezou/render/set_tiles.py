@@ -98,7 +98,8 @@ def mask_tiles(mask: Mask, area: Box, canvas: Box, *, own_shadow: bool) -> MaskT
         every = np.zeros(corners.shape[2], bool)
         taken = _States(every.copy(), every.copy())
         for group, _ in unlit:
-            taken = _States(taken.full | group.full, taken.some | group.some)
+            np.logical_or(taken.full, group.full, out=taken.full)
+            np.logical_or(taken.some, group.some, out=taken.some)
         asked = taken
     else:
         asked = _left_over(_one(None, corners), unlit)
@@ -168,15 +169,15 @@ def _one(region: Region | None, corners: Matrix) -> _States:
 def _group_states(group: Group, corners: Matrix) -> tuple[_States, _States]:
     """Return what a group holds of tiles, and what each of its regions does."""
     each = region_states(group.regions, corners)
-    return _States(each.full.any(axis=0), each.some.any(axis=0)), each
+    return _States(np.logical_or.reduce(each.full), np.logical_or.reduce(each.some)), each
 
 
 def _left_over(start: _States, taken: Sequence[tuple[_States, _States]]) -> _States:
     """Return what is left of tiles when groups take their parts."""
-    some, full = start.some, start.full
+    some, full = start.some.copy(), start.full.copy()
     for group, _ in taken:
-        some = some & ~group.full
-        full = full & ~group.some
+        some &= ~group.full
+        full &= ~group.some
     return _States(full, some)
 
 
@@ -184,7 +185,7 @@ def _needed(groups: Sequence[Group], states: Sequence[tuple[_States, _States]], 
     """Return the groups with the regions that hold a part of an edge tile."""
     kept: list[Group] = []
     for group, (_, each) in zip(groups, states, strict=True):
-        holds = (each.some & edge).any(axis=1).tolist()
+        holds = np.logical_and(each.some, edge).max(axis=1).tolist()
         regions = tuple(region for region, is_held in zip(group.regions, holds, strict=True) if is_held)
         if regions:
             kept.append(Group(regions, group.overlaps))
