@@ -14,6 +14,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
 from kagezou.geometry.regions import Group, Region
+from kagezou.geometry.round_view import RoundFace
 from kagezou.geometry.set_view import GROUND, Face
 from kagezou.geometry.shadow import plane_coordinates
 from kagezou.geometry.vectors import Vector4, height_over
@@ -23,6 +24,7 @@ from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.set_adding import Adding, OwnShade
+from kagezou.render.set_round import RoundLit, RoundPass
 from kagezou.render.set_stage import Stage
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Target
@@ -51,12 +53,14 @@ class SetPass:
         self._caster = caster
         self._shaper = shaper
         self._adding = Adding(boxes)
+        self._round = RoundPass(boxes)
         self._stages: OrderedDict[int, Stage] = OrderedDict()
         self._scratches: dict[str, Target] = {}
 
     def close(self) -> None:
         """Give the memory back."""
         self._adding.close()
+        self._round.close()
         for target in self._scratches.values():
             target.close()
         self._scratches.clear()
@@ -89,6 +93,11 @@ class SetPass:
             box: Box | None = None
             for face in stage.faces:
                 box = _around(box, self._add_own(lit, face, own))
+            for each in stage.rounds:
+                alone = self._scratch("face", target)
+                round_lit = RoundLit(stage, each, light, lit.veils)
+                dark = self._round.draw_own(round_lit, alone, is_caster=stage.is_caster(each))
+                box = _around(box, self._add_round(each, alone, dark, own))
             drawn = self._united(own, box, target, drawn)
         return drawn
 
@@ -117,6 +126,19 @@ class SetPass:
             drawn = _around(drawn, self._adding.add(mask, alone, box, target))
             if shaped is None or alone is not shaped[0]:
                 alone.clear(box)
+        for round_face in stage.rounds:
+            if stage.receives(round_face):
+                alone = self._scratch("face", target)
+                box = self._round.draw(RoundLit(stage, round_face, lit.light, lit.veils), cast, matte, alone)
+                drawn = _around(drawn, self._add_round(round_face, alone, box, target))
+        return drawn
+
+    def _add_round(self, face: RoundFace, alone: Target, box: Box | None, target: Target) -> Box | None:
+        """Add what is seen of a round face, and empty the scratch it was drawn in."""
+        if box is None:
+            return None
+        drawn = self._adding.add(Stage.round_mask(face), alone, box, target)
+        alone.clear(box)
         return drawn
 
     def _shaped(self, cast: ShadowCast, matte: PlacedMatte, target: Target) -> tuple[Target, Box | None]:

@@ -31,7 +31,7 @@ class Mask:
         What bodies take of it, from the camera and from the light.
     """
 
-    outline: Region | None
+    outline: Group | None
     hidden: tuple[Group, ...]
     unlit: tuple[Group, ...]
 
@@ -159,11 +159,10 @@ def _touching(groups: Sequence[Group], around: Matrix) -> tuple[Group, ...]:
     return tuple(found)
 
 
-def _one(region: Region | None, corners: Matrix) -> _States:
-    if region is None:
+def _one(group: Group | None, corners: Matrix) -> _States:
+    if group is None:
         return _States(np.ones(corners.shape[2], bool), np.ones(corners.shape[2], bool))
-    states = region_states([region], corners)
-    return _States(states.full[0], states.some[0])
+    return _group_states(group, corners)[0]
 
 
 def _group_states(group: Group, corners: Matrix) -> tuple[_States, _States]:

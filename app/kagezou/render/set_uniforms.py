@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from kagezou.geometry.regions import Group, Region
+from kagezou.geometry.regions import Group
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.program import Uniform
 from kagezou.render.set_tiles import Mask
@@ -14,7 +14,8 @@ MAX_REGIONS, MAX_LINES, MAX_CONICS = 40, 120, 20
 TABLE_SIZES = frozenset({f"MAX_REGIONS {MAX_REGIONS}", f"MAX_LINES {MAX_LINES}", f"MAX_CONICS {MAX_CONICS}"})
 """Switches of ``set_mask.frag``: within what every driver has room for."""
 
-_LAST, _OVERLAPS, _OWN, _LIGHT = 1, 2, 4, 8
+LAST, OVERLAPS, OWN, LIGHT = 1, 2, 4, 8
+"""Flags of a region: the last of its group, one of a group that overlaps, of the receiver itself, of the light."""
 
 
 @dataclass(slots=True)
@@ -33,15 +34,15 @@ class _Tables:
             if region.conic is not None:
                 conic = len(self.conics)
                 self.conics.append(_packed(self.shift.T @ region.conic @ self.shift))
-            is_last = _LAST if index == len(group.regions) - 1 else 0
-            overlaps = _OVERLAPS if group.overlaps else 0
+            is_last = LAST if index == len(group.regions) - 1 else 0
+            overlaps = OVERLAPS if group.overlaps else 0
             self.regions.append((first, len(self.lines), conic, flags | is_last | overlaps))
 
 
 def fits(mask: Mask) -> bool:
     """Whether the tables have room for a mask."""
     regions = [region for group in (*mask.hidden, *mask.unlit) for region in group.regions]
-    regions += [] if mask.outline is None else [mask.outline]
+    regions += [] if mask.outline is None else mask.outline.regions
     return (
         len(regions) <= MAX_REGIONS
         and sum(len(region.lines) for region in regions) <= MAX_LINES
@@ -53,11 +54,11 @@ def mask_uniforms(mask: Mask, origin_px: tuple[float, float]) -> dict[str, Unifo
     """Return the uniforms of a mask around a canvas point; what the tables have no room for is left out."""
     tables = _Tables(np.array([[1.0, 0.0, origin_px[0]], [0.0, 1.0, origin_px[1]], [0.0, 0.0, 1.0]]))
     if mask.outline is not None:
-        tables.add(Group((mask.outline,), overlaps=False), _OWN)
+        tables.add(mask.outline, OWN)
     for group in mask.hidden:
         tables.add(group, 0)
     for group in mask.unlit:
-        tables.add(group, _LIGHT)
+        tables.add(group, LIGHT)
     uniforms: dict[str, Uniform] = {"u_origin_px": origin_px, "u_region_count": min(len(tables.regions), MAX_REGIONS)}
     if tables.regions:
         uniforms["u_regions"] = np.array(tables.regions[:MAX_REGIONS], dtype=np.float64)
@@ -66,11 +67,6 @@ def mask_uniforms(mask: Mask, origin_px: tuple[float, float]) -> dict[str, Unifo
     if tables.conics:
         uniforms["u_conics"] = np.concatenate(tables.conics[:MAX_CONICS])
     return uniforms
-
-
-def outline_region(region: Region) -> Mask:
-    """Return the mask of a region alone."""
-    return Mask(region, (), ())
 
 
 def _packed(conic: Matrix) -> Matrix:
