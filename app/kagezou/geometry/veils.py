@@ -104,8 +104,6 @@ def _over_polygon(corners: Matrix, plane: Matrix, source: Vector4) -> Cone | Non
     toward = lamp[:3] - lamp[3] * edges[:, 0]
     normals = np.cross(edges[:, 1] - edges[:, 0], toward)
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-    if float(lengths.min()) <= 0:
-        return None
     normals = normals / lengths
     planes = np.column_stack([normals, -np.einsum("ij,ij->i", normals, edges[:, 0])])
     middle = np.append(corners.mean(axis=0), 1.0)
