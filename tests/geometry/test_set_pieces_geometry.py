@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import set_raycast
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -88,6 +88,8 @@ def test_a_veil_holds_what_its_body_hides(kind: str, source: Vector4) -> None:
 @given(st.floats(-400, 400), st.floats(20, 600), st.floats(-400, 400))
 def test_a_veil_of_a_drum_holds_from_anywhere(a: float, h: float, b: float) -> None:
     """From beside it, from over it and from within, where it hides nothing."""
+    # On its very surface a lamp has no outline to tell.
+    assume(abs(np.hypot(a, b) - 60) > 0.5 and abs(h - 200) > 0.5)
     at = stand(angle=0.0)
     drum = shapes.drum(at, 120, 200)[0]
     place = np.array(at.origin) + a * np.array(at.u) + b * np.array(at.v) + h * np.array(at.normal)
