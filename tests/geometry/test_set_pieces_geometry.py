@@ -234,7 +234,7 @@ def test_what_is_taken_from_the_light_is_what_rays_to_it_meet(light: Vector4) ->
                 toward = np.broadcast_to(light[:3], points.shape) if light[3] == 0 else np.array(light[:3]) - points
                 enter, leave = set_raycast.interval(body, points, toward)
                 wanted |= (enter <= leave) & (leave > 1e-6) & ((enter < 1) | (light[3] == 0))
-        groups = face.unlit(bodies, veils)
+        groups = face.unlit(veils)
         got = np.any(
             [group_holds(group, x[mine], y[mine]) for group in groups] or [np.zeros(len(points), bool)], axis=0
         )
@@ -278,15 +278,18 @@ def test_what_lies_in_a_receiver_s_plane_takes_nothing_but_a_round_footprint() -
     wall = shapes.wall(at, 300, 220, 0.0)[0]
     lift = faces_of(CAMERAS[1], CANVAS, GROUND_PLANE, (wall,))[1].flat
     twin = shapes.wall(at, 100, 100, 0.0)[0]
-    assert lift.group(twin, veil_of(twin, CAMERAS[1].eye), keeps_footprint=True) is None
+    assert lift.group(heights_over(lift.equation, twin), veil_of(twin, CAMERAS[1].eye), keeps_footprint=True) is None
     ground = faces_of(CAMERAS[1], CANVAS, GROUND_PLANE, ())[0].flat
     drum = shapes.drum(at, 120, 200)[0]
-    kept, bare = (ground.group(drum, veil_of(drum, CAMERAS[1].eye), keeps_footprint=keeps) for keeps in (True, False))
+    kept, bare = (
+        ground.group(heights_over(ground.equation, drum), veil_of(drum, CAMERAS[1].eye), keeps_footprint=keeps)
+        for keeps in (True, False)
+    )
     assert kept is not None
     assert bare is not None
     assert len(kept[0].regions) == len(bare[0].regions) + 1
     sunk = Ball(at.origin, 50.0)
-    held = ground.group(sunk, veil_of(sunk, CAMERAS[1].eye), keeps_footprint=True)
+    held = ground.group(heights_over(ground.equation, sunk), veil_of(sunk, CAMERAS[1].eye), keeps_footprint=True)
     assert held is not None
     assert len(held[0].regions) == 2
     assert isinstance(ground, Flat)

@@ -80,20 +80,21 @@ class Flat:
     lift: Matrix
     equation: Vector4
 
-    def group(self, body: Body, veil: Veil, *, keeps_footprint: bool) -> Taken | None:
+    def group(self, span: tuple[float, float], veil: Veil, *, keeps_footprint: bool) -> Taken | None:
         """Return what a veil takes from the receiver, and the seams at which its body stands there.
 
         Parameters
         ----------
-        body, veil
-            The body must not be the one whose face the receiver is.
+        span, veil
+            Between which heights over the receiver a body lies, and its veil; it must not be the one whose face the
+            receiver is.
         keeps_footprint
             Whether a round end that lies on the receiver counts: for what is seen, not for what is lit, as no one
             sees under it.
 
         None where it takes nothing.
         """
-        low, high = heights_over(self.equation, body)
+        low, high = span
         if high <= TOUCHING_PX:
             return None
         regions: list[Region] = []

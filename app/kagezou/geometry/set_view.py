@@ -10,7 +10,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.pieces import Body, Drum, Solid
 from kagezou.geometry.polygon import bounding_box, box_polygon, clipped, shifted
-from kagezou.geometry.regions import Flat, Group, Region, Taken, apart, beyond
+from kagezou.geometry.regions import Flat, Group, Region, Taken, apart, beyond, heights_over
 from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.geometry.veils import Cone, Veil, end_cone, facet_cone, veil_of
 
@@ -36,6 +36,8 @@ class Face:
         What each body hides of it, by the body.
     box
         The canvas box it is seen in.
+    spans
+        Between which heights over it each body lies, px.
     """
 
     body: int
@@ -44,14 +46,15 @@ class Face:
     outline: Region | None
     hidden: dict[int, Taken]
     box: Box
+    spans: tuple[tuple[float, float], ...] = ()
 
-    def unlit(self, bodies: Sequence[Body], veils: dict[int, Veil]) -> tuple[Group, ...]:
+    def unlit(self, veils: dict[int, Veil]) -> tuple[Group, ...]:
         """Return what each of the veils of a light takes from this face."""
         groups: list[Group] = []
         for index, veil in veils.items():
             if index == self.body:
                 continue
-            taken = self.flat.group(bodies[index], veil, keeps_footprint=False)
+            taken = self.flat.group(self.spans[index], veil, keeps_footprint=False)
             if taken is not None:
                 seen = self.hidden.get(index)
                 groups.append(self._beyond(taken[0] if seen is None else apart(taken, seen)))
@@ -59,12 +62,13 @@ class Face:
 
     def hidden_by(self, bodies: Sequence[Body], veils: dict[int, Veil]) -> "Face":
         """Return the face with what the camera's veils, but for its own body's, hide of it."""
+        spans = tuple(heights_over(self.flat.equation, body) for body in bodies)
         hidden: dict[int, Taken] = {}
         for index, veil in veils.items():
-            taken = None if index == self.body else self.flat.group(bodies[index], veil, keeps_footprint=True)
+            taken = None if index == self.body else self.flat.group(spans[index], veil, keeps_footprint=True)
             if taken is not None:
                 hidden[index] = (self._beyond(taken[0]), taken[1])
-        return replace(self, hidden=hidden)
+        return replace(self, hidden=hidden, spans=spans)
 
     def _beyond(self, group: Group) -> Group:
         return group if self.outline is None else beyond(group, self.outline, self.box)

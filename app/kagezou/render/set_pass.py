@@ -20,12 +20,13 @@ from kagezou.geometry.shadow import plane_coordinates
 from kagezou.geometry.vectors import Vector4, height_over
 from kagezou.geometry.veils import Veil
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_pass import CastPass, Window
+from kagezou.render.cast_pass import CastPass, Window, strokes
 from kagezou.render.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.set_adding import Adding, OwnShade
 from kagezou.render.set_round import RoundLit, RoundPass
 from kagezou.render.set_stage import Stage
+from kagezou.render.set_tiles import Mask
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Target
 from kagezou.scene.pieces import PieceScene, SetCast
@@ -46,13 +47,16 @@ class _Lit:
     veils: dict[int, Veil]
 
 
+_Character = tuple[ShadowCast, PlacedMatte]
+
+
 class SetPass:
     """Draws characters' shadows on a set, and the set's own."""
 
     def __init__(self, boxes: Boxes, caster: CastPass, shaper: ShapePass) -> None:
         self._caster = caster
         self._shaper = shaper
-        self._adding = Adding(boxes)
+        self._adding = Adding(boxes, caster)
         self._round = RoundPass(boxes)
         self._stages: OrderedDict[int, Stage] = OrderedDict()
         self._scratches: dict[str, Target] = {}
@@ -115,23 +119,45 @@ class SetPass:
         for face in stage.faces:
             if not stage.receives(face):
                 continue
-            if face.body == GROUND and shaped is not None:
-                alone, box = shaped
-            else:
-                alone = self._scratch("face", target)
-                box = self.coverage(cast, face, lit.light, matte, alone)
-            if box is None:
-                continue
-            mask = stage.mask(face, face.unlit(stage.bodies, lit.veils))
-            drawn = _around(drawn, self._adding.add(mask, alone, box, target))
-            if shaped is None or alone is not shaped[0]:
-                alone.clear(box)
+            of_ground = shaped if face.body == GROUND else None
+            drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_ground))
         for round_face in stage.rounds:
             if stage.receives(round_face):
                 alone = self._scratch("face", target)
                 box = self._round.draw(RoundLit(stage, round_face, lit.light, lit.veils), cast, matte, alone)
                 drawn = _around(drawn, self._add_round(round_face, alone, box, target))
         return drawn
+
+    def _add_face(
+        self,
+        lit: _Lit,
+        character: _Character,
+        face: Face,
+        target: Target,
+        shaped: tuple[Target, Box | None] | None,
+    ) -> Box | None:
+        """Add what is seen and lit of a face, its shadow drawn for it or given as it was shaped."""
+        if shaped is not None:
+            alone, box = shaped
+            return None if box is None else self._adding.add(self._mask(lit, face), alone, box, target)
+        alone = self._scratch("face", target)
+        cast, matte = character
+        if len(cast.card.pieces) == 1:
+            drawn: Box | None = None
+            for stroke in strokes(cast, (face.plane, lit.light), matte, Window(face.box)):
+                if stroke.grid.touched.any():
+                    drawn = self._adding.add_stroke(self._mask(lit, face), stroke, alone, target)
+            return drawn
+        box = self.coverage(cast, face, lit.light, matte, alone)
+        if box is None:
+            return None
+        drawn = self._adding.add(self._mask(lit, face), alone, box, target)
+        alone.clear(box)
+        return drawn
+
+    @staticmethod
+    def _mask(lit: _Lit, face: Face) -> Mask:
+        return lit.stage.mask(face, face.unlit(lit.veils))
 
     def _add_round(self, face: RoundFace, alone: Target, box: Box | None, target: Target) -> Box | None:
         """Add what is seen of a round face, and empty the scratch it was drawn in."""
@@ -155,7 +181,7 @@ class SetPass:
             if not is_caster:
                 return None
             return self._adding.add_own(stage.mask(face, (EVERYWHERE,)), _shade(face, None, face.box), face.box, target)
-        unlit = face.unlit(stage.bodies, lit.veils)
+        unlit = face.unlit(lit.veils)
         shade = _shade(face, lit.light if unlit or is_caster else None, face.box)
         if is_caster and not shade.is_even:
             # It passes over into a face that is turned away: every tile is a little dark.

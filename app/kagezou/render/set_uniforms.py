@@ -41,8 +41,7 @@ class _Tables:
 
 def fits(mask: Mask) -> bool:
     """Whether the tables have room for a mask."""
-    regions = [region for group in (*mask.hidden, *mask.unlit) for region in group.regions]
-    regions += [] if mask.outline is None else mask.outline.regions
+    regions = [region for group in mask.groups for region in group.regions]
     return (
         len(regions) <= MAX_REGIONS
         and sum(len(region.lines) for region in regions) <= MAX_LINES
