@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Tracks
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece, Tracks
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
 
@@ -108,12 +108,18 @@ def notes(draw: st.DrawFn, layer_ids: list[str]) -> Note:
 
 
 @st.composite
+def pieces(draw: st.DrawFn, number: int, name: str) -> Piece:
+    return Piece(f"piece-{number}", name, draw(track_tables(dict(OF_PIECE))))
+
+
+@st.composite
 def documents(draw: st.DrawFn) -> Document:
     rate = Fraction(draw(st.integers(1, 60000)), draw(st.integers(60, 2000)))
     canvas = Canvas(draw(st.integers(1, 16384)), draw(st.integers(1, 16384)), rate, draw(st.integers(1, 1000)))
     chosen = draw(st.lists(names, max_size=3, unique=True))
     drawn = tuple(draw(layers(number, name)) for number, name in enumerate(chosen, start=1))
     marked = sorted(draw(st.sets(st.integers(1, 1000), max_size=3)))
+    set_names = draw(st.lists(names, max_size=2, unique=True))
     return Document(
         canvas,
         draw(st.one_of(st.none(), paths)),
@@ -122,4 +128,5 @@ def documents(draw: st.DrawFn) -> Document:
         draw(work_areas()),
         tuple(Marker(frame, draw(said), draw(st.integers(0, 50))) for frame in marked),
         tuple(draw(st.lists(notes([layer.id for layer in drawn]), max_size=2))),
+        tuple(draw(pieces(number, name)) for number, name in enumerate(set_names, start=1)),
     )

@@ -130,12 +130,14 @@ def test_info_says_what_is_missing_and_keyed(shell: Shell, project: Path) -> Non
 
 
 def test_info_lists_every_property(shell: Shell, project: Path) -> None:
-    from kagezou.document.properties import TABLE
+    from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 
+    table = [*OF_DOCUMENT.values(), *OF_LAYER.values(), *OF_PIECE.values()]
+    shell.ok("piece", project, "add", "back", "wall")
     text = shell.ok("info", project, "--properties")
     rows = shell.json("info", project, "--properties", "--json")["properties"]
-    assert len(rows) == len(TABLE)
-    for line, row in zip(TABLE, rows, strict=True):
+    assert len(rows) == len(table)
+    for line, row in zip(table, rows, strict=True):
         assert row["path"].endswith(line.name)
         assert row["path"] + " = " in text
         assert row["help_ja"]

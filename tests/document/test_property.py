@@ -16,6 +16,7 @@ from kagezou.document.properties import (
     LIGHT_POSITION,
     OF_DOCUMENT,
     OF_LAYER,
+    OF_PIECE,
     OPACITY,
     OVERHEAD_RADIUS,
     TABLE,
@@ -114,10 +115,10 @@ def test_component_names_match_the_components_of_values(line: Property) -> None:
     assert line.holds_only == (line.kind in (Kind.CHOICE, Kind.SWITCH))
 
 
-def test_names_are_unique_and_sorted_into_two_tables() -> None:
+def test_names_are_unique_and_sorted_into_three_tables() -> None:
     assert len({line.name for line in TABLE}) == len(TABLE)
-    assert set(OF_DOCUMENT) | set(OF_LAYER) == {line.name for line in TABLE}
-    assert not set(OF_DOCUMENT) & set(OF_LAYER)
+    assert set(OF_DOCUMENT) | set(OF_LAYER) | set(OF_PIECE) == {line.name for line in TABLE}
+    assert len(OF_DOCUMENT) + len(OF_LAYER) + len(OF_PIECE) == len(TABLE)
 
 
 @lines

@@ -53,11 +53,11 @@ def shade_of(cast: ShadowCast, art: Art, point: Array) -> Array:
     """Return how much light world points (..., 3) of the first receiver lose, 0 to 1."""
     total = np.zeros(point.shape[:-1])
     for light in cast.lights:
-        total = np.maximum(total, _shade_from(cast, art, light, point) * _grazing(light, point, cast))
+        total = np.maximum(total, shade_from(cast, art, light, point) * _grazing(light, point, cast))
     return total
 
 
-def _shade_from(cast: ShadowCast, art: Art, light: Vector4, point: Array) -> Array:
+def shade_from(cast: ShadowCast, art: Art, light: Vector4, point: Array) -> Array:
     lamp = np.array(light)
     toward = np.broadcast_to(lamp[:3], point.shape) if lamp[3] == 0 else lamp[:3] - point
     contacts = [place[0] for place in cast.card.contacts]
@@ -115,12 +115,12 @@ def coverage(cast: ShadowCast, art: Art, hint: Array, rays: int = 160) -> Array:
     around = np.stack([rim[j : j + coarse.shape[0], i : i + coarse.shape[1]] for j in range(3) for i in range(3)])
     fine = (around.max(axis=0) - around.min(axis=0) > 1e-6) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
     px, py = x[fine], y[fine]
-    coarse[fine] = sum(shade(cast, art, px + dx, py + dy) for dx, dy in _spread(rays)) / rays
+    coarse[fine] = sum(shade(cast, art, px + dx, py + dy) for dx, dy in spread(rays)) / rays
     result[top:bottom, left:right] = coarse
     return result
 
 
-def _spread(count: int) -> Array:
+def spread(count: int) -> Array:
     """Return points (count, 2) of the unit square spread by the plastic number: no rows for a thin edge to hide in."""
     plastic = 1.32471795724474602596
     index = np.arange(1, count + 1)[:, np.newaxis]

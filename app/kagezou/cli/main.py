@@ -20,6 +20,7 @@ VERBS: Final = {
     "set": "set properties, for the whole cut or by keys",
     "get": "print the value of a property",
     "info": "say what is in a project, and what is missing",
+    "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",
     "render": "write the shadow layers as numbered frames",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",

@@ -1,7 +1,11 @@
 """Values of properties as people and programs read them."""
 
+import json
+from typing import NoReturn
+
 from kagezou.animation.track import Interpolation, Track, Value
 from kagezou.cli.terminal import Json
+from kagezou.errors import UsageProblem
 
 
 def json_of_value(value: Value) -> Json:
@@ -29,3 +33,29 @@ def json_of_keys(track: Track) -> list[Json]:
             entry["ease_out"] = [[ease.speed, ease.influence] for ease in key.ease_out]
         keys.append(entry)
     return keys
+
+
+class NotJson(UsageProblem):
+    """What was typed as a value cannot be read."""
+
+
+def value_of_text(path: str, text: str) -> object:
+    """Return the JSON value that was typed for a property, or the text itself where it is one bare word or colour.
+
+    Raises
+    ------
+    NotJson
+        If it is neither.
+    """
+    try:
+        value: object = json.loads(text, parse_constant=_no_constant)
+    except (ValueError, RecursionError):
+        bare = text.removeprefix("#")
+        if text and bare.isascii() and bare.replace("_", "").isalnum():
+            return text
+        raise NotJson(f'{path}: {text[:60]!r} is not JSON: a number, true, "word", [x, y] or [[x, y], ...]') from None
+    return value
+
+
+def _no_constant(name: str) -> NoReturn:
+    raise ValueError(name)

@@ -6,17 +6,18 @@ from difflib import get_close_matches
 
 from kagezou.animation.track import Track, Value
 from kagezou.document.model import Document
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.errors import UsageProblem
 
 
 @dataclass(frozen=True, slots=True)
 class Address:
-    """One property of the document, or of the layer with an id."""
+    """One property of the document, or of the layer or the set piece with an id."""
 
     property: Property
     layer_id: str | None = None
+    piece_id: str | None = None
 
 
 def resolve(document: Document, path: str) -> Address:
@@ -33,6 +34,10 @@ def resolve(document: Document, path: str) -> Address:
         prefix = f"layers.{layer.name}."
         if path.startswith(prefix) and path.removeprefix(prefix) in OF_LAYER:
             return Address(OF_LAYER[path.removeprefix(prefix)], layer.id)
+    for piece in document.pieces:
+        prefix = f"set.{piece.name}."
+        if path.startswith(prefix) and path.removeprefix(prefix) in OF_PIECE:
+            return Address(OF_PIECE[path.removeprefix(prefix)], piece_id=piece.id)
     near = get_close_matches(path, [path_of(document, address) for address in addresses(document)], n=1)
     hint = f"; did you mean {near[0]}?" if near else ""
     raise UsageProblem(f"there is no property {path!r} in this project{hint}")
@@ -40,23 +45,31 @@ def resolve(document: Document, path: str) -> Address:
 
 def path_of(document: Document, address: Address) -> str:
     """Return the path people write for an address."""
+    if address.piece_id is not None:
+        return f"set.{document.piece(address.piece_id).name}.{address.property.name}"
     if address.layer_id is None:
         return address.property.name
     return f"layers.{document.layer(address.layer_id).name}.{address.property.name}"
 
 
 def addresses(document: Document) -> Iterator[Address]:
-    """Yield every property of the document in table order, then those of its layers."""
+    """Yield every property of the document in table order, then those of its layers and set pieces."""
     for line in OF_DOCUMENT.values():
         yield Address(line)
     for layer in document.layers:
         for line in OF_LAYER.values():
             yield Address(line, layer.id)
+    for piece in document.pieces:
+        for line in OF_PIECE.values():
+            yield Address(line, piece_id=piece.id)
 
 
 def track_of(document: Document, address: Address) -> Track:
     """Return the track at an address; a property that was never set has its default as its constant."""
-    tracks = document.tracks if address.layer_id is None else document.layer(address.layer_id).tracks
+    if address.piece_id is not None:
+        tracks = document.piece(address.piece_id).tracks
+    else:
+        tracks = document.tracks if address.layer_id is None else document.layer(address.layer_id).tracks
     return tracks.get(address.property.name) or Track(address.property.default)
 
 

@@ -22,6 +22,8 @@ def set_track(document: Document, address: Address, track: Track) -> Document:
     if track == track_of(document, address):
         return document
     name = address.property.name
+    if address.piece_id is not None:
+        return _with_piece_track(document, address.piece_id, name, track)
     if address.layer_id is None:
         return replace(document, tracks=_with(document.tracks, name, track))
     layer = document.layer(address.layer_id)
@@ -143,6 +145,12 @@ def _free_id(document: Document) -> str:
 def _with_layer(document: Document, changed: Layer) -> Document:
     layers = tuple(changed if layer.id == changed.id else layer for layer in document.layers)
     return replace(document, layers=layers)
+
+
+def _with_piece_track(document: Document, piece_id: str, name: str, track: Track) -> Document:
+    piece = document.piece(piece_id)
+    changed = replace(piece, tracks=_with(piece.tracks, name, track))
+    return replace(document, pieces=tuple(changed if each.id == piece_id else each for each in document.pieces))
 
 
 def _with(tracks: Tracks, name: str, track: Track) -> Tracks:

@@ -25,6 +25,7 @@ def check(document: Document) -> None:
         shown = [exposure.drawing for exposure in layer.cels.exposures if exposure.drawing is not None]
         if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
             raise ProjectProblem(f"layers.{layer.name}: an exposure names a drawing that is not there")
+    _check_pieces(document)
     _check_tracks(document)
     _check_review(document)
 
@@ -41,6 +42,13 @@ def _check_review(document: Document) -> None:
         known = OF_DOCUMENT if note.layer_id is None else OF_LAYER if note.layer_id in ids else {}
         if note.property not in known:
             raise ProjectProblem(f"notes: there is no property {note.property!r} of layer {note.layer_id!r}")
+
+
+def _check_pieces(document: Document) -> None:
+    if len({piece.id for piece in document.pieces}) != len(document.pieces):
+        raise ProjectProblem("set: two pieces have the same id")
+    if len({piece.name for piece in document.pieces}) != len(document.pieces):
+        raise ProjectProblem("set: two pieces have the same name")
 
 
 def _check_canvas(document: Document) -> None:

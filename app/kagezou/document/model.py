@@ -129,8 +129,27 @@ class Note:
 
 
 @dataclass(frozen=True, slots=True)
+class Piece:
+    """A set piece on the ground: a wall, a box and the like, by its properties.
+
+    Parameters
+    ----------
+    id
+        Stable for the life of the document; never shown.
+    name
+        Unique in the set; part of property paths.
+    tracks
+        By set piece property name; its shape is one of them.
+    """
+
+    id: str
+    name: str
+    tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+
+
+@dataclass(frozen=True, slots=True)
 class Document:
-    """A cut: canvas, background picture, character layers from bottom to top, and the scene's properties.
+    """A cut: canvas, background picture, character layers from bottom to top, the scene's properties and its set.
 
     Parameters
     ----------
@@ -149,6 +168,7 @@ class Document:
     work_area: tuple[int, int] | None = None
     markers: tuple[Marker, ...] = ()
     notes: tuple[Note, ...] = ()
+    pieces: tuple[Piece, ...] = ()
 
     @property
     def played(self) -> tuple[int, int]:
@@ -163,3 +183,10 @@ class Document:
             if layer.id == layer_id:
                 return layer
         raise KeyError(layer_id)
+
+    def piece(self, piece_id: str) -> Piece:
+        """Return the set piece with this id; KeyError if there is none."""
+        for piece in self.pieces:
+            if piece.id == piece_id:
+                return piece
+        raise KeyError(piece_id)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from kagezou.document.property import Kind, Property, Scope, Words
+from kagezou.document.set_properties import SET_LINES
 
 FOV = Property(
     "camera.fov", Kind.NUMBER, Scope.DOCUMENT, 0.0,
@@ -274,8 +275,10 @@ TABLE: tuple[Property, ...] = (
     COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE,
     WAVES_ON, WAVE1.amplitude, WAVE1.wavelength, WAVE1.direction, WAVE1.velocity,
     WAVE2.amplitude, WAVE2.wavelength, WAVE2.direction, WAVE2.velocity, WAVE_ANCHOR, WAVE_SEED,
+    *SET_LINES,
 )  # fmt: skip
 """Every property, in the order in which people read them."""
 
 OF_DOCUMENT = MappingProxyType({line.name: line for line in TABLE if line.scope is Scope.DOCUMENT})
 OF_LAYER = MappingProxyType({line.name: line for line in TABLE if line.scope is Scope.LAYER})
+OF_PIECE = MappingProxyType({line.name: line for line in TABLE if line.scope is Scope.PIECE})

@@ -32,6 +32,7 @@ class Scope(StrEnum):
 
     DOCUMENT = "document"
     LAYER = "layer"
+    PIECE = "piece"
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +50,7 @@ class Property:
     Parameters
     ----------
     name
-        The path; for a layer's property the part after ``layers.NAME.``.
+        The path; for a property of a layer or a set piece the part after ``layers.NAME.`` or ``set.NAME.``.
     kind, scope, unit, default
         ``unit`` is "px", "°" or "" for a plain number.
     low, high

@@ -19,6 +19,7 @@ from kagezou.io.cels import CelCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.context import OpenContext
 from kagezou.render.renderer import Renderer
+from kagezou.scene.pieces import SetCast
 
 CEL_BUDGET_BYTES: Final = 256 << 20
 
@@ -97,6 +98,8 @@ def _drawn(renderer: Renderer, depth: int, job: Job) -> Image:
     if isinstance(job.content, CompositeContent):
         renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
         return renderer.read_picture()
+    if isinstance(job.content.cast, SetCast) and job.scene.set_shadow is not None:
+        return renderer.set_shadow(job.scene, job.scene.set_shadow, depth)
     if job.layer is None:
         return blank_image(job, job.content, depth)
     return renderer.shadow(job.scene, job.layer, depth)

@@ -6,14 +6,18 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Final
 
+from kagezou.animation.track import Track
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.model import Document, Drawing, Layer
+from kagezou.document.property import Property
+from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.names import digits_for, safe_names
 from kagezou.export.request import SUFFIXES, ExportRequest
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.scene import LayerScene, Scene, ShadowCast, ShadowLook
+from kagezou.scene.pieces import SetCast
+from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
 COMPOSITE: Final = "composite"
 """The folder and the first part of the files of composites."""
@@ -23,7 +27,7 @@ COMPOSITE: Final = "composite"
 class ShadowContent:
     """All that decides a shadow picture but its size and format; without a cast it is empty."""
 
-    cast: ShadowCast | None
+    cast: ShadowCast | SetCast | None
     look: ShadowLook
 
 
@@ -33,6 +37,7 @@ class CompositeContent:
 
     background: Path | None
     layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook], ...]
+    set_shadow: SetShadow | None = None
 
 
 Content = ShadowContent | CompositeContent
@@ -55,8 +60,8 @@ class Job:
     content
         What it shows; equal contents have equal pixels.
     scene, layer
-        What to draw it from: the first frame that shows it; the layer is None for a composite and for an empty
-        shadow.
+        What to draw it from: the first frame that shows it; the layer is None for a composite, for an empty shadow
+        and for the set's.
     targets
         In the order of their frames, never empty.
     """
@@ -71,7 +76,7 @@ class Job:
         """The drawings whose alpha it needs."""
         if isinstance(self.content, CompositeContent):
             return ()
-        return () if self.content.cast is None else (self.content.cast.drawing.path,)
+        return (self.content.cast.drawing.path,) if isinstance(self.content.cast, ShadowCast) else ()
 
     @property
     def cels(self) -> tuple[Path, ...]:
@@ -117,6 +122,9 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     layers = _layers(document, request)
     names = safe_names(layer.name for layer in document.layers)
     folders = [request.folder / f"{names[layer.name]}_shadow" for layer in layers]
+    set_label = _set_label(document, names) if request.layers is None and _set_ever_casts(document) else None
+    if set_label is not None:
+        folders.append(request.folder / set_label)
     if request.composite:
         folders.append(request.folder / COMPOSITE)
     if not folders:
@@ -129,6 +137,8 @@ def planned(document: Document, request: ExportRequest) -> Plan:
         pictures: list[tuple[str, Content, LayerScene | None]] = [
             (f"{names[layer.name]}_shadow", *_shadow(document, layer, scene, frame)) for layer in layers
         ]
+        if set_label is not None:
+            pictures.append((set_label, _set_shadow(scene), None))
         if request.composite:
             pictures.append((COMPOSITE, _composite(scene), None))
         for label, content, layer_scene in pictures:
@@ -177,7 +187,27 @@ def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple
 
 
 def _composite(scene: Scene) -> CompositeContent:
-    return CompositeContent(scene.background, tuple((each.drawing, each.cast, each.look) for each in scene.layers))
+    layers = tuple((each.drawing, each.cast, each.look) for each in scene.layers)
+    return CompositeContent(scene.background, layers, scene.set_shadow)
+
+
+def _set_shadow(scene: Scene) -> ShadowContent:
+    """Return the shadow of the set itself; an empty one while no piece casts."""
+    if scene.set_shadow is None:
+        return ShadowContent(None, ShadowLook((0, 0, 0), 0.0, multiply=True))
+    return ShadowContent(scene.set_shadow.cast, replace(scene.set_shadow.look, multiply=True))
+
+
+def _set_label(document: Document, names: dict[str, str]) -> str:
+    """Return the name of the set's folder and files, which no layer's may be."""
+    wanted = "set"
+    while wanted in names:
+        wanted += "_"
+    return f"{safe_names((*(layer.name for layer in document.layers), wanted))[wanted]}_shadow"
+
+
+def _set_ever_casts(document: Document) -> bool:
+    return any(_is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
 
 
 def _frames(document: Document, request: ExportRequest) -> tuple[int, ...]:
@@ -205,7 +235,11 @@ def _layers(document: Document, request: ExportRequest) -> tuple[Layer, ...]:
 
 
 def _is_ever_visible(layer: Layer) -> bool:
-    track = layer.tracks.get(properties.VISIBLE.name)
+    return _is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
+
+
+def _is_ever(track: Track | None, line: Property) -> bool:
+    """Whether a switch is on at any time."""
     if track is None:
-        return bool(properties.VISIBLE.default)
+        return bool(line.default)
     return any(key.value for key in track.keys) if track.is_keyed else bool(track.constant)

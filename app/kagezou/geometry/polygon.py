@@ -17,6 +17,16 @@ def distance_form(form: Matrix) -> Matrix:
     return np.asarray(form / length)
 
 
+def distance_forms(forms: Matrix) -> Matrix:
+    """Scale linear forms (N, 3) as :func:`distance_form` does one."""
+    lengths = np.hypot(forms[:, 0], forms[:, 1])
+    is_constant = lengths < 1e-12 * (1e-12 + np.abs(forms[:, 2]))
+    scaled = forms / np.where(is_constant, 1.0, lengths)[:, np.newaxis]
+    scaled[is_constant] = 0.0
+    scaled[is_constant, 2] = np.where(forms[is_constant, 2] > 0, 1e6, -1e6)
+    return np.asarray(scaled)
+
+
 def shifted(form: Matrix, margin_px: float) -> Matrix:
     """Return a distance form whose half-plane is ``margin_px`` larger."""
     return np.asarray(form + np.array([0.0, 0.0, margin_px]))

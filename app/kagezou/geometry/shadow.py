@@ -73,6 +73,44 @@ class Cast:
         return polygon
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class SpaceCast:
+    """The shadow of one card piece from one light, anywhere in space.
+
+    Parameters
+    ----------
+    art_from_world
+        (3, 4) map from a shaded world point to the canvas px of the drawing that shades it.
+    side, left_fold, right_fold
+        Forms (4,) over the world, >= 0 beyond the card and between the folds of the piece; None for no fold.
+    """
+
+    art_from_world: Matrix
+    side: Matrix
+    left_fold: Matrix | None
+    right_fold: Matrix | None
+
+
+def cast_in_space(camera: Camera, piece: CardPiece, light: Vector4) -> SpaceCast | None:
+    """Return what a piece casts, or None where the light stands within its plane."""
+    plane = np.asarray(piece.plane)
+    facing = float(plane @ np.asarray(light))
+    scale = float(np.linalg.norm(plane[:3])) * max(1.0, float(np.linalg.norm(light[:3])))
+    if abs(facing) < 1e-9 * scale:
+        return None
+    # Projection from the light L onto the plane π: X ↦ (π·L) X − (π·X) L; the sign makes w > 0 where L, π and X
+    # lie in that order, which is the shadow-map depth test.
+    front = 1.0 if facing > 0 else -1.0
+    card_from_world = front * (facing * np.eye(4) - np.outer(light, plane))
+    art = camera.canvas_from_world() @ card_from_world
+    return SpaceCast(
+        art,
+        -front * plane,
+        art[0] - piece.left * art[2] if isfinite(piece.left) else None,
+        piece.right * art[2] - art[0] if isfinite(piece.right) else None,
+    )
+
+
 def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -> Cast | None:
     """Return the cast of one piece, or None where nothing is cast or seen.
 
@@ -80,23 +118,17 @@ def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -
     of a receiver edge-on.
     """
     lift = world_from_canvas_on(camera, receiver)
-    plane = np.asarray(piece.plane)
-    facing = float(plane @ np.asarray(light))
-    scale = float(np.linalg.norm(plane[:3])) * max(1.0, float(np.linalg.norm(light[:3])))
-    if lift is None or height_over(receiver.equation, light) <= 0 or abs(facing) < 1e-9 * scale:
+    space = cast_in_space(camera, piece, light)
+    if lift is None or space is None or height_over(receiver.equation, light) <= 0:
         return None
-    # Projection from the light L onto the plane π: X ↦ (π·L) X − (π·X) L; the sign makes w > 0 where L, π and X
-    # lie in that order, which is the shadow-map depth test.
-    front = 1.0 if facing > 0 else -1.0
-    card_from_world = front * (facing * np.eye(4) - np.outer(light, plane))
-    art = camera.canvas_from_world() @ card_from_world @ lift
+    art = space.art_from_world @ lift
     return Cast(
         art_from_canvas=art / np.abs(art).max(),
-        receiver_from_canvas=_plane_coordinates(receiver) @ lift,
-        side=distance_form(-front * (plane @ lift)),
+        receiver_from_canvas=plane_coordinates(receiver) @ lift,
+        side=distance_form(space.side @ lift),
         horizon=distance_form(lift[3]),
-        left_fold=_fold(art[0] - piece.left * art[2] if isfinite(piece.left) else None),
-        right_fold=_fold(piece.right * art[2] - art[0] if isfinite(piece.right) else None),
+        left_fold=_fold(None if space.left_fold is None else space.left_fold @ lift),
+        right_fold=_fold(None if space.right_fold is None else space.right_fold @ lift),
     )
 
 
@@ -117,7 +149,7 @@ def _fold(form: Matrix | None) -> Matrix:
     return np.array([0.0, 0.0, 1e6]) if form is None else distance_form(form)
 
 
-def _plane_coordinates(receiver: Plane) -> Matrix:
+def plane_coordinates(receiver: Plane) -> Matrix:
     """Return the (3, 4) map from the world to the receiver's own (u, v, 1)."""
     axes = np.array([receiver.u, receiver.v])
     shift = -axes @ np.asarray(receiver.origin)

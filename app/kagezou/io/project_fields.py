@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Final
 
 from kagezou.document.review import MAX_TEXT_CHARACTERS
+from kagezou.document.set_pieces import MAX_PIECES
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +45,8 @@ PROJECT: Final[Fields] = MappingProxyType({
     "work_area": Field("[first, last]", "The frames that are played and worked on, both included.", optional=True),
     "markers": Field("list of [frame, comment, duration]", "Named places in time; frames go up.", optional=True),
     "notes": Field("list of objects", "What is said about properties.", optional=True),
+    "set": Field(f"list of at most {MAX_PIECES} objects", "The set pieces; missing where there are none.",
+                 optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({
@@ -61,6 +64,12 @@ LAYER: Final[Fields] = MappingProxyType({
     "exposures": Field("list of [frame, index]",
                        "From this frame on that drawing is seen, counted from 0, or none for null; frames go up."),
     "tracks": Field("object", "Property name → track, for the properties of the layer."),
+})  # fmt: skip
+
+PIECE: Final[Fields] = MappingProxyType({
+    "id": Field("text", "Unique and unchanging; never shown."),
+    "name": Field("text", "Unique in the set; part of property paths."),
+    "tracks": Field("object", "Property name → track, for the properties of the piece."),
 })  # fmt: skip
 
 TRACK: Final[Fields] = MappingProxyType({

@@ -10,8 +10,8 @@ from typing import Final
 
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
 from kagezou.io import project_fields as fields
@@ -45,17 +45,24 @@ def description() -> str:
     for title, table in _OBJECTS.items():
         parts.append(f"\n## {title}\n\n| key | value | meaning |\n|---|---|---|\n")
         parts += [_field_row(name, field) for name, field in table.items()]
-    for title, lines in (("Properties of the scene", OF_DOCUMENT), ("Properties of a layer", OF_LAYER)):
+    for title, lines in _PROPERTIES.items():
         parts.append(f"\n## {title}\n\n| property | value | default | meaning |\n|---|---|---|---|\n")
         parts += [_property_row(line) for line in lines.values()]
     parts.append("\n## Example\n\n```json\n" + _example_text() + "```\n")
     return "".join(parts)
 
 
+_PROPERTIES: Final = MappingProxyType({
+    "Properties of the scene": OF_DOCUMENT,
+    "Properties of a layer": OF_LAYER,
+    "Properties of a set piece": OF_PIECE,
+})  # fmt: skip
+
 _OBJECTS: Final = MappingProxyType({
     "The project": fields.PROJECT,
     "`canvas`": fields.CANVAS,
     "A layer": fields.LAYER,
+    "A set piece": fields.PIECE,
     "A track with keys": fields.TRACK,
     "A key": fields.KEY,
     "A note": fields.NOTE,
@@ -114,6 +121,9 @@ def _example_text() -> str:
         work_area=(1, 12),
         markers=(Marker(7, "step"),),
         notes=(Note(7, "shadow.opacity", "Lighter here", layer.id, "Sato"),),
+        pieces=(
+            Piece("piece-1", "wall", MappingProxyType({"position": Track((320.0, 250.0)), "width": Track(900.0)})),
+        ),
     )
     return formatted({**tree_of(document, folder), "app_version": "0.1.0"})
 

@@ -10,9 +10,10 @@ from typing import Final
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Tracks
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
+from kagezou.document.set_pieces import MAX_PIECES
 from kagezou.errors import ProjectProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.io import project_fields as fields
@@ -46,6 +47,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         work_area=review.work_area,
         markers=review.markers,
         notes=review.notes,
+        pieces=tuple(_piece(each) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
     )
     if _row_count(document) > fields.MAX_ROWS:
         raise project.problem(f"more than {fields.MAX_ROWS} drawings, exposures and keys")
@@ -58,7 +60,8 @@ def _record(reader: Reader, known: fields.Fields) -> dict[str, Reader]:
 
 
 def _row_count(document: Document) -> int:
-    tracks = [*document.tracks.values(), *(track for layer in document.layers for track in layer.tracks.values())]
+    owned = [document.tracks, *(layer.tracks for layer in document.layers), *(each.tracks for each in document.pieces)]
+    tracks = [track for tracks in owned for track in tracks.values()]
     cels = [layer.cels for layer in document.layers]
     return sum(len(track.keys) for track in tracks) + sum(len(each.drawings) + len(each.exposures) for each in cels)
 
@@ -91,6 +94,11 @@ def _layer(reader: Reader, folder: Path) -> Layer:
         figure=_figure(found["figure"]),
         tracks=_tracks(found["tracks"], OF_LAYER),
     )
+
+
+def _piece(reader: Reader) -> Piece:
+    found = _record(reader, fields.PIECE)
+    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE))
 
 
 def _name(reader: Reader) -> str:

@@ -6,8 +6,8 @@ from pathlib import Path
 from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
-from kagezou.document.model import Document, Layer, Tracks
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.model import Document, Layer, Piece, Tracks
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.io.project_json import Row
 from kagezou.io.project_paths import stored_path
@@ -32,7 +32,13 @@ def tree_of(document: Document, folder: Path) -> Tree:
         "tracks": _tracks(document.tracks, OF_DOCUMENT),
         "layers": [_layer(layer, folder) for layer in document.layers],
         **review_tree(document),
+        # Left out where there is none, so that a cut without a set reads as it always did.
+        **({"set": [_piece(piece) for piece in document.pieces]} if document.pieces else {}),
     }
+
+
+def _piece(piece: Piece) -> dict[str, object]:
+    return {"id": piece.id, "name": piece.name, "tracks": _tracks(piece.tracks, OF_PIECE)}
 
 
 def _layer(layer: Layer, folder: Path) -> dict[str, object]:

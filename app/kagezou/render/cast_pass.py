@@ -1,5 +1,6 @@
 """The pass that casts: a drawing's alpha through the light onto the receivers, as covered parts of canvas pixels."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
@@ -14,7 +15,7 @@ from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.targets import Target
-from kagezou.render.tiles import CELLS, Fineness, Tiling, tiled
+from kagezou.render.tiles import CELLS, Fineness, TileGrid, Tiling, tile_grid
 from kagezou.scene.scene import ShadowCast
 
 CELLS_A_TEXEL = 1.25
@@ -48,6 +49,43 @@ class Window:
     def cast(self, on_canvas: Cast) -> Cast:
         """Return a cast as this window shows it."""
         return on_canvas if self.canvas_from_target is None else on_canvas.seen_through(self.canvas_from_target)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stroke:
+    """The shadow of one card piece from one light on one receiver, sorted into tiles.
+
+    Parameters
+    ----------
+    cast, frame, grid
+        Where it lies, the part of the target it may touch, and what it does in each tile there.
+    grazing
+        How strong it is.
+    matte, is_translucent
+        The drawing, and whether its alpha casts as it is.
+    """
+
+    cast: Cast
+    frame: Frame
+    grid: TileGrid
+    grazing: Grazing
+    matte: PlacedMatte
+    is_translucent: bool
+
+
+def strokes(cast: ShadowCast, pair: tuple[Plane, Vector4], matte: PlacedMatte, window: Window) -> Iterator[Stroke]:
+    """Yield the strokes of all pieces of a card from one light on one receiver."""
+    receiver, light = pair
+    grazing = FULL_STRENGTH if window.is_shape_only else Grazing.of(receiver, light)
+    cells_a_texel = CELLS_A_TEXEL_SAMPLED if cast.translucent else CELLS_A_TEXEL
+    fineness = Fineness(cells_a_texel, window.max_cells)
+    for on_canvas in cast_card(cast.camera, receiver, cast.card, light):
+        each = window.cast(on_canvas)
+        frame = Frame(each.region(window.box, matte.box))
+        around = bounding_box(frame.region)
+        if around is not None:
+            grid = tile_grid(each, around, matte, fineness)
+            yield Stroke(each, frame, grid, grazing, matte, cast.translucent)
 
 
 class CastPass:
@@ -98,34 +136,34 @@ class CastPass:
         self, cast: ShadowCast, pair: tuple[Plane, Vector4], matte: PlacedMatte, target: Target, window: Window
     ) -> Box | None:
         """Draw what one light casts on one receiver; return the box that may hold it."""
-        receiver, light = pair
-        grazing = FULL_STRENGTH if window.is_shape_only else Grazing.of(receiver, light)
-        cells_a_texel = CELLS_A_TEXEL_SAMPLED if cast.translucent else CELLS_A_TEXEL
         drawn: Box | None = None
-        for on_canvas in cast_card(cast.camera, receiver, cast.card, light):
-            each = window.cast(on_canvas)
-            frame = Frame(each.region(window.box, matte.box))
-            around = bounding_box(frame.region)
-            tiling = around and tiled(each, around, matte, window.box, Fineness(cells_a_texel, window.max_cells))
-            if not tiling or tiling.box is None:
-                continue
-            if any(kind.is_squeezed for kind in tiling.edges):
-                matte.on_card.means(self._boxes, self._threshold, translucent=cast.translucent).bind(1)
-            target.bind(window.box)
-            GL.glEnable(GL.GL_BLEND)
-            GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
-            GL.glBlendEquation(GL.GL_FUNC_ADD if each.joins_left else GL.GL_MAX)
-            grazing_switches = grazing.switches(each.receiver_from_canvas, frame)
-            uniforms: dict[str, Uniform] = {"u_target_size_px": target.size_px, "u_origin_px": frame.origin}
-            uniforms |= grazing.uniforms(each.receiver_from_canvas, frame)
-            if len(tiling.full):
-                self._full[grazing_switches].use(uniforms)
-                self._boxes.draw(tiling.full)
-            if cast.translucent:
-                grazing_switches |= TRANSLUCENT
-            self._draw_edges(tiling, Edges(each, matte, frame), grazing_switches, uniforms)
-            drawn = tiling.box if drawn is None else drawn.union(tiling.box)
+        for stroke in strokes(cast, pair, matte, window):
+            tiling = stroke.grid.tiling(window.box)
+            if tiling.box is not None:
+                self.paint(stroke, tiling, target, is_added=stroke.cast.joins_left)
+                drawn = tiling.box if drawn is None else drawn.union(tiling.box)
         return drawn
+
+    def paint(self, stroke: Stroke, tiling: Tiling, target: Target, *, is_added: bool) -> None:
+        """Draw some tiles of a stroke, added to what is there or united with it by maximum."""
+        each, frame, matte, box = stroke.cast, stroke.frame, stroke.matte, tiling.box
+        if box is None:
+            return
+        if any(kind.is_squeezed for kind in tiling.edges):
+            matte.on_card.means(self._boxes, self._threshold, translucent=stroke.is_translucent).bind(1)
+        target.bind(box)
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
+        GL.glBlendEquation(GL.GL_FUNC_ADD if is_added else GL.GL_MAX)
+        switches = stroke.grazing.switches(each.receiver_from_canvas, frame)
+        uniforms: dict[str, Uniform] = {"u_target_size_px": target.size_px, "u_origin_px": frame.origin}
+        uniforms |= stroke.grazing.uniforms(each.receiver_from_canvas, frame)
+        if len(tiling.full):
+            self._full[switches].use(uniforms)
+            self._boxes.draw(tiling.full)
+        if stroke.is_translucent:
+            switches |= TRANSLUCENT
+        self._draw_edges(tiling, Edges(each, matte, frame), switches, uniforms)
 
     def _draw_edges(self, tiling: Tiling, edges: Edges, switches: frozenset[str], uniforms: dict[str, Uniform]) -> None:
         edges.matte.texture.bind(0)

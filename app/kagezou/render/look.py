@@ -11,8 +11,11 @@ from kagezou.scene.scene import ShadowCast, ShadowLook
 Rgb = tuple[float, float, float]
 
 
-def look_uniforms(cast: ShadowCast, look: ShadowLook, box: Box) -> tuple[frozenset[str], dict[str, Uniform]]:
-    """Return the switches of ``look.glsl`` and its uniforms for a part of the canvas."""
+def look_uniforms(cast: ShadowCast | None, look: ShadowLook, box: Box) -> tuple[frozenset[str], dict[str, Uniform]]:
+    """Return the switches of ``look.glsl`` and its uniforms for a part of the canvas.
+
+    A shadow without a cast, that of the set itself, has no contact line to fade from.
+    """
     switches: set[str] = set()
     uniforms: dict[str, Uniform] = {"u_opacity": look.opacity}
     if look.fade is not None:
@@ -21,7 +24,7 @@ def look_uniforms(cast: ShadowCast, look: ShadowLook, box: Box) -> tuple[frozens
     if look.tip is not None:
         switches.add("TINTED")
         uniforms |= {"u_tip_color": unit_rgb(look.tip.color), "u_tip_px": look.tip.distance_px}
-    if switches:
+    if switches and cast is not None:
         uniforms |= _distance_uniforms(cast, box)
     return frozenset(switches), uniforms
 

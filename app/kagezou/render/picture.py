@@ -59,8 +59,8 @@ class Picture:
             self._copy_base(box)
         self._drawn_over = []
 
-    def lay_shadow(self, coverage: Texture, box: Box, cast: ShadowCast, look: ShadowLook) -> None:
-        """Lay a shadow over the picture; ``coverage`` is of the canvas' size."""
+    def lay_shadow(self, coverage: Texture, box: Box, cast: ShadowCast | None, look: ShadowLook) -> None:
+        """Lay a shadow over the picture; ``coverage`` is of the canvas' size, ``cast`` None for the set's own."""
         switches, uniforms = look_uniforms(cast, look, box)
         self._lay(
             self._target,

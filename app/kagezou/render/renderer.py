@@ -16,9 +16,9 @@ from kagezou.render.look import look_uniforms, unit_rgb
 from kagezou.render.picture import Picture
 from kagezou.render.presenter import Presenter, WindowView
 from kagezou.render.program import Variants
-from kagezou.render.shadow_layers import ShadowLayers
+from kagezou.render.shadow_layers import Coverage, ShadowLayers
 from kagezou.render.targets import Format, Target, Texture
-from kagezou.scene.scene import LayerScene, Scene
+from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
 MATTE_BUDGET_BYTES = 128 << 20
 COLOR_BUDGET_BYTES = 256 << 20
@@ -76,14 +76,21 @@ class Renderer:
         depth
             Bits of alpha, 8 or 16.
         """
-        canvas, look = scene.canvas, layer.look
-        coverage = self._shadows.coverage(scene, layer)
-        if coverage is None or coverage.box is None or layer.cast is None:
+        return self._shaded_image(scene.canvas, self._shadows.coverage(scene, layer), layer.cast, layer.look, depth)
+
+    def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
+        """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""
+        return self._shaded_image(scene.canvas, self._shadows.set_coverage(scene), None, shadow.look, depth)
+
+    def _shaded_image(
+        self, canvas: Box, coverage: Coverage | None, cast: ShadowCast | None, look: ShadowLook, depth: int
+    ) -> ShadowImage:
+        if coverage is None or coverage.box is None:
             return ShadowImage(
                 canvas.width, canvas.height, look.color, np.zeros((0, 0), _DEPTHS[depth]), Box(0, 0, 0, 0)
             )
         box = coverage.box
-        switches, uniforms = look_uniforms(layer.cast, look, box)
+        switches, uniforms = look_uniforms(cast, look, box)
         forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
         target = self._shaded_target(canvas, forms[depth != 8])
         if look.tip:
@@ -112,6 +119,13 @@ class Renderer:
         check("drawing a depth map")
         return coverage
 
+    def set_coverage(self, scene: Scene) -> Steps:
+        """Return the covered parts of the shadow of the set itself before opacity, (H, W) 16 bit."""
+        coverage = self._shadows.set_coverage(scene)
+        if coverage is None:
+            return np.zeros((scene.canvas.height, scene.canvas.width), np.uint16)
+        return coverage.target.read(scene.canvas)
+
     def coverage(self, scene: Scene, layer: LayerScene) -> Steps:
         """Return a layer's covered parts before opacity, (H, W) 16 bit."""
         coverage = self._shadows.coverage(scene, layer)
@@ -129,6 +143,7 @@ class Renderer:
         form = Format.RGBA8 if depth == 8 else Format.RGBA16
         picture = self._picture_for(scene.canvas, form)
         picture.begin(backdrop, scene.background)
+        self._lay_set_shadow(picture, scene)
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
         cels = [self._cels.cel(layer.drawing.path) for layer in scene.layers if layer.drawing is not None]
@@ -174,6 +189,11 @@ class Renderer:
         self._shade_programs.close()
         self._presenter.close()
         self._boxes.close()
+
+    def _lay_set_shadow(self, picture: Picture, scene: Scene) -> None:
+        coverage = self._shadows.set_coverage(scene)
+        if coverage is not None and coverage.box is not None and scene.set_shadow is not None:
+            picture.lay_shadow(coverage.target.texture, coverage.box, None, scene.set_shadow.look)
 
     def _drawn(self) -> Picture:
         if self._picture is None:

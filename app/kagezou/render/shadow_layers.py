@@ -8,8 +8,10 @@ from kagezou.io.images import Matte
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
+from kagezou.render.set_pass import SetPass
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Format, Target
+from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
 
@@ -31,6 +33,9 @@ class ShadowLayers:
         self._mattes = Mattes(boxes, matte_budget_bytes)
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
+        self._set = SetPass(boxes, self._cast, self._shape)
+        self._of_set: Coverage | None = None
+        self._set_cast: SetCast | None = None
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
         self.filters_drawn = 0
@@ -51,11 +56,25 @@ class ShadowLayers:
             placed = self._mattes.placed(matte, scene.canvas)
             # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.
             old, kept.box, kept.cast = kept.box, scene.canvas, None
-            draw = self._shape.draw if layer.cast.is_filtered else self._cast.draw
+            plain = self._shape.draw if layer.cast.is_filtered else self._cast.draw
+            draw = self._set.draw if layer.cast.pieces else plain
             kept.box = draw(layer.cast, placed, kept.target, old)
             kept.cast, kept.matte = layer.cast, matte
             self.casts_drawn += 1
             self.filters_drawn += layer.cast.is_filtered
+        return kept if kept.box is not None else None
+
+    def set_coverage(self, scene: Scene) -> Coverage | None:
+        """Return the covered parts of the shadow of the set itself, or None where it has none."""
+        if scene.set_shadow is None:
+            return None
+        kept = _fitting(self._of_set, scene.canvas)
+        if kept is not self._of_set or self._set_cast != scene.set_shadow.cast:
+            self._of_set = kept
+            old, kept.box, self._set_cast = kept.box, scene.canvas, None
+            kept.box = self._set.draw_own(scene.set_shadow.cast, kept.target, old)
+            self._set_cast = scene.set_shadow.cast
+            self.casts_drawn += 1
         return kept if kept.box is not None else None
 
     def forget_except(self, scene: Scene) -> None:
@@ -69,17 +88,24 @@ class ShadowLayers:
         for coverage in self._by_layer.values():
             coverage.target.close()
         self._by_layer.clear()
+        if self._of_set is not None:
+            self._of_set.target.close()
+        self._set.close()
         self._shape.close()
         self._cast.close()
         self._mattes.close()
 
     def _kept(self, canvas: Box, layer_id: str) -> Coverage:
-        kept = self._by_layer.get(layer_id)
-        if kept is not None and kept.target.box != canvas:
-            kept.target.close()
-            kept = None
-        if kept is None:
-            target = Target(canvas.width, canvas.height, Format.ALPHA16)
-            target.clear()
-            kept = self._by_layer[layer_id] = Coverage(target)
+        kept = self._by_layer[layer_id] = _fitting(self._by_layer.get(layer_id), canvas)
         return kept
+
+
+def _fitting(kept: Coverage | None, canvas: Box) -> Coverage:
+    """Return what was kept, or an empty one where nothing was or the canvas has another size."""
+    if kept is not None and kept.target.box == canvas:
+        return kept
+    if kept is not None:
+        kept.target.close()
+    target = Target(canvas.width, canvas.height, Format.ALPHA16)
+    target.clear()
+    return Coverage(target)

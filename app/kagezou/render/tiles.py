@@ -69,8 +69,46 @@ class Tiling:
     edges: Mapping[EdgeKind, Boxes]
     box: Box | None
 
+    @property
+    def boxes(self) -> Boxes:
+        """All of them."""
+        return np.concatenate([self.full, *self.edges.values()])
 
-def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, fineness: Fineness) -> Tiling:
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TileGrid:
+    """Tiles and what a shadow does in each.
+
+    Parameters
+    ----------
+    codes
+        (rows, columns): what is to be drawn.
+    columns, rows
+        Which tiles of the canvas they are.
+    """
+
+    codes: Codes
+    columns: Codes
+    rows: Codes
+
+    @property
+    def touched(self) -> Flags:
+        """Which tiles, row by row, hold any shadow."""
+        return np.asarray(self.codes.ravel() != _UNTOUCHED)
+
+    def corners(self) -> Matrix:
+        """Return the corners of all tiles (4, 3, N), row by row."""
+        return tile_corners(self.columns, self.rows)
+
+    def tiling(self, canvas: Box, kept: Flags | None = None) -> Tiling:
+        """Return the boxes of the tiles, or of those kept (one flag a tile, row by row), cut to the canvas."""
+        codes = self.codes if kept is None else np.where(kept.reshape(self.codes.shape), self.codes, _UNTOUCHED)
+        boxes, kinds = runs_of(codes, (int(self.columns[0]), int(self.rows[0])), canvas)
+        edges = {_kind(code): boxes[kinds == code] for code in np.unique(kinds).tolist() if code >= _FIRST_EDGE}
+        return Tiling(boxes[kinds == _FULL], edges, around_boxes(boxes))
+
+
+def tile_grid(cast: Cast, region: Box, matte: PlacedMatte, fineness: Fineness) -> TileGrid:
     """Sort the tiles of a region by what the shadow does in them.
 
     Parameters
@@ -81,8 +119,6 @@ def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, fineness: Fi
         Canvas box that can hold shadow.
     matte
         The drawing.
-    canvas
-        Boxes are cut to it.
     fineness
         How many cells there are to be.
     """
@@ -101,10 +137,7 @@ def tiled(cast: Cast, region: Box, matte: PlacedMatte, canvas: Box, fineness: Fi
     stretch = _stretch(cast, texels[..., is_edge] + _corner_of(matte.box), w[:, is_edge]) * fineness.cells_a_texel
     stretch[:, ~bounded[is_edge]] = np.inf
     codes[is_edge] = _FIRST_EDGE + _edge_codes(stretch, ~inside[is_edge], fineness.max_cells)
-    grid = codes.reshape(len(rows), len(columns))
-    boxes, kinds = runs_of(grid, (int(columns[0]), int(rows[0])), canvas)
-    edges = {_kind(code): boxes[kinds == code] for code in np.unique(kinds).tolist() if code >= _FIRST_EDGE}
-    return Tiling(boxes[kinds == _FULL], edges, _around(boxes))
+    return TileGrid(codes.reshape(len(rows), len(columns)), columns, rows)
 
 
 def tile_corners(columns: Codes, rows: Codes) -> Matrix:
@@ -174,7 +207,15 @@ def runs_of(codes: Codes, origin: tuple[int, int], canvas: Box) -> tuple[Boxes, 
     return np.clip(tiles, low, high).astype(np.float64), kinds[touched]
 
 
-def _around(boxes: Boxes) -> Box | None:
+def whole_grid(box: Box) -> TileGrid:
+    """Return the tiles of a box as if a shadow held all of each."""
+    columns = np.arange(box.left // TILE_PX, -(-box.right // TILE_PX))
+    rows = np.arange(box.top // TILE_PX, -(-box.bottom // TILE_PX))
+    return TileGrid(np.full((len(rows), len(columns)), _FULL), columns, rows)
+
+
+def around_boxes(boxes: Boxes) -> Box | None:
+    """Return the box around boxes, None around none."""
     if len(boxes) == 0:
         return None
     left, top = boxes[:, :2].min(axis=0)

@@ -1,7 +1,9 @@
 """From a document and a frame to the scene."""
 
+from dataclasses import replace
+
 from kagezou.animation.track import Value
-from kagezou.document import properties
+from kagezou.document import properties, set_properties
 from kagezou.document.model import Document, Layer, Tracks
 from kagezou.document.properties import WaveLines
 from kagezou.document.property import Property
@@ -11,7 +13,8 @@ from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
-from kagezou.scene.scene import Edge, Fade, LayerScene, Scene, ShadowCast, ShadowLook, Simplify, Tip, Water
+from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
+from kagezou.scene.scene import Edge, Fade, LayerScene, Scene, SetShadow, ShadowCast, ShadowLook, Simplify, Tip, Water
 
 LEAST_PX = 0.01
 """What moves an outline by less cannot be seen and is left out."""
@@ -23,12 +26,14 @@ def evaluate(document: Document, frame: int) -> Scene:
     """Return the scene of a frame, counted from 1; invisible layers are left out."""
     camera = camera_at(document, frame)
     ground = ground_at(document, frame)
+    pieces = pieces_at(document, frame, camera, ground)
     layers = tuple(
-        _layer_scene(document, layer, frame, camera, ground)
+        _on_set(_layer_scene(document, layer, frame, camera, ground), pieces)
         for layer in document.layers
         if _value(layer.tracks, properties.VISIBLE, frame)
     )
-    return Scene(document.canvas.box, camera, ground, document.background, layers)
+    set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, ()))
+    return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow)
 
 
 def camera_at(document: Document, frame: int) -> Camera:
@@ -94,6 +99,27 @@ def _layer_scene(document: Document, layer: Layer, frame: int, camera: Camera, g
             water=_water(layer.tracks, moment),
         )
     return LayerScene(layer.id, layer.name, drawing, cast, _look(layer.tracks, moment))
+
+
+def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...]) -> LayerScene:
+    if layer.cast is None or not pieces:
+        return layer
+    return replace(layer, cast=replace(layer.cast, pieces=pieces))
+
+
+def _set_shadow(document: Document, frame: int, dark: SetCast) -> SetShadow | None:
+    """Return the shadow of the set itself under the lights of a frame; ``dark`` has none yet."""
+    if not any(piece.casts for piece in dark.pieces):
+        return None
+    light = light_at(document, frame, dark.ground)
+    radius = _number(_value(document.tracks, properties.OVERHEAD_RADIUS, frame))
+    spread = virtual_lights(light, dark.ground.origin, radius)
+    look = ShadowLook(
+        color=_color(document.tracks, set_properties.SET_COLOR, frame),
+        opacity=_number(_value(document.tracks, set_properties.SET_OPACITY, frame)),
+        multiply=_value(document.tracks, set_properties.SET_BLEND, frame) == "multiply",
+    )
+    return SetShadow(replace(dark, lights=tuple(each for each in spread if is_over(dark.ground, each))), look)
 
 
 def _simplify(tracks: Tracks, frame: int) -> Simplify | None:

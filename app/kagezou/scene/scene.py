@@ -10,6 +10,7 @@ from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector4
 from kagezou.geometry.waves import Ripple
+from kagezou.scene.pieces import PieceScene, SetCast
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,13 +78,15 @@ class ShadowCast:
     translucent
         Whether its alpha casts as it is; else alpha of 0.5 and more casts fully.
     camera, receivers
-        What the shadow is seen with, and the surfaces it falls on.
+        What the shadow is seen with, and the surfaces it falls on; the ground is the first.
     card
         The surface the drawing stands on.
     lights
         Homogeneous; their shadows unite by maximum.
     simplify, edge, water
         How the united shape is rounded, what becomes of its outline, and the waves it lies on; None for not at all.
+    pieces
+        The set that stands on the ground.
     """
 
     drawing: Drawing
@@ -95,6 +98,7 @@ class ShadowCast:
     simplify: Simplify | None = None
     edge: Edge | None = None
     water: Water | None = None
+    pieces: tuple[PieceScene, ...] = ()
 
     @property
     def is_filtered(self) -> bool:
@@ -166,11 +170,24 @@ class LayerScene:
 
 
 @dataclass(frozen=True, slots=True)
+class SetShadow:
+    """The shadow of the set itself and how it is laid on the picture."""
+
+    cast: SetCast
+    look: ShadowLook
+
+
+@dataclass(frozen=True, slots=True)
 class Scene:
-    """One frame: the canvas, what it is seen with, the ground and the visible layers from bottom to top."""
+    """One frame: the canvas, what it is seen with, the ground, the visible layers from bottom to top, and the set.
+
+    ``set_shadow`` is None where no piece casts one.
+    """
 
     canvas: Box
     camera: Camera
     ground: Plane
     background: Path | None
     layers: tuple[LayerScene, ...]
+    pieces: tuple[PieceScene, ...] = ()
+    set_shadow: SetShadow | None = None

@@ -45,6 +45,7 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 
 
 def _about(document: "Document") -> dict[str, Json]:
+    from kagezou.document.set_pieces import kind_of
     from kagezou.io.faults import shown
 
     canvas = document.canvas
@@ -56,6 +57,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "last_frame": canvas.length_frames,
         "background": None if document.background is None else shown(document.background),
         "layers": [_about_layer(layer) for layer in document.layers],
+        "set": [{"name": piece.name, "kind": kind_of(piece)} for piece in document.pieces],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": [shown(path) for path in _missing(document)],
     }
@@ -94,6 +96,7 @@ def _missing(document: "Document") -> "Iterator[Path]":
 def _lines(document: "Document") -> Iterator[str]:
     from kagezou.animation.frames import format_frames
     from kagezou.document.address import path_of, track_of
+    from kagezou.document.set_pieces import kind_of
     from kagezou.io.faults import shown
 
     canvas = document.canvas
@@ -106,6 +109,8 @@ def _lines(document: "Document") -> Iterator[str]:
         count = len(layer.cels.drawings)
         box = layer.figure
         yield f"layer       {layer.name}: {count} drawing{'s' * (count != 1)}, figure {box.width} x {box.height} px"
+    for piece in document.pieces:
+        yield f"set piece   {piece.name}: {kind_of(piece)}"
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"

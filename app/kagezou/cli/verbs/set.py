@@ -1,9 +1,8 @@
 """``kagezou set``: properties, for the whole cut or by keys; all of them or none."""
 
-import json
 from argparse import Namespace
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.doors import Doors
@@ -64,14 +63,15 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 
 def _assignment(document: "Document", text: str) -> "tuple[Address, object]":
     """Return the address and the raw value of ``PATH=JSON``; a layer's name may hold an equals sign."""
+    from kagezou.cli.values import NotJson, value_of_text
     from kagezou.document.address import resolve
 
     problem: UsageProblem | None = None
     for path, value in _halves(text):
         try:
-            return resolve(document, path), _raw(path, value)
-        except _NoJson as refusal:
-            raise UsageProblem(str(refusal)) from refusal
+            return resolve(document, path), value_of_text(path, value)
+        except NotJson:
+            raise
         except UsageProblem as unknown:
             problem = problem or unknown
     raise problem or UsageProblem(f"{text!r} is not PATH=JSON, such as light.position=[1400,-300,900]")
@@ -83,23 +83,3 @@ def _halves(text: str) -> Iterator[tuple[str, str]]:
     while at > 0:
         yield text[:at].strip(), text[at + 1 :].strip()
         at = text.find("=", at + 1)
-
-
-class _NoJson(Exception):
-    """What stands behind the equals sign cannot be read."""
-
-
-def _raw(path: str, text: str) -> object:
-    """Return a JSON value, or the text itself where it is one bare word or colour."""
-    try:
-        value: object = json.loads(text, parse_constant=_no_constant)
-    except (ValueError, RecursionError):
-        bare = text.removeprefix("#")
-        if text and bare.isascii() and bare.replace("_", "").isalnum():
-            return text
-        raise _NoJson(f'{path}: {text[:60]!r} is not JSON: a number, true, "word", [x, y] or [[x, y], ...]') from None
-    return value
-
-
-def _no_constant(name: str) -> NoReturn:
-    raise ValueError(name)

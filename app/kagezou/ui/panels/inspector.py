@@ -114,6 +114,7 @@ class Inspector(QScrollArea):
             "shape": lambda: self.tr("Shape"),
             "fading": lambda: self.tr("Fading"),
             "waves": lambda: self.tr("Waves"),
+            "set.shadow": lambda: self.tr("Shadow of the set"),
             "": lambda: self.tr("Character"),
         }
         return titles[_group_of(line)]()

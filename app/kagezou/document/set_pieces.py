@@ -1,0 +1,131 @@
+"""Edits of the set: pieces come, go, change their names and their order."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import count
+from types import MappingProxyType
+
+from kagezou.animation.track import Track, Value
+from kagezou.document.address import Address, value_of
+from kagezou.document.edits import set_constant
+from kagezou.document.model import Document, Piece
+from kagezou.document.properties import GROUND_POSITION, OF_PIECE
+from kagezou.document.set_properties import (
+    PIECE_DEPTH,
+    PIECE_HEIGHT,
+    PIECE_KIND,
+    PIECE_POSITION,
+    PIECE_WIDTH,
+)
+from kagezou.errors import UsageProblem
+
+MAX_PIECES = 200
+TAKEN_NAME = "shadow"
+"""``set.shadow`` is the shadow of the set itself."""
+
+_MEASURES = MappingProxyType({
+    "wall": (0.8, 0.6, 0.2),
+    "box": (0.25, 0.2, 0.2),
+    "steps": (0.35, 0.2, 0.35),
+    "ramp": (0.3, 0.15, 0.4),
+    "cylinder": (0.15, 0.35, 0.15),
+    "sphere": (0.2, 0.2, 0.2),
+})  # fmt: skip
+"""How wide, high and deep a new piece is, as parts of the canvas' smaller side."""
+
+_BEHIND = 0.06
+"""A new piece stands behind the ground line by this part of the canvas' height."""
+
+
+def add_piece(document: Document, name: str, kind: str, values: Mapping[str, object] | None = None) -> Document:
+    """Put a piece into the set under a free name near ``name``, of a natural size behind the characters.
+
+    Parameters
+    ----------
+    document, name
+        Where and as what.
+    kind
+        One of ``set_properties.KINDS``.
+    values
+        Constants that differ from that, by property name.
+
+    Raises
+    ------
+    UsageProblem
+        If the name, the kind or a value is not valid, or there are too many pieces.
+    """
+    _check_name(name)
+    if len(document.pieces) >= MAX_PIECES:
+        raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
+    piece = Piece(_free_id(document), _free_name(document, name))
+    document = replace(document, pieces=(*document.pieces, piece))
+    first: dict[str, object] = {**_first_values(document, str(PIECE_KIND.canonical(kind))), **(values or {})}
+    for each, raw in first.items():
+        if each not in OF_PIECE:
+            raise UsageProblem(f"a set piece has no property {each!r}")
+        document = set_constant(document, Address(OF_PIECE[each], piece_id=piece.id), raw)
+    return document
+
+
+def remove_piece(document: Document, piece_id: str) -> Document:
+    """Take a piece out of the set."""
+    return replace(document, pieces=tuple(piece for piece in document.pieces if piece.id != piece_id))
+
+
+def rename_piece(document: Document, piece_id: str, name: str) -> Document:
+    """Give a piece another name, which must be free and printable."""
+    piece = document.piece(piece_id)
+    if name == piece.name:
+        return document
+    _check_name(name)
+    if any(other.name == name for other in document.pieces):
+        raise UsageProblem(f"there is already a set piece named {name!r}")
+    changed = replace(piece, name=name)
+    return replace(document, pieces=tuple(changed if each.id == piece_id else each for each in document.pieces))
+
+
+def copy_piece(document: Document, piece_id: str) -> Document:
+    """Put a second piece of the same properties into the set, under a free name."""
+    piece = document.piece(piece_id)
+    if len(document.pieces) >= MAX_PIECES:
+        raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
+    twin = Piece(_free_id(document), _free_name(document, piece.name), piece.tracks)
+    return replace(document, pieces=(*document.pieces, twin))
+
+
+def kind_of(piece: Piece, frame: float = 1) -> str:
+    """Return what a piece is at a frame."""
+    track = piece.tracks.get(PIECE_KIND.name) or Track(PIECE_KIND.default)
+    return str(track.value_at(frame))
+
+
+def _first_values(document: Document, kind: str) -> dict[str, Value]:
+    canvas = document.canvas
+    side = min(canvas.width_px, canvas.height_px)
+    width, height, depth = (max(part * side, 1.0) for part in _MEASURES[kind])
+    ground = value_of(document, Address(GROUND_POSITION), 1)
+    x, y = (part for part in ground if isinstance(part, float)) if isinstance(ground, tuple) else (0.0, 0.0)
+    return {
+        PIECE_KIND.name: kind,
+        PIECE_POSITION.name: (x, y - _BEHIND * canvas.height_px),
+        PIECE_WIDTH.name: width,
+        PIECE_HEIGHT.name: height,
+        PIECE_DEPTH.name: depth,
+    }
+
+
+def _check_name(name: str) -> None:
+    if not name.strip() or not name.isprintable() or len(name) > 200:
+        raise UsageProblem(f"a set piece cannot be named {name[:60]!r}: a name is 1 to 200 printable characters")
+    if name == TAKEN_NAME:
+        raise UsageProblem(f"a set piece cannot be named {name!r}: set.{name} is the shadow of the whole set")
+
+
+def _free_name(document: Document, name: str) -> str:
+    taken = {piece.name for piece in document.pieces}
+    return next(each for each in (name, *(f"{name} {n}" for n in range(2, len(taken) + 3))) if each not in taken)
+
+
+def _free_id(document: Document) -> str:
+    taken = {piece.id for piece in document.pieces}
+    return next(each for each in (f"piece-{n}" for n in count(1)) if each not in taken)

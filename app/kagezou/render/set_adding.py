@@ -1,0 +1,180 @@
+"""Adding what is seen of one receiver's shadow to the picture of them all."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from kagezou.geometry.box import Box
+from kagezou.render.boxes import Boxes
+from kagezou.render.cast_pass import CastPass, Stroke
+from kagezou.render.gl import GL
+from kagezou.render.program import Program, Uniform, Variants
+from kagezou.render.set_tiles import Flags, Mask, MaskStates, mask_states
+from kagezou.render.set_uniforms import TABLE_SIZES, fits, mask_uniforms
+from kagezou.render.targets import Target
+from kagezou.render.tiles import Boxes as TileBoxes
+from kagezou.render.tiles import around_boxes, whole_grid
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OwnShade:
+    """How dark the set's own shadow is on a face: switches and uniforms of ``grazing.glsl``.
+
+    ``is_even`` tells that the face is wholly dark where it is taken from the light, and not at all where it is lit.
+    """
+
+    switches: frozenset[str]
+    uniforms: dict[str, Uniform]
+    is_even: bool
+
+
+class Adding:
+    """Draws masks: whole tiles as they are, tiles with an edge pixel by pixel."""
+
+    def __init__(self, boxes: Boxes, caster: CastPass) -> None:
+        self._boxes = boxes
+        self._caster = caster
+        self._masked = Variants("box.vert", "set_mask.frag")
+        self._full = Variants("box.vert", "full.frag")
+        self._copy = Program("box.vert", "shade.frag")
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self._masked.close()
+        self._full.close()
+        self._copy.close()
+
+    def add_stroke(self, mask: Mask, stroke: Stroke, aside: Target, target: Target) -> Box | None:
+        """Add the seen and lit part of a stroke that is the only one on its receiver.
+
+        Most of it is drawn where it belongs at once; only tiles with an edge of the mask are drawn aside, into an empty
+        target that is left empty. The stroke touches one tile at least.
+        """
+        touched = stroke.grid.touched
+        corners = stroke.grid.corners()[:, :, touched]
+        states = mask_states(mask, corners, own_shadow=False)
+        flags = [np.zeros(len(touched), bool) for _ in range(2)]
+        for each, of_touched in zip(flags, (states.whole, states.edge), strict=True):
+            each[touched] = of_touched
+        whole = stroke.grid.tiling(target.box, flags[0])
+        self._caster.paint(stroke, whole, target, is_added=True)
+        drawn = whole.box
+        for tiles in _parted(states, touched):
+            edge = stroke.grid.tiling(target.box, tiles)
+            if edge.box is not None:
+                self._caster.paint(stroke, edge, aside, is_added=True)
+                self._add_edge(states.needed(tiles[touched]), aside, edge.boxes, target)
+                aside.clear(edge.box)
+                drawn = edge.box if drawn is None else drawn.union(edge.box)
+        return drawn
+
+    def add(self, mask: Mask, alone: Target, box: Box, target: Target) -> Box | None:
+        """Add the seen and lit part of a receiver's shadow; return the box it was added in, None for nowhere.
+
+        Parameters
+        ----------
+        mask
+            That of the receiver.
+        alone
+            The shadow as if nothing else were there.
+        box
+            Where that holds any.
+        target
+            What to add to.
+        """
+        grid = whole_grid(box)
+        states = mask_states(mask, grid.corners(), own_shadow=False)
+        whole = grid.tiling(target.box, states.whole)
+        drawn = whole.box
+        if drawn is not None:
+            _begin(target, drawn)
+            alone.texture.bind(0)
+            self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
+            self._boxes.draw(whole.boxes)
+        for tiles in _parted(states, None):
+            edge = grid.tiling(target.box, tiles)
+            if edge.box is not None:
+                self._add_edge(states.needed(tiles), alone, edge.boxes, target)
+                drawn = edge.box if drawn is None else drawn.union(edge.box)
+        return drawn
+
+    def add_own(self, mask: Mask, shade: OwnShade, box: Box, target: Target) -> Box | None:
+        """Add the seen part of a receiver that bodies take from the light; return the box it was added in."""
+        grid = whole_grid(box)
+        states = mask_states(mask, grid.corners(), own_shadow="DARK_WHEN_TURNED" not in shade.switches)
+        if "DARK_WHEN_TURNED" in shade.switches:
+            # Every tile that is seen is a little dark.
+            seen = mask_states(Mask(mask.outline, mask.hidden, ()), grid.corners(), own_shadow=False)
+            all_mask = mask_states(mask, grid.corners(), own_shadow=True)
+            states = MaskStates(all_mask.mask, np.zeros_like(seen.whole), seen.whole | seen.edge, all_mask.regions)
+        whole = grid.tiling(target.box, states.whole)
+        drawn = whole.box
+        if drawn is not None:
+            _begin(target, drawn)
+            self._full[shade.switches].use({"u_target_size_px": target.size_px, **shade.uniforms})
+            self._boxes.draw(whole.boxes)
+        for tiles in _parted(states, None):
+            edge = grid.tiling(target.box, tiles)
+            if edge.box is not None:
+                self._add_own_edge(states.needed(tiles), shade, edge.boxes, target)
+                drawn = edge.box if drawn is None else drawn.union(edge.box)
+        return drawn
+
+    def unite(self, source: Target, box: Box, target: Target) -> None:
+        """Unite a box of a target with another one by maximum."""
+        target.bind(box)
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendEquation(GL.GL_MAX)
+        source.texture.bind(0)
+        self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
+        self._boxes.draw_one(box)
+
+    def _add_edge(self, mask: Mask, alone: Target, boxes: TileBoxes, target: Target) -> None:
+        around = around_boxes(boxes)
+        assert around is not None
+        _begin(target, around)
+        alone.texture.bind(0)
+        origin = ((around.left + around.right) // 2 + 0.5, (around.top + around.bottom) // 2 + 0.5)
+        uniforms = mask_uniforms(mask, origin)
+        self._masked[TABLE_SIZES].use({"u_target_size_px": target.size_px, "u_coverage": 0, **uniforms})
+        self._boxes.draw(boxes)
+
+    def _add_own_edge(self, mask: Mask, shade: OwnShade, boxes: TileBoxes, target: Target) -> None:
+        _begin(target, around_boxes(boxes))
+        # One origin for everything: grazing has its numbers around it.
+        origin = shade.uniforms["u_origin_px"]
+        assert isinstance(origin, tuple)
+        uniforms = mask_uniforms(mask, (origin[0], origin[1]))
+        switches = TABLE_SIZES | shade.switches | {"OWN_SHADOW"}
+        self._masked[switches].use({"u_target_size_px": target.size_px, **shade.uniforms, **uniforms})
+        self._boxes.draw(boxes)
+
+
+def _begin(target: Target, box: Box | None) -> None:
+    target.bind(box)
+    GL.glEnable(GL.GL_BLEND)
+    GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
+
+
+def _parted(states: MaskStates, touched: Flags | None) -> list[Flags]:
+    """Return the tiles of a grid that have an edge, in parts whose rims the shader's tables have room for.
+
+    ``touched`` says which tiles of the grid the states are of, None for all.
+    """
+    tiles = states.edge
+    if touched is not None:
+        tiles = np.zeros(len(touched), bool)
+        tiles[touched] = states.edge
+    parts = [tiles] if tiles.any() else []
+    done: list[Flags] = []
+    while parts:
+        part = parts.pop()
+        if fits(states.needed(part if touched is None else part[touched])) or part.sum() <= 1:
+            done.append(part)
+            continue
+        numbers = np.nonzero(part)[0]
+        for half in np.array_split(numbers, 2):
+            flags = np.zeros(len(part), bool)
+            flags[half] = True
+            parts.append(flags)
+    return done

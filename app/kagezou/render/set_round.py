@@ -1,0 +1,155 @@
+"""The pass of round faces: the shadow on a ball or on the side of a drum, found cell by cell on the surface itself."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import radians, sin
+
+import numpy as np
+
+from kagezou.geometry.box import Box
+from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG
+from kagezou.geometry.pieces import Ball
+from kagezou.geometry.round_view import RoundFace
+from kagezou.geometry.shadow import SpaceCast, cast_in_space
+from kagezou.geometry.vectors import Matrix, Vector4
+from kagezou.geometry.veils import Cone, Veil
+from kagezou.render.boxes import Boxes
+from kagezou.render.gl import GL
+from kagezou.render.mattes import PlacedMatte
+from kagezou.render.program import Uniform, Variants
+from kagezou.render.set_stage import Stage
+from kagezou.render.set_uniforms import LAST, LIGHT, MAX_CONICS, MAX_LINES, MAX_REGIONS, OVERLAPS, TABLE_SIZES
+from kagezou.render.targets import Target
+from kagezou.scene.scene import ShadowCast
+
+_NO_LIMIT = np.array([0.0, 0.0, 0.0, 1.0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoundLit:
+    """A round face under one light, with what the other bodies take of that."""
+
+    stage: Stage
+    face: RoundFace
+    light: Vector4
+    veils: dict[int, Veil]
+
+    @property
+    def world_from_local(self) -> Matrix:
+        """The (4, 4) shift from around the middle of the body to the world."""
+        shift = np.eye(4)
+        shift[:3, 3] = self.face.centre
+        return shift
+
+    def uniforms(self) -> dict[str, Uniform]:
+        """Return what ``set_round.frag`` always wants."""
+        face, shape, box = self.face, self.face.shape, self.face.box
+        origin = ((box.left + box.right) // 2 + 0.5, (box.top + box.bottom) // 2 + 0.5)
+        axis = (0.0, 0.0, 0.0, 0.0) if isinstance(shape, Ball) else (*shape.axis, shape.height_px / 2)
+        return {
+            "u_origin_px": origin,
+            "u_origin_world": np.array([*origin, 0.0]) - face.centre,
+            "u_eye": self._local(self.stage.camera.eye),
+            "u_light": self._local(self.light),
+            "u_across": face.across,
+            "u_radius": shape.radius_px,
+            "u_axis": axis,
+            "u_grazing_sine": (sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG))),
+            **self._tables(),
+        }
+
+    def piece_uniforms(self, cast: SpaceCast, matte: PlacedMatte) -> dict[str, Uniform]:
+        """Return what it wants of one card piece, for a matte on unit 0."""
+        corner = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
+        rows = corner @ cast.art_from_world @ self.world_from_local
+        forms = (cast.side, cast.left_fold, cast.right_fold)
+        limits = [_NO_LIMIT if form is None else form @ self.world_from_local for form in forms]
+        return {"u_matte": 0, "u_texel_rows": rows / np.abs(rows[2]).max(), "u_limits": np.array(limits)}
+
+    def _local(self, point: Vector4) -> Matrix:
+        shifted = np.array(point)
+        shifted[:3] -= point[3] * self.face.centre
+        return shifted
+
+    def _tables(self) -> dict[str, Uniform]:
+        regions: list[tuple[float, float, float, float]] = []
+        planes: list[Matrix] = []
+        quadrics: list[Matrix] = []
+        for veil, flags in self._others():
+            cones = [cone for cone in _cones(veil) if self._may_hold(cone)]
+            for index, cone in enumerate(cones):
+                first = len(planes)
+                planes += list(cone.planes @ self.world_from_local)
+                number = -1
+                if cone.quadric is not None:
+                    number = len(quadrics)
+                    local = self.world_from_local.T @ cone.quadric @ self.world_from_local
+                    quadrics.append(local / np.abs(local).max())
+                last = LAST if index == len(cones) - 1 else 0
+                regions.append((first, len(planes), number, flags | last | (OVERLAPS if veil.overlaps else 0)))
+        uniforms: dict[str, Uniform] = {"u_region_count": min(len(regions), MAX_REGIONS)}
+        if regions:
+            uniforms["u_regions"] = np.array(regions[:MAX_REGIONS], dtype=np.float64)
+            uniforms["u_planes"] = np.array(planes[:MAX_LINES])
+        if quadrics:
+            uniforms["u_quadrics"] = np.concatenate(quadrics[:MAX_CONICS])
+        return uniforms
+
+    def _others(self) -> Iterator[tuple[Veil, int]]:
+        """Yield what other bodies hide from the eye, then what they take of the light."""
+        for index, veil in enumerate(self.stage.eye_veils):
+            if index != self.face.body:
+                yield veil, 0
+        for index, veil in self.veils.items():
+            if index != self.face.body:
+                yield veil, LIGHT
+
+    def _may_hold(self, cone: Cone) -> bool:
+        """Whether any point of the body may lie within a cone: none does that lies beyond one of its planes."""
+        shape = self.face.shape
+        reach = shape.radius_px if isinstance(shape, Ball) else float(np.hypot(shape.radius_px, shape.height_px / 2))
+        return bool((cone.planes @ np.append(self.face.centre, 1.0) > -reach).all())
+
+
+class RoundPass:
+    """Draws the shadow on round faces, each as if it were seen whole but for other bodies."""
+
+    def __init__(self, boxes: Boxes) -> None:
+        self._boxes = boxes
+        self._programs = Variants("box.vert", "set_round.frag")
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self._programs.close()
+
+    def draw(self, lit: RoundLit, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Box | None:
+        """Draw what a character casts; return the box that may hold it."""
+        pieces = [cast_in_space(cast.camera, piece, lit.light) for piece in cast.card.pieces]
+        switches = TABLE_SIZES | ({"TRANSLUCENT"} if cast.translucent else set())
+        self._begin(lit, target)
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
+        for piece in pieces:
+            if piece is not None:
+                matte.texture.bind(0)
+                self._programs[switches].use(uniforms | lit.piece_uniforms(piece, matte))
+                self._boxes.draw_one(lit.face.box)
+        return lit.face.box if any(piece is not None for piece in pieces) else None
+
+    def draw_own(self, lit: RoundLit, target: Target, *, is_caster: bool) -> Box:
+        """Draw what the set takes of the light; return the box that may hold it."""
+        switches = TABLE_SIZES | {"OWN_SHADOW"} | ({"DARK_WHEN_TURNED"} if is_caster else set())
+        self._begin(lit, target)
+        self._programs[switches].use({"u_target_size_px": target.size_px, **lit.uniforms()})
+        self._boxes.draw_one(lit.face.box)
+        return lit.face.box
+
+    @staticmethod
+    def _begin(lit: RoundLit, target: Target) -> None:
+        target.bind(lit.face.box)
+        # Pieces of a folded card meet at their folds, where their parts of a pixel add up.
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
+
+
+def _cones(veil: Veil) -> tuple[Cone, ...]:
+    return veil.cones if veil.inside is None else (*veil.cones, veil.inside)

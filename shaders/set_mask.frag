@@ -1,0 +1,89 @@
+#version 330 core
+// The part of a receiver that is seen, pixel by pixel, times the shadow on it; receivers then add up to the picture.
+// A receiver, and what bodies take of it from the camera and from the light, are convex regions of lines and conics.
+// Switches:
+//   OWN_SHADOW          writes what is seen and taken from the light, instead of the seen and lit part of u_coverage
+//   DARK_WHEN_TURNED    with OWN_SHADOW: a face that turns away from the light grows dark
+//   LAMP_IS_LOW         with OWN_SHADOW: see grazing.glsl
+
+#include "edge.glsl"
+#ifdef OWN_SHADOW
+#include "grazing.glsl"
+#else
+uniform sampler2D u_coverage;          // the shadow on this receiver as if it were alone
+#endif
+
+uniform vec2 u_origin_px;              // canvas px around which all forms are given, for precision
+uniform vec4 u_regions[MAX_REGIONS];   // first line, line behind the last, conic or -1, flags
+uniform vec4 u_lines[MAX_LINES];       // (a, b, c, -): signed distance in px, >= 0 inside
+uniform vec4 u_conics[2 * MAX_CONICS]; // (xx, xy, yy, x), (y, 1, -, -): >= 0 inside
+uniform int u_region_count;
+
+out float o_coverage;
+
+const int CELLS = 2;                   // each way; an edge within a cell is integrated as if it were straight there
+const float CELL = 1.0 / float(CELLS);
+
+const int LAST = 1, OVERLAPS = 2, OWN = 4, LIGHT = 8;
+
+float conic_coverage(int index, vec2 here) {
+    vec4 square = u_conics[2 * index];
+    vec4 rest = u_conics[2 * index + 1];
+    vec2 slope = vec2(2.0 * square.x * here.x + square.y * here.y + square.w,
+                      square.y * here.x + 2.0 * square.z * here.y + rest.x);
+    float value = 0.5 * dot(slope + vec2(square.w, rest.x), here) + rest.y;
+    // In px, so that the slope is neither too small nor too large for the edge's integral.
+    float steep = max(length(slope), 1e-30);
+    return cell_coverage(value / steep, slope / steep * CELL);
+}
+
+float region_coverage(vec4 region, vec2 here) {
+    float covered = 1.0;
+    for (int index = int(region.x); index < int(region.y); ++index) {
+        vec3 line = u_lines[index].xyz;
+        covered *= cell_coverage(dot(line, vec3(here, 1.0)), line.xy * CELL);
+    }
+    return region.z < 0.0 ? covered : covered * conic_coverage(int(region.z), here);
+}
+
+// Seen part and lit part of a cell.
+vec2 seen_and_lit(vec2 here) {
+    vec2 left = vec2(1.0);
+    float taken = 0.0;
+    for (int index = 0; index < u_region_count; ++index) {
+        vec4 region = u_regions[index];
+        int flags = int(region.w);
+        float covered = region_coverage(region, here);
+        taken = (flags & OVERLAPS) != 0 ? max(taken, covered) : min(taken + covered, 1.0);
+        if ((flags & LAST) != 0) {
+            float kept = (flags & OWN) != 0 ? taken : 1.0 - taken;
+            left *= (flags & LIGHT) != 0 ? vec2(1.0, kept) : vec2(kept, 1.0);
+            taken = 0.0;
+        }
+    }
+    return left;
+}
+
+void main() {
+    vec2 pixel = gl_FragCoord.xy - u_origin_px;
+    float sum = 0.0;
+#ifdef OWN_SHADOW
+    float strength = grazing_strength(pixel);
+#endif
+    for (int y = 0; y < CELLS; ++y) {
+        for (int x = 0; x < CELLS; ++x) {
+            vec2 left = seen_and_lit(pixel + (vec2(float(x), float(y)) + 0.5) * CELL - 0.5);
+#if defined(DARK_WHEN_TURNED)
+            sum += left.x * (1.0 - strength * left.y);
+#elif defined(OWN_SHADOW)
+            sum += left.x * strength * (1.0 - left.y);
+#else
+            sum += left.x * left.y;
+#endif
+        }
+    }
+    o_coverage = sum * CELL * CELL;
+#ifndef OWN_SHADOW
+    o_coverage *= texelFetch(u_coverage, ivec2(gl_FragCoord.xy), 0).r;
+#endif
+}

@@ -1,0 +1,63 @@
+"""``kagezou piece``, and what the other commands know of a set."""
+
+from pathlib import Path
+
+import pytest
+from projects import Shell
+
+from kagezou.io.images import read_cel
+
+
+def test_pieces_are_added_changed_listed_and_removed(shell: Shell, project: Path) -> None:
+    shell.ok("piece", project, "add", "back", "wall")
+    shell.ok("piece", project, "add", "stairs", "steps", "position=[40,38]", "count=3", "casts=true")
+    assert shell.ok("piece", project, "list") == "wall\tback\nsteps\tstairs\n"
+    shell.ok("set", project, "set.back.angle=20")
+    shell.ok("set", project, "set.back.angle=-20", "--frame", "3")
+    assert shell.json("get", project, "set.stairs.count") == 3
+    assert shell.json("get", project, "set.back.angle", "--frame", "3") == -20
+    shell.ok("piece", project, "copy", "stairs")
+    shell.ok("piece", project, "rename", "stairs 2", "dais")
+    shell.ok("piece", project, "remove", "stairs")
+    assert shell.json("info", project, "--json")["set"] == [
+        {"name": "back", "kind": "wall"},
+        {"name": "dais", "kind": "steps"},
+    ]
+    assert "set piece   dais: steps" in shell.ok("info", project)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["add", "x", "wal"], "did you mean wall?"),
+        (["add", "x"], "add what?"),
+        (["add", "x", "box", "tall=3"], "no property 'tall'"),
+        (["add", "x", "box", "width=["], "is not JSON"),
+        (["add", "x", "box", "width"], "PROPERTY=JSON"),
+        (["add", "shadow", "box"], "shadow of the whole set"),
+        (["add"], "which piece is to add?"),
+        (["remove", "x"], "no set piece 'x'"),
+        (["rename", "back"], "old name and the new one"),
+        (["remove", "back", "now"], "'now' is not expected here"),
+    ],
+)
+def test_what_cannot_be_done_is_told(shell: Shell, project: Path, words: list[str], told: str) -> None:
+    shell.ok("piece", project, "add", "back", "wall")
+    before = project.read_bytes()
+    assert told in shell.fails(2, "piece", project, *words)
+    assert project.read_bytes() == before
+
+
+def test_a_set_that_casts_is_rendered_beside_the_characters(shell: Shell, project: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    shell.ok("piece", project, "add", "crate", "box", "position=[20,44]", "width=12", "height=12", "depth=10")
+    shell("render", project, "-o", out, "--frames", "1", "--composite")
+    assert not (out / "set_shadow").exists()
+    shell.ok("set", project, "set.crate.casts=true", "set.shadow.color=#102030")
+    assert shell("render", project, "-o", out, "--frames", "1-2", "--composite") == 0
+    first = read_cel(out / "set_shadow" / "set_shadow_0001.png").rgba
+    assert (first[..., :3] == (0x10, 0x20, 0x30)).all()
+    assert first[..., 3].max() == 153
+    assert (out / "set_shadow" / "set_shadow_0002.png").is_file()
+    shell.ok("set", project, "set.crate.casts=false", "--frame", "2")
+    assert shell("render", project, "-o", out, "--frames", "2", "--layer", "Hero") == 0
