@@ -18,6 +18,8 @@ from kagezou.document.address import Address, track_of
 from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Canvas, Marker
 from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION, OPACITY
+from kagezou.document.set_pieces import add_piece, remove_piece
+from kagezou.document.set_properties import PIECE_ANGLE
 from kagezou.io.cels import CelCache
 from kagezou.session.staging import CharacterSource
 from kagezou.ui.desk import Desk
@@ -106,6 +108,18 @@ def test_a_row_for_the_scene_the_layers_and_what_is_keyed(timeline: Timeline, ke
     assert [row.kind for row in timeline.rows.rows] == [RowKind.SCENE, RowKind.LAYER, RowKind.PROPERTY]
     timeline.rows.fold_all(timeline.rows.rows[1])
     assert len(timeline.rows.rows) == 2
+
+
+def test_set_pieces_have_rows_of_their_own(timeline: Timeline, keyed: Desk) -> None:
+    document = add_piece(keyed.bridge.document, "back", "wall")
+    address = Address(PIECE_ANGLE, piece_id=document.pieces[0].id)
+    keyed.bridge.session.edit("Wall", edits.set_key(document, address, 4, 20.0))
+    names = [timeline.names.name_of(row) for row in timeline.rows.rows]
+    assert names[names.index("back") + 1] == "Turn"
+    QTest.mouseClick(timeline.lanes, Qt.MouseButton.LeftButton, pos=key_point(timeline, address, 4))
+    assert keyed.bridge.session.state.keys == {KeyRef(address, 4)}
+    keyed.bridge.session.edit("Away", remove_piece(keyed.bridge.document, address.piece_id or ""))
+    assert keyed.bridge.session.state.keys == frozenset()
 
 
 def test_a_click_chooses_a_key_and_shift_adds_or_takes_one(timeline: Timeline, keyed: Desk) -> None:

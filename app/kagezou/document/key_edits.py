@@ -42,10 +42,10 @@ class KeyClip:
 
 def present_keys(document: Document, refs: Refs) -> Refs:
     """Return those of the keys that are there."""
-    ids = {None, *(layer.id for layer in document.layers)}
     found: set[KeyRef] = set()
+    is_there = _presence(document)
     for address, frames in frames_by_address(refs).items():
-        if address.layer_id in ids:
+        if is_there(address):
             there = {key.frame for key in track_of(document, address).keys}
             found.update(KeyRef(address, frame) for frame in frames & there)
     return refs if len(found) == len(refs) else frozenset(found)
@@ -130,7 +130,7 @@ def paste_keys(document: Document, clip: KeyClip, frame: int | None, onto: str |
         The layer that gets keys which were all taken from one layer; those from several layers, and the scene's, go
         to where they came from, if that is still there.
     """
-    ids = {layer.id for layer in document.layers}
+    is_there = _presence(document)
     sources = {address.layer_id for address, _ in clip.keys if address.layer_id is not None}
     away = 0 if frame is None else frame - clip.frame
     put: set[KeyRef] = set()
@@ -139,12 +139,19 @@ def paste_keys(document: Document, clip: KeyClip, frame: int | None, onto: str |
         if address.layer_id is not None:
             moves = onto is not None and len(sources) == 1
             target = replace(address, layer_id=onto if moves else address.layer_id)
-            if target.layer_id not in ids:
-                continue
+        if not is_there(target):
+            continue
         moved = replace(key, frame=key.frame + away)
         document = set_track(document, target, track_of(document, target).with_key(moved))
         put.add(KeyRef(target, moved.frame))
     return document, frozenset(put)
+
+
+def _presence(document: Document) -> Callable[[Address], bool]:
+    """Return what tells whether the layer or the set piece of an address is there."""
+    layers = {None, *(layer.id for layer in document.layers)}
+    pieces = {None, *(piece.id for piece in document.pieces)}
+    return lambda address: address.layer_id in layers and address.piece_id in pieces
 
 
 def _added(address: Address, value: Value, amounts: tuple[float, ...]) -> Value:

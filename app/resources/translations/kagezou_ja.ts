@@ -1092,6 +1092,10 @@
         <translation>波</translation>
     </message>
     <message>
+        <source>Shadow of the set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Character</source>
         <translation>キャラクター</translation>
     </message>

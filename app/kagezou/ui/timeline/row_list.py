@@ -69,12 +69,12 @@ class RowList(QObject):
 
     def fold(self, row: Row) -> None:
         """Show or hide the properties of a group."""
-        self._closed = self._closed ^ {row.layer_id}
+        self._closed = self._closed ^ {row.group}
         self._refill()
 
     def fold_all(self, row: Row) -> None:
         """Show or hide the properties of all groups as this one is about to."""
-        groups = frozenset(each.layer_id for each in self.rows if each.is_group)
+        groups = frozenset(each.group for each in self.rows if each.is_group)
         self._closed = groups if row.is_open else frozenset()
         self._refill()
 

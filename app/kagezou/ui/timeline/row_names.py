@@ -109,6 +109,8 @@ class RowNames(QWidget):
             return self.tr("Scene")
         if row.layer_id is not None and row.kind is RowKind.LAYER:
             return self._bridge.document.layer(row.layer_id).name
+        if row.piece_id is not None and row.kind is RowKind.PIECE:
+            return self._bridge.document.piece(row.piece_id).name
         return said(row.addresses[0].property.label)
 
     def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:

@@ -1,13 +1,13 @@
 """The rows of the dope sheet: the scene and the layers, and below each its properties."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from kagezou.animation.track import Track
 from kagezou.document.address import Address, track_of
 from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Document
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 
 
 class RowKind(StrEnum):
@@ -15,6 +15,7 @@ class RowKind(StrEnum):
 
     SCENE = "scene"
     LAYER = "layer"
+    PIECE = "piece"
     PROPERTY = "property"
 
 
@@ -24,8 +25,8 @@ class Row:
 
     Parameters
     ----------
-    kind, layer_id
-        ``layer_id`` is None for the scene and its properties.
+    kind, layer_id, piece_id
+        Both ids are None for the scene and its properties.
     addresses
         One property, or all keyed ones of a group, whose keys it sums up.
     is_open
@@ -36,6 +37,12 @@ class Row:
     layer_id: str | None
     addresses: tuple[Address, ...]
     is_open: bool = False
+    piece_id: str | None = None
+
+    @property
+    def group(self) -> str | None:
+        """What its group is folded by; ids of layers and pieces never meet."""
+        return self.layer_id if self.piece_id is None else f"set:{self.piece_id}"
 
     @property
     def is_group(self) -> bool:
@@ -71,14 +78,14 @@ def rows_of(document: Document, closed: frozenset[str | None], reveal: Reveal) -
     Parameters
     ----------
     closed
-        The groups that are folded, by layer id; None is the scene.
+        The groups that are folded, by `Row.group`; None is the scene.
     reveal
         Which properties are shown.
     """
-    rows = list(_group(document, RowKind.SCENE, None, closed, reveal))
-    for layer in reversed(document.layers):
-        rows += _group(document, RowKind.LAYER, layer.id, closed, reveal)
-    return tuple(rows)
+    groups = [Row(RowKind.SCENE, None, ())]
+    groups += [Row(RowKind.PIECE, None, (), piece_id=piece.id) for piece in document.pieces]
+    groups += [Row(RowKind.LAYER, layer.id, ()) for layer in reversed(document.layers)]
+    return tuple(row for group in groups for row in _group(document, group, closed, reveal))
 
 
 def keys_on(document: Document, row: Row, frame: int) -> Refs:
@@ -96,18 +103,20 @@ def frames_of(document: Document, row: Row) -> dict[int, int]:
     return counts
 
 
-def _group(
-    document: Document, kind: RowKind, layer_id: str | None, closed: frozenset[str | None], reveal: Reveal
-) -> list[Row]:
-    table = OF_DOCUMENT if layer_id is None else OF_LAYER
-    tracks = document.tracks if layer_id is None else document.layer(layer_id).tracks
+def _group(document: Document, group: Row, closed: frozenset[str | None], reveal: Reveal) -> list[Row]:
+    if group.piece_id is not None:
+        table, tracks = OF_PIECE, document.piece(group.piece_id).tracks
+    elif group.layer_id is not None:
+        table, tracks = OF_LAYER, document.layer(group.layer_id).tracks
+    else:
+        table, tracks = OF_DOCUMENT, document.tracks
     # Only what was ever set has a track; asking for all others would cost 200 layers their speed.
     names = (name for name in table if name in tracks or (reveal.names and name in reveal.names))
-    known = [Address(table[name], layer_id) for name in names]
+    known = [Address(table[name], group.layer_id, group.piece_id) for name in names]
     shown = [address for address in known if reveal.shows(track_of(document, address), address)]
     keyed = tuple(address for address in known if track_of(document, address).is_keyed)
-    is_open = layer_id not in closed
-    rows = [Row(kind, layer_id, keyed, is_open)]
+    is_open = group.group not in closed
+    rows = [replace(group, addresses=keyed, is_open=is_open)]
     if is_open:
-        rows += [Row(RowKind.PROPERTY, layer_id, (address,)) for address in shown]
+        rows += [Row(RowKind.PROPERTY, group.layer_id, (address,), piece_id=group.piece_id) for address in shown]
     return rows
