@@ -1093,7 +1093,7 @@
     </message>
     <message>
         <source>Shadow of the set</source>
-        <translation type="unfinished"></translation>
+        <translation>セットの影</translation>
     </message>
     <message>
         <source>Character</source>
