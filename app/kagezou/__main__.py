@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from kagezou.render.context import GraphicsContext
     from kagezou.render.info import GraphicsInfo
 
-PROJECT_SUFFIXES = (".kage", ".xdts")
+PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts")
 """What the window opens: projects, and the timesheets that drawing programs hand over."""
 
 

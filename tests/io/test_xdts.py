@@ -8,7 +8,8 @@ import pytest
 
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io import xdts
-from kagezou.io.xdts import SheetTrack, Timesheet, read_xdts, sheet_of
+from kagezou.io.timesheet import SheetTrack, Timesheet
+from kagezou.io.xdts import read_timesheet, sheet_of
 
 HEAD = "exchangeDigitalTimeSheet Save Data\n"
 NULL = "SYMBOL_NULL_CELL"
@@ -84,15 +85,18 @@ def test_byte_order_mark_windows_lines_and_unknown_keys(tmp_path: Path) -> None:
     path = tmp_path / "c012.xdts"
     known = {**tree(track(0, row(0, "1"))), "surprise": [1]}
     path.write_bytes(("\ufeff" + HEAD + json.dumps(known, indent=1)).replace("\n", "\r\n").encode())
-    assert read_xdts(path).tracks[0] == SheetTrack("A", ((0, "1"),))
+    assert read_timesheet(path).tracks[0] == SheetTrack("A", ((0, "1"),))
 
 
 @pytest.mark.parametrize(
     ("content", "cause"),
     [
-        (b"", "it is not an XDTS timesheet"),
-        (b"{}", "it is not an XDTS timesheet"),
-        (b"toeiDigitalTimeSheet Save Data\n{}", "it is a TDTS timesheet; please export it as XDTS"),
+        (b"", "it is not a timesheet"),
+        (b"{}", "it is not a timesheet"),
+        (b"toeiDigitalTimeSheet Save Data\n{}", "the key 'timeTables' is missing"),
+        (b"\x11ShiraheiTimeSheet", "the STS timesheet is cut off"),
+        (b"\x11ShiraheiTimeSheet\x02\x00\x00\x00\x00", "the STS timesheet has no frames"),
+        (b"\x11ShiraheiTimeSheet\xff\xff\xff\x00\x00", "255 columns of 65535 frames do not fit"),
         (HEAD.encode(), "the file is empty"),
         (HEAD.encode() + b"{", "it is not whole JSON text"),
         (HEAD.encode() + b"[" * 100_000, "it is nested too deep"),
@@ -107,22 +111,22 @@ def test_what_is_no_timesheet_is_refused(content: bytes, cause: str, tmp_path: P
     path = tmp_path / "c012.xdts"
     path.write_bytes(content)
     with pytest.raises(InputProblem) as caught:
-        read_xdts(path)
+        read_timesheet(path)
     assert str(caught.value).startswith(f"{path}: ")
     assert cause in str(caught.value)
 
 
 def test_a_missing_folder_large_or_impossible_file_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InputProblem, match="it does not exist"):
-        read_xdts(tmp_path / "none.xdts")
+        read_timesheet(tmp_path / "none.xdts")
     with pytest.raises(InputProblem, match="it is not a file"):
-        read_xdts(tmp_path)
+        read_timesheet(tmp_path)
     with pytest.raises(InputProblem, match="it cannot be a file name"):
-        read_xdts(tmp_path / "a\0b.xdts")
+        read_timesheet(tmp_path / "a\0b.xdts")
     monkeypatch.setattr(xdts, "MAX_BYTES", 10)
     (tmp_path / "large.xdts").write_bytes(b" " * 11)
     with pytest.raises(InputProblem, match="it is larger than"):
-        read_xdts(tmp_path / "large.xdts")
+        read_timesheet(tmp_path / "large.xdts")
 
 
 def test_a_wrong_row_is_named_with_its_place() -> None:
@@ -133,7 +137,7 @@ def test_a_wrong_row_is_named_with_its_place() -> None:
 
 
 def test_the_sample_sheet(samples: Path) -> None:
-    sheet = read_xdts(samples / "xdts" / "minimal.xdts")
+    sheet = read_timesheet(samples / "xdts" / "minimal.xdts")
     assert sheet == Timesheet(
         "timeline", 24, (SheetTrack("A", ((0, "A1"),)), SheetTrack("A", ((0, None), (4, "A1.5"))))
     )

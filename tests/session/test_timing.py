@@ -10,7 +10,7 @@ from kagezou.document import edits, invariants
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
-from kagezou.io.xdts import SheetTrack, Timesheet
+from kagezou.io.timesheet import SheetTrack, Timesheet
 from kagezou.session.staging import CharacterSource, new_document, with_timesheet
 from kagezou.session.timing import timed
 

@@ -163,8 +163,8 @@ class TestSearch:
     def test_what_cannot_be_done_now_is_not_run(self, qtbot: QtBot, window: MainWindow) -> None:
         search = search_of(window)
         search.open()
-        search.field.setText("export shadow")
-        assert names_found(search) == ["Export Shadow Layers"]
+        search.field.setText("rename lay")
+        assert names_found(search) == ["Rename Layer"]
         search.run_current()
         assert search.isVisible()
         search.field.setText("no such thing")

@@ -24,6 +24,7 @@ VERBS: Final = {
     "style": "put a named look on a character, or list the looks",
     "render": "write the shadow layers as numbered frames",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",
+    "timesheet": "write when which drawing is exposed, as XDTS",
     "farm": "write a job bundle for a render farm",
     "sheet": "draw a contact sheet of characters, their shadows step by step",
     "bench": "measure how fast this machine draws and exports",

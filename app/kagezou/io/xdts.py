@@ -1,17 +1,20 @@
-"""Digital timesheets (XDTS, as Clip Studio Paint and OpenToonz write them): when which cel is exposed.
+"""Digital timesheets (XDTS, as Clip Studio Paint and OpenToonz write them; TDTS read only): when which cel is exposed.
 
 Programs bend the specification, so whatever is not needed here is ignored: other columns, unknown keys, a missing
 header, frames out of order and frames before the first one.
 """
 
+import json
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from kagezou.errors import ProjectProblem
+from kagezou.io.atomic import write_bytes
 from kagezou.io.faults import input_problem
 from kagezou.io.project_json import Reader, parse
+from kagezou.io.sts import is_sts, sts_sheet
+from kagezou.io.timesheet import SheetTrack, Timesheet
 
 MAX_BYTES: Final = 32 << 20
 _MAX_FRAMES: Final = 1_000_000
@@ -21,43 +24,23 @@ _OTHER_FIRST_LINE: Final = "toeiDigitalTimeSheet Save Data"
 _CELS: Final = 0
 """The field of cel columns; dialogue and camera work are others."""
 
+_CELS_OF_TDTS: Final = 4
+"""There the field 0 is for key drawings."""
+
+_VERSION: Final = 5
+
 _EMPTY: Final = "SYMBOL_NULL_CELL"
 _SYMBOL: Final = "SYMBOL_"
 """Every other symbol is a mark on a cel that goes on: inbetween, reverse sheet, hyphen."""
 
 
-@dataclass(frozen=True, slots=True)
-class SheetTrack:
-    """One cel column.
-
-    Parameters
-    ----------
-    name
-        As the sheet has it, trimmed; other columns may have the same.
-    entries
-        ``(frame, cel)`` in order, one a frame, the frame counted from 0: from there on this cel is seen, or none.
-    """
-
-    name: str
-    entries: tuple[tuple[int, str | None], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Timesheet:
-    """The first sheet of a file: its name, its length, its cel columns from the lowest to the topmost."""
-
-    name: str
-    length_frames: int
-    tracks: tuple[SheetTrack, ...]
-
-
-def read_xdts(path: Path) -> Timesheet:
-    """Return the timesheet at ``path``.
+def read_timesheet(path: Path) -> Timesheet:
+    """Return the timesheet at ``path``: XDTS, TDTS or STS, told apart by what is in it.
 
     Raises
     ------
     InputProblem
-        It cannot be read or is no XDTS file: one sentence with the place of what is wrong.
+        It cannot be read or is no timesheet: one sentence with the place of what is wrong.
     """
     try:
         if path.exists() and not path.is_file():
@@ -66,7 +49,7 @@ def read_xdts(path: Path) -> Timesheet:
             data = stream.read(MAX_BYTES + 1)
         if len(data) > MAX_BYTES:
             raise input_problem(path, f"it is larger than {MAX_BYTES >> 20} MB, which no timesheet is")
-        return sheet_of(data.decode("utf-8-sig"))
+        return sts_sheet(data) if is_sts(data) else sheet_of(data.decode("utf-8-sig"))
     except OSError as error:
         raise input_problem(path, error) from error
     except UnicodeDecodeError as error:
@@ -86,19 +69,25 @@ def sheet_of(text: str) -> Timesheet:
         It is not one, with the JSON path of what is wrong.
     """
     first, _, rest = text.partition("\n")
-    if first.strip() == _OTHER_FIRST_LINE:
-        raise ProjectProblem("it is a TDTS timesheet; please export it as XDTS")
-    if first.strip() != _FIRST_LINE:
-        raise ProjectProblem("it is not an XDTS timesheet")
-    tables = _member(Reader(parse(rest)), "timeTables").items(_MAX_COLUMNS, least=1)
-    table = next(tables)
+    if first.strip() not in (_FIRST_LINE, _OTHER_FIRST_LINE):
+        raise ProjectProblem("it is not a timesheet (XDTS, TDTS or STS)")
+    is_tdts = first.strip() == _OTHER_FIRST_LINE
+    table = _table(Reader(parse(rest)))
+    field = _CELS_OF_TDTS if is_tdts and any(_columns(table, _CELS_OF_TDTS)) else _CELS
     length = _member(table, "duration").whole(1, _MAX_FRAMES)
-    names = _names(table)
-    columns = sorted(_columns(table), key=lambda column: column[0])
+    names = _names(table, field)
+    columns = sorted(_columns(table, field), key=lambda column: column[0])
     tracks = tuple(
         SheetTrack(names[number] if number < len(names) else "", _entries(frames, length)) for number, frames in columns
     )
     return Timesheet(_text(table.members().get("name")), length, tracks)
+
+
+def _table(root: Reader) -> Reader:
+    """Return the first table; TDTS has sheets around its tables, but for its oldest writers."""
+    if "timeSheets" in root.members():
+        root = next(_member(root, "timeSheets").items(_MAX_COLUMNS, least=1))
+    return next(_member(root, "timeTables").items(_MAX_COLUMNS, least=1))
 
 
 def _member(reader: Reader, name: str) -> Reader:
@@ -115,24 +104,24 @@ def _text(reader: Reader | None) -> str:
     return str(reader.value).strip()
 
 
-def _of_cels(table: Reader, key: str) -> Iterator[Reader]:
+def _of_cels(table: Reader, key: str, wanted: int) -> Iterator[Reader]:
     """Yield the parts of a table that are about cel columns."""
     listed = table.members().get(key)
     for part in listed.items(_MAX_COLUMNS) if listed is not None else ():
         field = part.members().get("fieldId")
-        if field is not None and field.value == _CELS:
+        if field is not None and field.value == wanted:
             yield part
 
 
-def _names(table: Reader) -> list[str]:
-    for header in _of_cels(table, "timeTableHeaders"):
+def _names(table: Reader, field: int) -> list[str]:
+    for header in _of_cels(table, "timeTableHeaders", field):
         return [_text(name) for name in _member(header, "names").items(_MAX_COLUMNS)]
     return []
 
 
-def _columns(table: Reader) -> Iterator[tuple[int, Reader]]:
-    for field in _of_cels(table, "fields"):
-        for track in _member(field, "tracks").items(_MAX_COLUMNS):
+def _columns(table: Reader, field: int) -> Iterator[tuple[int, Reader]]:
+    for part in _of_cels(table, "fields", field):
+        for track in _member(part, "tracks").items(_MAX_COLUMNS):
             number = _member(track, "trackNo").whole(0, _MAX_COLUMNS)
             yield number, _member(track, "frames")
 
@@ -166,3 +155,42 @@ def _cel(row: Reader) -> str | None:
                 return None
             return "" if text.startswith(_SYMBOL) else text
     return ""
+
+
+def xdts_text(sheet: Timesheet) -> str:
+    """Return a timesheet as the text of an XDTS file, as OpenToonz writes it.
+
+    A column that does not begin on the first frame begins with an empty cel; columns without a name have an empty one,
+    so that the others keep their places.
+    """
+    tracks = []
+    for number, track in enumerate(sheet.tracks):
+        entries = track.entries
+        if entries and entries[0][0] > 0:
+            entries = ((0, None), *entries)
+        if entries:
+            frames = [
+                {"frame": frame, "data": [{"id": 0, "values": [_EMPTY if cel is None else cel]}]}
+                for frame, cel in entries
+            ]
+            tracks.append({"trackNo": number, "frames": frames})
+    table = {
+        "name": sheet.name,
+        "duration": sheet.length_frames,
+        "timeTableHeaders": [{"fieldId": _CELS, "names": [track.name for track in sheet.tracks]}],
+        "fields": [{"fieldId": _CELS, "tracks": tracks}],
+    }
+    tree = {"header": {"cut": "1", "scene": "1"}, "timeTables": [table], "version": _VERSION}
+    return f"{_FIRST_LINE}\n{json.dumps(tree, ensure_ascii=False, indent=1)}\n"
+
+
+def write_xdts(path: Path, sheet: Timesheet) -> None:
+    """Write a timesheet as XDTS, as a whole or not at all.
+
+    Raises
+    ------
+    DiskFullProblem, OutputProblem
+        It cannot be written.
+    """
+    # Names of files may hold what no UTF-8 text can.
+    write_bytes(path, xdts_text(sheet).encode("utf-8", "replace"))

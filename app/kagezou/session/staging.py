@@ -15,7 +15,7 @@ from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images import probe
 from kagezou.io.project_paths import absolute
-from kagezou.io.xdts import read_xdts
+from kagezou.io.xdts import read_timesheet
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.session.exposing import CharacterSource, NewCels, cels_of
 from kagezou.session.figures import Figure, Look, look_at
@@ -103,7 +103,7 @@ def with_timesheet(document: Document, path: Path) -> Staged:
     InputProblem
         The timesheet cannot be read.
     """
-    changed, notes = timed(document, read_xdts(path))
+    changed, notes = timed(document, read_timesheet(path))
     before = {layer.id: layer for layer in document.layers}
     return Staged(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Drawing, Exposure, Layer
-from kagezou.io.xdts import SheetTrack, Timesheet
+from kagezou.io.timesheet import SheetTrack, Timesheet
 
 _NUMBERED = re.compile(r"[^0-9.]*?[_\-. ]?0*([0-9]{1,6})([a-z]{0,2})")
 _SHOWN_CELS = 5
@@ -95,3 +95,18 @@ class _Drawings:
 def _number_in(name: str) -> tuple[int, str] | None:
     found = _NUMBERED.fullmatch(name)
     return (int(found[1]), found[2]) if found else None
+
+
+def sheet_of(document: Document, name: str) -> Timesheet:
+    """Return the timesheet of a document: a column a layer, its drawings by their names."""
+    tracks = tuple(SheetTrack(layer.name, _entries(layer)) for layer in document.layers)
+    return Timesheet(name, document.canvas.length_frames, tracks)
+
+
+def _entries(layer: Layer) -> tuple[tuple[int, str | None], ...]:
+    """Return the entries from frame 0 on; what was exposed before the cut began is what it begins with."""
+    found: dict[int, str | None] = {}
+    for exposure in layer.cels.exposures:
+        cel = None if exposure.drawing is None else layer.cels.drawings[exposure.drawing].name
+        found[max(exposure.frame - 1, 0)] = cel
+    return tuple(sorted(found.items()))

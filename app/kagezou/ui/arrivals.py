@@ -9,6 +9,7 @@ from kagezou.io.signatures import is_picture
 from kagezou.session.staging import CharacterSource
 
 PROJECT_SUFFIX = ".kage"
+TIMESHEET_SUFFIXES = (".xdts", ".tdts", ".sts")
 _OPAQUE = (".jpg", ".jpeg")
 _NUMBER = re.compile(r"[0-9]{1,6}(?=[A-Za-z]{0,2}$)")
 
@@ -25,16 +26,19 @@ class Arrivals:
         Folders, sequences and single pictures that become layers.
     background
         A picture without transparency that came alone.
+    timesheet
+        A timesheet, if there is one among the files and no project.
     """
 
     project: Path | None = None
     characters: tuple[CharacterSource, ...] = ()
     background: Path | None = None
+    timesheet: Path | None = None
 
     @property
     def is_empty(self) -> bool:
         """Whether there is nothing the program can use."""
-        return self.project is None and not self.characters and self.background is None
+        return not (self.project or self.characters or self.background or self.timesheet)
 
 
 def arrivals_of(paths: Iterable[Path]) -> Arrivals:
@@ -43,6 +47,9 @@ def arrivals_of(paths: Iterable[Path]) -> Arrivals:
     project = next((path for path in given if path.suffix.lower() == PROJECT_SUFFIX), None)
     if project is not None:
         return Arrivals(project=project)
+    timesheet = next((path for path in given if path.suffix.lower() in TIMESHEET_SUFFIXES), None)
+    if timesheet is not None:
+        return Arrivals(timesheet=timesheet)
     if len(given) == 1 and given[0].suffix.lower() in _OPAQUE:
         return Arrivals(background=given[0])
     folders = [CharacterSource(None, path) for path in given if path.is_dir()]

@@ -78,6 +78,8 @@ def file_commands() -> tuple[Command, ...]:
         Command("save_increment", translate("Commands", "Save Ne&xt Version"), ("Ctrl+Alt+Shift+S",)),
         Command("import", translate("Commands", "&Import Character…"), ("Ctrl+I",), "add"),
         Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
+        Command("import_timesheet", translate("Commands", "Import &Timesheet…")),
+        Command("export_timesheet", translate("Commands", "Export Times&heet…")),
         Command("background", translate("Commands", "Set &Background…")),
         Command("no_background", translate("Commands", "Remove Background")),
         Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),

@@ -9,8 +9,11 @@ from kagezou.document.model import Canvas, Document
 from kagezou.io import project_file
 from kagezou.io.cels import CelCache
 from kagezou.io.keepsake import Keepsake
+from kagezou.io.xdts import write_xdts
 from kagezou.session.session import Session
-from kagezou.session.staging import CharacterSource, new_document, with_characters
+from kagezou.session.sheet_project import document_of_sheet
+from kagezou.session.staging import CharacterSource, new_document, with_characters, with_timesheet
+from kagezou.session.timing import sheet_of
 from kagezou.ui.arrivals import PROJECT_SUFFIX
 from kagezou.ui.bridge import Bridge
 
@@ -98,6 +101,23 @@ class Desk(QObject):
         if staged.layer_ids:
             session.select(staged.layer_ids[-1])
         self._say(staged.notes)
+
+    def time_by(self, path: Path) -> None:
+        """Expose the drawings as a timesheet says; with nothing on the desk they are looked for beside it."""
+        if self.is_blank:
+            staged = document_of_sheet(path)
+            session = Session(blank_document())
+            session.edit(self.tr("New from timesheet"), staged.document)
+            self._put(session, None)
+        else:
+            staged = with_timesheet(self.bridge.document, path)
+            self.bridge.session.edit(self.tr("Apply timesheet"), staged.document)
+        self._say(staged.notes)
+
+    def write_timesheet(self, path: Path, name: str) -> None:
+        """Write when which drawing is exposed, as XDTS; a name without suffix gets one."""
+        whole = path if path.suffix.lower() == ".xdts" else path.with_name(path.name + ".xdts")
+        write_xdts(whole, sheet_of(self.bridge.document, name))
 
     def put_background(self, path: Path | None) -> None:
         """Put a picture under everything, or take it away; into nothing it brings its size."""

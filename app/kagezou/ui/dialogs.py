@@ -65,6 +65,21 @@ class Dialogs:
         chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("background"), _picture_filter())
         return self._remembered("background", chosen)
 
+    def timesheet(self) -> Path | None:
+        """Ask for a timesheet."""
+        title = QCoreApplication.translate("Dialogs", "Open Timesheet")
+        words = QCoreApplication.translate("Dialogs", "Timesheets") + " (*.xdts *.tdts *.sts)"
+        chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("timesheet"), words)
+        return self._remembered("timesheet", chosen)
+
+    def timesheet_to_save(self, suggested: str) -> Path | None:
+        """Ask where to write a timesheet."""
+        title = QCoreApplication.translate("Dialogs", "Save Timesheet As")
+        start = str(Path(self._folder("timesheet")) / suggested)
+        words = QCoreApplication.translate("Dialogs", "Timesheets") + " (*.xdts)"
+        chosen, _ = QFileDialog.getSaveFileName(self._parent, title, start, words)
+        return self._remembered("timesheet", chosen)
+
     def unsaved(self, name: str) -> Answer:
         """Ask what to do with unsaved work."""
         question = QCoreApplication.translate("Dialogs", "Save the changes to “%1”?").replace("%1", name)

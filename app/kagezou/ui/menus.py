@@ -118,8 +118,9 @@ class Menus(QObject):
         # Not &File: Alt+F shows the curves, as the graph of other programs.
         file = self._menu(bar, self.tr("F&ile"), ["new", "open"])
         file.addMenu(self.recent)
-        self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures", "background"])
-        self._fill(file, ["no_background", _SEPARATOR, "export", _SEPARATOR, "quit"])
+        self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures"])
+        self._fill(file, ["import_timesheet", "background"])
+        self._fill(file, ["no_background", _SEPARATOR, "export", "export_timesheet", _SEPARATOR, "quit"])
         self._menu(
             bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
         )

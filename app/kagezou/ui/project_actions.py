@@ -10,7 +10,7 @@ from kagezou.errors import Problem
 from kagezou.io.keepsake import Keepsake, forget
 from kagezou.io.project_file import next_version
 from kagezou.session.staging import CharacterSource
-from kagezou.ui.arrivals import PROJECT_SUFFIX, arrivals_of, whole_sequence
+from kagezou.ui.arrivals import PROJECT_SUFFIX, TIMESHEET_SUFFIXES, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
 from kagezou.ui.message_bar import MessageBar, Severity
@@ -63,7 +63,12 @@ class ProjectActions(QObject):
             self.open_path(path)
 
     def open_path(self, path: Path) -> bool:
-        """Open a project without asking about the old one; false if it cannot be opened."""
+        """Open a project without asking about the old one; false if it cannot be opened.
+
+        A timesheet, which drawing programs start us with, begins a project of the drawings beside it.
+        """
+        if path.suffix.lower() in TIMESHEET_SUFFIXES:
+            return self.time_by(path)
         holder = self._lock.holder_of(path)
         if holder and not self.dialogs.open_twice(path.name, holder):
             return False
@@ -129,12 +134,28 @@ class ProjectActions(QObject):
         """Take the background away."""
         self._try(lambda: self._desk.put_background(None))
 
+    def time_by(self, path: Path) -> bool:
+        """Expose the drawings as a timesheet says, or begin a project of the drawings beside it."""
+        return self._try(lambda: self._desk.time_by(path))
+
+    def import_timesheet(self) -> None:
+        """Ask for a timesheet."""
+        if path := self.dialogs.timesheet():
+            self.time_by(path)
+
+    def export_timesheet(self) -> None:
+        """Ask where to write the timesheet."""
+        if path := self.dialogs.timesheet_to_save(f"{self.project_name}.xdts"):
+            self._try(lambda: self._desk.write_timesheet(path, self.project_name))
+
     def bring(self, paths: Iterable[Path]) -> None:
         """Take what was dropped: a project is opened, cels become layers, a lone opaque picture the background."""
         given = list(paths)
         arrivals = arrivals_of(given)
         if arrivals.project is not None:
             self.open_recent(arrivals.project)
+        elif arrivals.timesheet is not None:
+            self.time_by(arrivals.timesheet)
         elif arrivals.background is not None:
             background = arrivals.background
             self._try(lambda: self._desk.put_background(background))

@@ -229,6 +229,14 @@
         <translation>ここにキーを設定 (&amp;K)</translation>
     </message>
     <message>
+        <source>Import &amp;Timesheet…</source>
+        <translation>タイムシートを読み込み (&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Export Times&amp;heet…</source>
+        <translation>タイムシートを書き出し (&amp;H)…</translation>
+    </message>
+    <message>
         <source>&amp;Export…</source>
         <translation>書き出し (&amp;E)…</translation>
     </message>
@@ -597,6 +605,14 @@
         <translation>キャラクターを読み込み</translation>
     </message>
     <message>
+        <source>New from timesheet</source>
+        <translation>タイムシートから新規作成</translation>
+    </message>
+    <message>
+        <source>Apply timesheet</source>
+        <translation>タイムシートを適用</translation>
+    </message>
+    <message>
         <source>Set background</source>
         <translation>背景を設定</translation>
     </message>
@@ -622,6 +638,18 @@
     <message>
         <source>Choose a Background</source>
         <translation>背景を選択</translation>
+    </message>
+    <message>
+        <source>Open Timesheet</source>
+        <translation>タイムシートを開く</translation>
+    </message>
+    <message>
+        <source>Timesheets</source>
+        <translation>タイムシート</translation>
+    </message>
+    <message>
+        <source>Save Timesheet As</source>
+        <translation>タイムシートを保存</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>

@@ -14,6 +14,7 @@ DESCRIPTION = (
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
   kagezou new duo.kage --character A=cels/A --character B=cels/B --background street.png
+  kagezou new cut12.kage --timesheet cut12/cut12.xdts
   kagezou new cut12.kage --character A=cels/A --timesheet cut12.xdts --fps 24 --size 1920x1080
 """
 
@@ -32,7 +33,13 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--background", type=Path, metavar="FILE", help="a picture under everything")
     parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
     parser.add_argument("--fps", type=frame_rate, default="24", metavar="RATE", help="frames a second (24)")
-    parser.add_argument("--timesheet", type=Path, metavar="SHEET.xdts", help="when which drawing is exposed")
+    parser.add_argument(
+        "--timesheet",
+        type=Path,
+        metavar="SHEET.xdts",
+        help="when which drawing is exposed (also .tdts, .sts); "
+        "without --character its columns find their drawings beside it",
+    )
     parser.add_argument("--force", action="store_true", help="replace a project that is there")
 
 
@@ -46,6 +53,11 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
     if path.exists() and not options.force:
         raise OutputProblem(f"{shown(path)}: it is there already; --force replaces it")
     sources = [CharacterSource(name, source) for name, source in options.character]
+    if options.timesheet is not None and not sources:
+        from kagezou.io.xdts import read_timesheet
+        from kagezou.session.sheet_project import sources_beside
+
+        sources = list(sources_beside(options.timesheet.absolute(), read_timesheet(options.timesheet)))
     staged = new_document(sources, background=options.background, size=options.size, frame_rate=options.fps)
     notes = list(staged.notes)
     document = staged.document

@@ -1,0 +1,28 @@
+"""A timesheet, whatever file it comes from: its cel columns and which cel is exposed from which frame on."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class SheetTrack:
+    """One cel column.
+
+    Parameters
+    ----------
+    name
+        As the sheet has it, trimmed; other columns may have the same.
+    entries
+        ``(frame, cel)`` in order, one a frame, the frame counted from 0: from there on this cel is seen, or none.
+    """
+
+    name: str
+    entries: tuple[tuple[int, str | None], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Timesheet:
+    """The first sheet of a file: its name, its length, its cel columns from the lowest to the topmost."""
+
+    name: str
+    length_frames: int
+    tracks: tuple[SheetTrack, ...]
