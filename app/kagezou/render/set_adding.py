@@ -53,17 +53,19 @@ class Adding:
         touched = stroke.grid.touched
         corners = stroke.grid.corners()[:, :, touched]
         states = mask_states(mask, corners, own_shadow=False)
-        flags = [np.zeros(len(touched), bool) for _ in range(2)]
-        for each, of_touched in zip(flags, (states.whole, states.edge), strict=True):
-            each[touched] = of_touched
-        whole = stroke.grid.tiling(target.box, flags[0])
+        whole_tiles, edge_tiles = np.zeros(len(touched), bool), np.zeros(len(touched), bool)
+        whole_tiles[touched] = states.whole
+        parts = _parted(states, touched)
+        if parts:
+            edge_tiles = parts[0][0]
+        whole, first = stroke.grid.tilings(target.box, whole_tiles, edge_tiles)
         self._caster.paint(stroke, whole, target, is_added=True)
         drawn = whole.box
-        for tiles in _parted(states, touched):
-            edge = stroke.grid.tiling(target.box, tiles)
+        edges = [first, *(stroke.grid.tiling(target.box, tiles) for tiles, _ in parts[1:])]
+        for edge, (_, needed) in zip(edges, parts, strict=False):
             if edge.box is not None:
                 self._caster.paint(stroke, edge, aside, is_added=True)
-                self._add_edge(states.needed(tiles[touched]), aside, edge.boxes, target)
+                self._add_edge(needed, aside, edge.boxes, target)
                 aside.clear(edge.box)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
@@ -91,10 +93,10 @@ class Adding:
             alone.texture.bind(0)
             self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
             self._boxes.draw(whole.boxes)
-        for tiles in _parted(states, None):
+        for tiles, needed in _parted(states, None):
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
-                self._add_edge(states.needed(tiles), alone, edge.boxes, target)
+                self._add_edge(needed, alone, edge.boxes, target)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
 
@@ -113,10 +115,10 @@ class Adding:
             _begin(target, drawn)
             self._full[shade.switches].use({"u_target_size_px": target.size_px, **shade.uniforms})
             self._boxes.draw(whole.boxes)
-        for tiles in _parted(states, None):
+        for tiles, needed in _parted(states, None):
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
-                self._add_own_edge(states.needed(tiles), shade, edge.boxes, target)
+                self._add_own_edge(needed, shade, edge.boxes, target)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
 
@@ -156,7 +158,7 @@ def _begin(target: Target, box: Box | None) -> None:
     GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
 
 
-def _parted(states: MaskStates, touched: Flags | None) -> list[Flags]:
+def _parted(states: MaskStates, touched: Flags | None) -> list[tuple[Flags, Mask]]:
     """Return the tiles of a grid that have an edge, in parts whose rims the shader's tables have room for.
 
     ``touched`` says which tiles of the grid the states are of, None for all.
@@ -166,11 +168,12 @@ def _parted(states: MaskStates, touched: Flags | None) -> list[Flags]:
         tiles = np.zeros(len(touched), bool)
         tiles[touched] = states.edge
     parts = [tiles] if tiles.any() else []
-    done: list[Flags] = []
+    done: list[tuple[Flags, Mask]] = []
     while parts:
         part = parts.pop()
-        if fits(states.needed(part if touched is None else part[touched])) or part.sum() <= 1:
-            done.append(part)
+        needed = states.needed(part if touched is None else part[touched])
+        if fits(needed) or part.sum() <= 1:
+            done.append((part, needed))
             continue
         numbers = np.nonzero(part)[0]
         for half in np.array_split(numbers, 2):
