@@ -6,7 +6,7 @@ import numpy as np
 
 from kagezou.geometry.box import Box
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_pass import CastPass, Stroke
+from kagezou.render.cast_pass import CastPass, Laying, Stroke
 from kagezou.render.gl import GL
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.set_tiles import Flags, Mask, MaskStates, mask_states
@@ -47,8 +47,8 @@ class Adding:
     def add_stroke(self, mask: Mask, stroke: Stroke, aside: Target, target: Target) -> Box | None:
         """Add the seen and lit part of a stroke that is the only one on its receiver.
 
-        Most of it is drawn where it belongs at once; only tiles with an edge of the mask are drawn aside, into an empty
-        target that is left empty. The stroke touches one tile at least.
+        Most of it is drawn where it belongs at once; only tiles with an edge of the mask are drawn aside, where
+        anything may lie before and after. The stroke touches one tile at least.
         """
         touched = stroke.grid.touched
         corners = stroke.grid.corners()[:, :, touched]
@@ -59,14 +59,13 @@ class Adding:
         if parts:
             edge_tiles = parts[0][0]
         whole, first = stroke.grid.tilings(target.box, whole_tiles, edge_tiles)
-        self._caster.paint(stroke, whole, target, is_added=True)
+        self._caster.paint(stroke, whole, target, Laying.ADDED)
         drawn = whole.box
         edges = [first, *(stroke.grid.tiling(target.box, tiles) for tiles, _ in parts[1:])]
         for edge, (_, needed) in zip(edges, parts, strict=False):
             if edge.box is not None:
-                self._caster.paint(stroke, edge, aside, is_added=True)
+                self._caster.paint(stroke, edge, aside, Laying.INSTEAD)
                 self._add_edge(needed, aside, edge.boxes, target)
-                aside.clear(edge.box)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
 

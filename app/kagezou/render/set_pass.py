@@ -140,14 +140,15 @@ class SetPass:
         if shaped is not None:
             alone, box = shaped
             return None if box is None else self._adding.add(self._mask(lit, face), alone, box, target)
-        alone = self._scratch("face", target)
         cast, matte = character
         if len(cast.card.pieces) == 1:
             drawn: Box | None = None
             for stroke in strokes(cast, (face.plane, lit.light), matte, Window(face.box)):
                 if stroke.grid.touched.any():
-                    drawn = self._adding.add_stroke(self._mask(lit, face), stroke, alone, target)
+                    aside = self._scratch("edges", target)
+                    drawn = self._adding.add_stroke(self._mask(lit, face), stroke, aside, target)
             return drawn
+        alone = self._scratch("face", target)
         box = self.coverage(cast, face, lit.light, matte, alone)
         if box is None:
             return None
