@@ -30,7 +30,7 @@ uniform vec4 u_limits[3];              // the card's side and its two folds, >= 
 
 out float o_coverage;
 
-const int CELLS = 3;
+const int CELLS = 2;
 const float CELL = 1.0 / float(CELLS);
 const float END_MARGIN_PX = 3.0;       // the rims of a drum's ends are set_mask.frag's matter
 

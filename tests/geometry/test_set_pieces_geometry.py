@@ -198,6 +198,7 @@ def test_every_point_of_the_canvas_shows_the_face_that_a_ray_meets(camera: Camer
     count = np.sum([seen(face, x, y) for face in faces], axis=0)
     rounds = round_faces_of(camera, CANVAS, bodies)
     assert {each.body for each in rounds} == {index for index, body in enumerate(bodies) if not isinstance(body, Solid)}
+    on_end = np.abs(found.normal @ np.array(GROUND_PLANE.normal)) > 1 - 1e-12
     on_round = np.isin(found.body, [each.body for each in rounds])
     flat = (found.body >= GROUND) & ~on_round
     assert (count[flat] == 1).mean() > 0.999
@@ -210,7 +211,8 @@ def test_every_point_of_the_canvas_shows_the_face_that_a_ray_meets(camera: Camer
     for each in rounds:
         mine = found.body == each.body
         assert group_holds(each.outline, x[mine], y[mine]).all()
-        assert each.across.shape == (3, 3)
+        points = np.stack([x[mine], y[mine], np.ones(mine.sum())])
+        assert np.abs(each.seen_at(camera, points)[:3].T - found.point[mine])[~on_end[mine]].max(initial=0) < 1e-6
         assert heights_over((0.0, 0.0, 1.0, -float(each.centre[2])), bodies[each.body])[0] < 0
 
 

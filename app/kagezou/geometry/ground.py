@@ -1,6 +1,7 @@
 """The ground plane seen at a declination, and any other flat receiver of shadow (spec 1)."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cos, radians, sin
 
 import numpy as np
@@ -62,18 +63,21 @@ def canvas_from_plane(camera: Camera, plane: Plane) -> Matrix:
     return camera.canvas_from_world() @ plane.world_from_plane()
 
 
+@lru_cache(maxsize=256)
 def world_from_canvas_on(camera: Camera, plane: Plane) -> Matrix | None:
     """Return the (4, 3) map that lifts canvas px along the view ray onto the plane.
 
     Its last row is scaled so that w > 0 exactly where the plane is seen in front of the eye.
-    None where the plane is seen edge-on and has no picture.
+    None where the plane is seen edge-on and has no picture. The array is kept and must not be changed.
     """
     forward = canvas_from_plane(camera, plane)
     determinant = float(np.linalg.det(forward))
     if abs(determinant) < 1e-9:
         return None
     # For a homography H with w(p) > 0 in front, H⁻¹ maps (x, y, 1) to a multiple 1/w(p) > 0 of (u, v, 1).
-    return plane.world_from_plane() @ np.linalg.inv(forward)
+    lift = plane.world_from_plane() @ np.linalg.inv(forward)
+    lift.flags.writeable = False
+    return lift
 
 
 def place_on(camera: Camera, plane: Plane, point: Point2) -> Vector3 | None:

@@ -75,10 +75,13 @@ class Flat:
         (4, 3): from canvas px to its points, w > 0 where it is seen.
     equation
         Its plane, positive on the side that is seen.
+    rim
+        (4, N): points of the world within whose hull it lies, homogeneous; None for an endless one.
     """
 
     lift: Matrix
     equation: Vector4
+    rim: Matrix | None = None
 
     def group(self, span: tuple[float, float], veil: Veil, *, keeps_footprint: bool) -> Taken | None:
         """Return what a veil takes from the receiver, and the seams at which its body stands there.
@@ -100,6 +103,9 @@ class Flat:
         regions: list[Region] = []
         seams: list[Seam] = []
         for cone in veil.cones:
+            if self.rim is not None and float((cone.planes @ self.rim).max(axis=1).min()) < -TOUCHING_PX:
+                # All of it lies beyond one of the cone's planes.
+                continue
             self._take(cone, regions, seams, keeps_footprint=keeps_footprint)
         if veil.inside is not None and low < -TOUCHING_PX:
             regions.append(self._region(veil.inside.planes, veil.inside.quadric))

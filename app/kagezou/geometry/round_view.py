@@ -53,6 +53,20 @@ class RoundFace:
         """The (3, 3) part of its quadric: (X - centre)ᵀ·across·(X - centre) = radius² on the surface."""
         return np.asarray(self.shape.quadric[:3, :3])
 
+    def seen_at(self, camera: Camera, points: Matrix) -> Matrix:
+        """Return the world points (…, 4, N) seen at canvas points (…, 3, N); beside the face, those nearest to it."""
+        ex, ey, ez, ew = camera.eye
+        start = np.stack([points[..., 0, :], points[..., 1, :], np.zeros_like(points[..., 0, :])], axis=-2)
+        start = start - self.centre[:, np.newaxis]
+        eye = np.array([ex, ey, ez]) - ew * self.centre
+        along = start * ew - eye[:, np.newaxis]
+        bent = self.across @ along
+        square = (along * bent).sum(axis=-2, keepdims=True)
+        start = start - along * (start * bent).sum(axis=-2, keepdims=True) / square
+        inside = self.shape.radius_px**2 - (start * (self.across @ start)).sum(axis=-2, keepdims=True)
+        seen = start - along * np.sqrt(np.maximum(inside, 0.0) / square) + self.centre[:, np.newaxis]
+        return np.concatenate([seen, np.ones_like(inside)], axis=-2)
+
 
 def round_faces_of(camera: Camera, canvas: Box, bodies: Sequence[Body]) -> tuple[RoundFace, ...]:
     """Return the round faces on the canvas; a body around or behind the eye is not seen."""

@@ -92,7 +92,10 @@ def _face(camera: Camera, canvas: Box, plane: Plane, cone: Cone | None) -> Face 
     lift = world_from_canvas_on(camera, plane)
     if lift is None:
         return None
-    flat = Flat(lift / np.abs(lift).max(), plane.equation)
+    rim = (
+        None if cone is None or cone.edges is None else np.column_stack([cone.edges[:, 0], np.ones(len(cone.edges))]).T
+    )
+    flat = Flat(lift / np.abs(lift).max(), plane.equation, rim)
     outline = None if cone is None else flat.outline(cone)
     box = canvas if outline is None else region_box(outline, canvas)
     return None if box is None else Face(GROUND, plane, flat, outline, {}, box)

@@ -99,7 +99,7 @@ def _over_polygon(corners: Matrix, plane: Matrix, source: Vector4) -> Cone | Non
     facing = _facing(plane, source)
     if facing is None:
         return None
-    edges = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+    edges = np.stack([corners, np.concatenate([corners[1:], corners[:1]])], axis=1)
     lamp = np.asarray(source)
     toward = lamp[:3] - lamp[3] * edges[:, 0]
     normals = np.cross(edges[:, 1] - edges[:, 0], toward)

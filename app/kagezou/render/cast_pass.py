@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from enum import Enum
 from itertools import product
 
 from kagezou.geometry.box import Box
@@ -49,6 +50,14 @@ class Window:
     def cast(self, on_canvas: Cast) -> Cast:
         """Return a cast as this window shows it."""
         return on_canvas if self.canvas_from_target is None else on_canvas.seen_through(self.canvas_from_target)
+
+
+class Laying(Enum):
+    """How a stroke is laid on what its target holds."""
+
+    ADDED = "added"
+    UNITED = "united by maximum"
+    INSTEAD = "instead of it"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -140,21 +149,22 @@ class CastPass:
         for stroke in strokes(cast, pair, matte, window):
             tiling = stroke.grid.tiling(window.box)
             if tiling.box is not None:
-                self.paint(stroke, tiling, target, is_added=stroke.cast.joins_left)
+                self.paint(stroke, tiling, target, Laying.ADDED if stroke.cast.joins_left else Laying.UNITED)
                 drawn = tiling.box if drawn is None else drawn.union(tiling.box)
         return drawn
 
-    def paint(self, stroke: Stroke, tiling: Tiling, target: Target, *, is_added: bool) -> None:
-        """Draw some tiles of a stroke, added to what is there or united with it by maximum."""
+    def paint(self, stroke: Stroke, tiling: Tiling, target: Target, how: Laying) -> None:
+        """Draw some tiles of a stroke."""
         each, frame, matte, box = stroke.cast, stroke.frame, stroke.matte, tiling.box
         if box is None:
             return
         if any(kind.is_squeezed for kind in tiling.edges):
             matte.on_card.means(self._boxes, self._threshold, translucent=stroke.is_translucent).bind(1)
         target.bind(box)
-        GL.glEnable(GL.GL_BLEND)
-        GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
-        GL.glBlendEquation(GL.GL_FUNC_ADD if is_added else GL.GL_MAX)
+        if how is not Laying.INSTEAD:
+            GL.glEnable(GL.GL_BLEND)
+            GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
+            GL.glBlendEquation(GL.GL_FUNC_ADD if how is Laying.ADDED else GL.GL_MAX)
         switches = stroke.grazing.switches(each.receiver_from_canvas, frame)
         uniforms: dict[str, Uniform] = {"u_target_size_px": target.size_px, "u_origin_px": frame.origin}
         uniforms |= stroke.grazing.uniforms(each.receiver_from_canvas, frame)

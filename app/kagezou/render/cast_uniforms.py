@@ -1,6 +1,7 @@
 """The numbers of a cast as the shaders want them: float32, around an origin of their own so that they stay exact."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import radians, sin
 
 import numpy as np
@@ -18,18 +19,18 @@ LAMP_IS_LOW = frozenset({"LAMP_IS_LOW"})
 TRANSLUCENT = frozenset({"TRANSLUCENT"})
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Frame:
     """The convex part (N, 2) of the canvas a cast may touch, and the canvas px around which its numbers are given."""
 
     region: Matrix
 
-    @property
+    @cached_property
     def origin(self) -> Matrix:
         """A pixel centre in the middle of the region, (2,)."""
         return np.asarray(np.floor(self.region.mean(axis=0)) + 0.5)
 
-    @property
+    @cached_property
     def canvas_from_pixel(self) -> Matrix:
         """The (3, 3) shift from px around the origin to canvas px."""
         x, y = self.origin

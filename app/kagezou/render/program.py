@@ -57,7 +57,9 @@ class Program:
         """Draw with this program from now on, with these uniforms."""
         GL.glUseProgram(self.id)
         for name, value in uniforms.items():
-            self._set(self._place(name), value)
+            place = self._place(name)
+            if place >= 0:
+                self._set(place, value)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -68,7 +70,7 @@ class Program:
         if place is None:
             if not re.search(rf"\b{name}[;\[]", self._source):
                 raise KeyError(f"{self._name} has no uniform {name}")
-            # A driver may drop a uniform that does not matter; it is then at -1, where setting it does nothing.
+            # A driver may drop a uniform that does not matter; it is then at -1.
             place = self._places[name] = int(GL.glGetUniformLocation(self.id, name.encode()))
         return place
 

@@ -1,19 +1,20 @@
 """Adding what is seen of one receiver's shadow to the picture of them all."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from kagezou.geometry.box import Box
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_pass import CastPass, Stroke
+from kagezou.render.cast_pass import CastPass, Laying, Stroke
 from kagezou.render.gl import GL
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.set_tiles import Flags, Mask, MaskStates, mask_states
 from kagezou.render.set_uniforms import TABLE_SIZES, fits, mask_uniforms
 from kagezou.render.targets import Target
 from kagezou.render.tiles import Boxes as TileBoxes
-from kagezou.render.tiles import around_boxes, whole_grid
+from kagezou.render.tiles import Tiling, around_boxes, whole_grid
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,28 +45,29 @@ class Adding:
         self._full.close()
         self._copy.close()
 
-    def add_stroke(self, mask: Mask, stroke: Stroke, aside: Target, target: Target) -> Box | None:
-        """Add the seen and lit part of a stroke that is the only one on its receiver.
+    def add_strokes(
+        self, strokes: Sequence[tuple[Mask, Stroke]], asides: Sequence[Target], target: Target
+    ) -> Box | None:
+        """Add the seen and lit parts of strokes, each the only one on its receiver; return the box they are in.
 
-        Most of it is drawn where it belongs at once; only tiles with an edge of the mask are drawn aside, into an empty
-        target that is left empty. The stroke touches one tile at least.
+        Most is drawn where it belongs at once; only tiles with an edge of a mask are drawn aside, where anything may
+        lie before and after. Several are drawn aside before the first is read, as a driver waits between the two.
+        Every stroke touches one tile at least.
         """
-        touched = stroke.grid.touched
-        corners = stroke.grid.corners()[:, :, touched]
-        states = mask_states(mask, corners, own_shadow=False)
-        flags = [np.zeros(len(touched), bool) for _ in range(2)]
-        for each, of_touched in zip(flags, (states.whole, states.edge), strict=True):
-            each[touched] = of_touched
-        whole = stroke.grid.tiling(target.box, flags[0])
-        self._caster.paint(stroke, whole, target, is_added=True)
-        drawn = whole.box
-        for tiles in _parted(states, touched):
-            edge = stroke.grid.tiling(target.box, tiles)
-            if edge.box is not None:
-                self._caster.paint(stroke, edge, aside, is_added=True)
-                self._add_edge(states.needed(tiles[touched]), aside, edge.boxes, target)
-                aside.clear(edge.box)
-                drawn = edge.box if drawn is None else drawn.union(edge.box)
+        drawn: Box | None = None
+        edges: list[_Edge] = []
+        for mask, stroke in strokes:
+            whole, found = _sorted(mask, stroke, target.box)
+            self._caster.paint(stroke, whole, target, Laying.ADDED)
+            edges += found
+            for box in (whole.box, *(edge.tiling.box for edge in found)):
+                drawn = box if drawn is None else drawn.union(box or drawn)
+        for first in range(0, len(edges), len(asides)):
+            batch = list(zip(edges[first : first + len(asides)], asides, strict=False))
+            for edge, aside in batch:
+                self._caster.paint(edge.stroke, edge.tiling, aside, Laying.INSTEAD)
+            for edge, aside in batch:
+                self._add_edge(edge.needed, aside, edge.tiling.boxes, target)
         return drawn
 
     def add(self, mask: Mask, alone: Target, box: Box, target: Target) -> Box | None:
@@ -91,10 +93,10 @@ class Adding:
             alone.texture.bind(0)
             self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
             self._boxes.draw(whole.boxes)
-        for tiles in _parted(states, None):
+        for tiles, needed in _parted(states, None):
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
-                self._add_edge(states.needed(tiles), alone, edge.boxes, target)
+                self._add_edge(needed, alone, edge.boxes, target)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
 
@@ -113,10 +115,10 @@ class Adding:
             _begin(target, drawn)
             self._full[shade.switches].use({"u_target_size_px": target.size_px, **shade.uniforms})
             self._boxes.draw(whole.boxes)
-        for tiles in _parted(states, None):
+        for tiles, needed in _parted(states, None):
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
-                self._add_own_edge(states.needed(tiles), shade, edge.boxes, target)
+                self._add_own_edge(needed, shade, edge.boxes, target)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
 
@@ -150,13 +152,37 @@ class Adding:
         self._boxes.draw(boxes)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Edge:
+    """Tiles of a stroke with an edge of its mask, and what of the mask they need."""
+
+    stroke: Stroke
+    tiling: Tiling
+    needed: Mask
+
+
+def _sorted(mask: Mask, stroke: Stroke, canvas: Box) -> tuple[Tiling, list[_Edge]]:
+    """Return the tiles of a stroke that count as they are, and those with an edge of its mask."""
+    touched = stroke.grid.touched
+    states = mask_states(mask, stroke.grid.corners()[:, :, touched], own_shadow=False)
+    whole_tiles, edge_tiles = np.zeros(len(touched), bool), np.zeros(len(touched), bool)
+    whole_tiles[touched] = states.whole
+    parts = _parted(states, touched)
+    if parts:
+        edge_tiles = parts[0][0]
+    whole, first = stroke.grid.tilings(canvas, whole_tiles, edge_tiles)
+    tilings = [first, *(stroke.grid.tiling(canvas, tiles) for tiles, _ in parts[1:])]
+    edges = [_Edge(stroke, tiling, needed) for tiling, (_, needed) in zip(tilings, parts, strict=False)]
+    return whole, [edge for edge in edges if edge.tiling.box is not None]
+
+
 def _begin(target: Target, box: Box | None) -> None:
     target.bind(box)
     GL.glEnable(GL.GL_BLEND)
     GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
 
 
-def _parted(states: MaskStates, touched: Flags | None) -> list[Flags]:
+def _parted(states: MaskStates, touched: Flags | None) -> list[tuple[Flags, Mask]]:
     """Return the tiles of a grid that have an edge, in parts whose rims the shader's tables have room for.
 
     ``touched`` says which tiles of the grid the states are of, None for all.
@@ -166,11 +192,12 @@ def _parted(states: MaskStates, touched: Flags | None) -> list[Flags]:
         tiles = np.zeros(len(touched), bool)
         tiles[touched] = states.edge
     parts = [tiles] if tiles.any() else []
-    done: list[Flags] = []
+    done: list[tuple[Flags, Mask]] = []
     while parts:
         part = parts.pop()
-        if fits(states.needed(part if touched is None else part[touched])) or part.sum() <= 1:
-            done.append(part)
+        needed = states.needed(part if touched is None else part[touched])
+        if fits(needed) or part.sum() <= 1:
+            done.append((part, needed))
             continue
         numbers = np.nonzero(part)[0]
         for half in np.array_split(numbers, 2):

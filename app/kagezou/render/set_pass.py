@@ -20,7 +20,7 @@ from kagezou.geometry.shadow import plane_coordinates
 from kagezou.geometry.vectors import Vector4, height_over
 from kagezou.geometry.veils import Veil
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_pass import CastPass, Window, strokes
+from kagezou.render.cast_pass import CastPass, Stroke, Window, strokes
 from kagezou.render.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.set_adding import Adding, OwnShade
@@ -33,6 +33,9 @@ from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import ShadowCast
 
 _KEPT_STAGES = 4
+
+_MOST_ASIDES = 6
+"""Targets of the canvas' size for tiles with edges."""
 
 EVERYWHERE = Group((Region(np.zeros((0, 3))),), overlaps=False)
 """What a face that is turned away from the light loses of it."""
@@ -116,11 +119,18 @@ class SetPass:
         """Add up what one light casts on all faces; return the box that may hold it."""
         stage = lit.stage
         drawn: Box | None = None
+        single: list[tuple[Mask, Stroke]] = []
         for face in stage.faces:
             if not stage.receives(face):
                 continue
             of_ground = shaped if face.body == GROUND else None
-            drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_ground))
+            if of_ground is None and len(cast.card.pieces) == 1:
+                found = strokes(cast, (face.plane, lit.light), matte, Window(face.box))
+                single += [(self._mask(lit, face), each) for each in found if each.grid.touched.any()]
+            else:
+                drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_ground))
+        asides = [self._scratch(f"edges {number}", target) for number in range(min(len(single), _MOST_ASIDES))]
+        drawn = _around(drawn, self._adding.add_strokes(single, asides, target) if single else None)
         for round_face in stage.rounds:
             if stage.receives(round_face):
                 alone = self._scratch("face", target)
@@ -140,14 +150,8 @@ class SetPass:
         if shaped is not None:
             alone, box = shaped
             return None if box is None else self._adding.add(self._mask(lit, face), alone, box, target)
-        alone = self._scratch("face", target)
         cast, matte = character
-        if len(cast.card.pieces) == 1:
-            drawn: Box | None = None
-            for stroke in strokes(cast, (face.plane, lit.light), matte, Window(face.box)):
-                if stroke.grid.touched.any():
-                    drawn = self._adding.add_stroke(self._mask(lit, face), stroke, alone, target)
-            return drawn
+        alone = self._scratch("face", target)
         box = self.coverage(cast, face, lit.light, matte, alone)
         if box is None:
             return None

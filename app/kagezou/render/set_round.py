@@ -1,6 +1,6 @@
 """The pass of round faces: the shadow on a ball or on the side of a drum, found cell by cell on the surface itself."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import radians, sin
 
@@ -18,9 +18,14 @@ from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Uniform, Variants
 from kagezou.render.set_stage import Stage
+from kagezou.render.set_tiles import Flags, region_states
 from kagezou.render.set_uniforms import LAST, LIGHT, MAX_CONICS, MAX_LINES, MAX_REGIONS, OVERLAPS, TABLE_SIZES
 from kagezou.render.targets import Target
+from kagezou.render.tiles import TileGrid, Tiling, whole_grid
 from kagezou.scene.scene import ShadowCast
+
+_PATCH_MARGIN = 0.5
+"""How far beyond its corners' picture a curved patch may reach, as a part of that."""
 
 _NO_LIMIT = np.array([0.0, 0.0, 0.0, 1.0])
 
@@ -111,6 +116,43 @@ class RoundLit:
         return bool((cone.planes @ np.append(self.face.centre, 1.0) > -reach).all())
 
 
+def _tiles(lit: RoundLit) -> tuple[TileGrid, Flags, Flags]:
+    """Return the tiles of a round face, which of them it may be seen in, and which hold its rim."""
+    face = lit.face
+    grid = whole_grid(face.box)
+    corners = grid.corners()
+    outline = region_states(face.outline.regions, corners)
+    seen, inside = np.logical_or.reduce(outline.some), np.logical_or.reduce(outline.full)
+    if face.end is not None:
+        end = region_states(face.end.regions, corners)
+        seen, inside = seen & ~np.logical_or.reduce(end.full), inside & ~np.logical_or.reduce(end.some)
+    return grid, np.asarray(seen), np.asarray(seen & ~inside)
+
+
+def _shaded_tiles(lit: RoundLit, casts: Sequence[SpaceCast], matte: PlacedMatte, canvas: Box) -> Tiling:
+    """Return the tiles of a round face in which a character's shadow may lie.
+
+    Within the outline a tile sees a patch that its corners and their surroundings bound; at the rim it may see all.
+    """
+    grid, seen, rim = _tiles(lit)
+    points = lit.face.seen_at(lit.stage.camera, grid.corners())
+    may_hold = rim.copy()
+    for cast in casts:
+        art = cast.art_from_world @ points
+        w = art[:, 2]
+        is_bounded = w.min(axis=0) > 1e-9 * np.abs(cast.art_from_world[2]).max()
+        texels = (
+            art[:, :2] / np.where(w > 0, w, 1.0)[:, np.newaxis]
+            - np.array([matte.box.left, matte.box.top])[:, np.newaxis]
+        )
+        low, high = texels.min(axis=0), texels.max(axis=0)
+        margin = _PATCH_MARGIN * (high - low)
+        empty, _ = matte.occupancy.states((low - margin).T, (high + margin).T)
+        before = (cast.side @ points).max(axis=0) < 0
+        may_hold |= ~(is_bounded & (empty | before))
+    return grid.tiling(canvas, seen & may_hold)
+
+
 class RoundPass:
     """Draws the shadow on round faces, each as if it were seen whole but for other bodies."""
 
@@ -124,16 +166,19 @@ class RoundPass:
 
     def draw(self, lit: RoundLit, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Box | None:
         """Draw what a character casts; return the box that may hold it."""
-        pieces = [cast_in_space(cast.camera, piece, lit.light) for piece in cast.card.pieces]
+        found = (cast_in_space(cast.camera, piece, lit.light) for piece in cast.card.pieces)
+        pieces = [piece for piece in found if piece is not None]
+        tiling = _shaded_tiles(lit, pieces, matte, target.box)
+        if tiling.box is None:
+            return None
         switches = TABLE_SIZES | ({"TRANSLUCENT"} if cast.translucent else set())
         self._begin(lit, target)
         uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
         for piece in pieces:
-            if piece is not None:
-                matte.texture.bind(0)
-                self._programs[switches].use(uniforms | lit.piece_uniforms(piece, matte))
-                self._boxes.draw_one(lit.face.box)
-        return lit.face.box if any(piece is not None for piece in pieces) else None
+            matte.texture.bind(0)
+            self._programs[switches].use(uniforms | lit.piece_uniforms(piece, matte))
+            self._boxes.draw(tiling.boxes)
+        return tiling.box
 
     def draw_own(self, lit: RoundLit, target: Target, *, is_caster: bool) -> Box:
         """Draw what the set takes of the light; return the box that may hold it."""

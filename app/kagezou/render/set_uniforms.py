@@ -23,20 +23,22 @@ class _Tables:
     shift: Matrix
     regions: list[tuple[float, float, float, float]] = field(default_factory=list)
     lines: list[Matrix] = field(default_factory=list)
+    line_count: int = 0
     conics: list[Matrix] = field(default_factory=list)
 
     def add(self, group: Group, flags: int) -> None:
         """Add a group; its last region closes it."""
         for index, region in enumerate(group.regions):
-            first = len(self.lines)
-            self.lines += [np.append(line @ self.shift, 0.0) for line in region.lines]
+            first = self.line_count
+            self.lines.append(region.lines)
+            self.line_count += len(region.lines)
             conic = -1
             if region.conic is not None:
                 conic = len(self.conics)
                 self.conics.append(_packed(self.shift.T @ region.conic @ self.shift))
             is_last = LAST if index == len(group.regions) - 1 else 0
             overlaps = OVERLAPS if group.overlaps else 0
-            self.regions.append((first, len(self.lines), conic, flags | is_last | overlaps))
+            self.regions.append((first, self.line_count, conic, flags | is_last | overlaps))
 
 
 def fits(mask: Mask) -> bool:
@@ -61,8 +63,9 @@ def mask_uniforms(mask: Mask, origin_px: tuple[float, float]) -> dict[str, Unifo
     uniforms: dict[str, Uniform] = {"u_origin_px": origin_px, "u_region_count": min(len(tables.regions), MAX_REGIONS)}
     if tables.regions:
         uniforms["u_regions"] = np.array(tables.regions[:MAX_REGIONS], dtype=np.float64)
-    if tables.lines:
-        uniforms["u_lines"] = np.array(tables.lines[:MAX_LINES])
+    if tables.line_count:
+        lines = np.concatenate(tables.lines)[:MAX_LINES] @ tables.shift
+        uniforms["u_lines"] = np.column_stack([lines, np.zeros(len(lines))])
     if tables.conics:
         uniforms["u_conics"] = np.concatenate(tables.conics[:MAX_CONICS])
     return uniforms

@@ -18,6 +18,7 @@ CELLS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
 """The numbers of cells, each way, that a pixel may be split into."""
 
 _UNTOUCHED, _FULL, _FIRST_EDGE = 0, 1, 2
+_SECOND = 1 << 16
 
 Boxes = NDArray[np.float64]
 """(N, 4): left, top, right, bottom in canvas px."""
@@ -100,12 +101,23 @@ class TileGrid:
         """Return the corners of all tiles (4, 3, N), row by row."""
         return tile_corners(self.columns, self.rows)
 
+    def tilings(self, canvas: Box, first: Flags, second: Flags) -> tuple[Tiling, Tiling]:
+        """Return the boxes of two sets of tiles that have none in common, as :meth:`tiling` does those of one."""
+        either = (first | second).reshape(self.codes.shape)
+        codes = np.where(either, self.codes + np.where(second, _SECOND, 0).reshape(self.codes.shape), _UNTOUCHED)
+        boxes, kinds = runs_of(codes, (int(self.columns[0]), int(self.rows[0])), canvas)
+        is_second = kinds >= _SECOND
+        return _tiling(boxes[~is_second], kinds[~is_second]), _tiling(boxes[is_second], kinds[is_second] - _SECOND)
+
     def tiling(self, canvas: Box, kept: Flags | None = None) -> Tiling:
         """Return the boxes of the tiles, or of those kept (one flag a tile, row by row), cut to the canvas."""
         codes = self.codes if kept is None else np.where(kept.reshape(self.codes.shape), self.codes, _UNTOUCHED)
-        boxes, kinds = runs_of(codes, (int(self.columns[0]), int(self.rows[0])), canvas)
-        edges = {_kind(code): boxes[kinds == code] for code in np.unique(kinds).tolist() if code >= _FIRST_EDGE}
-        return Tiling(boxes[kinds == _FULL], edges, around_boxes(boxes))
+        return _tiling(*runs_of(codes, (int(self.columns[0]), int(self.rows[0])), canvas))
+
+
+def _tiling(boxes: Boxes, kinds: Codes) -> Tiling:
+    edges = {_kind(code): boxes[kinds == code] for code in sorted(set(kinds.tolist())) if code >= _FIRST_EDGE}
+    return Tiling(boxes[kinds == _FULL], edges, around_boxes(boxes))
 
 
 def tile_grid(cast: Cast, region: Box, matte: PlacedMatte, fineness: Fineness) -> TileGrid:

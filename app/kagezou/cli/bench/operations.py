@@ -11,6 +11,7 @@ from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
+from kagezou.document.set_pieces import add_piece
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 
@@ -110,7 +111,31 @@ def _changes(document: Document) -> Iterator[tuple[str, Change]]:
     yield "wave", _upon(waved, _setting(first, lambda n: 10.0 + _sweep(n, 4.0)))
     yield "softness", _setting(Address(properties.SOFTNESS, layer.id), lambda n: 10.0 + _sweep(n, 6.0))
     yield "fade", _setting(Address(properties.FADE, layer.id), lambda n: 600.0 + _sweep(n, 200.0))
+    yield (
+        "light on a set",
+        _upon(
+            _in_a_set(document, foot, height),
+            _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2])),
+        ),
+    )
     yield "frame step", lambda same, n: (same, 1 + n % same.canvas.length_frames)
+
+
+def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Document:
+    """Return the document with a wall and three boxes behind and beside the character."""
+    x, y = foot
+    wall: dict[str, object] = {
+        "position": [x, y - 0.2 * height],
+        "width": 1.3 * height,
+        "height": 0.7 * height,
+        "angle": -8,
+    }
+    document = add_piece(document, "wall", "wall", wall)
+    for across, back, angle in ((0.2, 0.07, 30), (-0.15, 0.1, 12), (0.08, 0.04, -20)):
+        size = {"width": 0.2 * height, "height": 0.13 * height, "depth": 0.13 * height}
+        place: dict[str, object] = {"position": [x + across * height, y - back * height], "angle": angle}
+        document = add_piece(document, "box", "box", {**size, **place})
+    return document
 
 
 def _setting(address: Address, value: Callable[[int], Value]) -> Change:
