@@ -226,6 +226,7 @@ class MainWindow(QMainWindow):
             below = dock in (timeline, curves)
             self.addDockWidget(areas.BottomDockWidgetArea if below else areas.RightDockWidgetArea, dock)
             self.menus.add_panel(dock.toggleViewAction())
+        curves.visibilityChanged.connect(self.curves.come)
         # The panels at the right reach down beside the timeline, which needs the width less than they the height.
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         for front, behind in ((layers, styles), (timeline, curves)):

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
@@ -67,8 +68,14 @@ class CurveEditor(QWidget):
         self._connect()
         self.refresh()
 
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.refresh()
+
     def refresh(self) -> None:
-        """Show everything as it is."""
+        """Show everything as it is; behind another panel nothing is drawn until it comes to the front."""
+        if not self.isVisible():
+            return
         self.tree.refresh()
         self.graph.refresh()
         self.table.refresh()

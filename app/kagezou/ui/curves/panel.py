@@ -4,7 +4,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from kagezou.ui.bridge import Bridge
@@ -33,9 +32,10 @@ class CurvesPanel(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
 
-    def showEvent(self, event: QShowEvent) -> None:
-        self.made()
-        super().showEvent(event)
+    def come(self, seen: bool) -> None:
+        """Take note whether the dock is at the front; docks behind others count as shown with Qt, but not as seen."""
+        if seen:
+            self.made()
 
     def made(self) -> "CurveEditor":
         """Return the editor, made now if need be."""

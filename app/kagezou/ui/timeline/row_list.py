@@ -1,7 +1,11 @@
 """Which rows are shown, how high they are, and how far they are scrolled: shared by the names and the lanes."""
 
+from collections.abc import Iterator
+
 from PySide6.QtCore import QObject, Signal
 
+from kagezou.document.address import track_of
+from kagezou.document.model import Document
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.timeline.rows import Reveal, Row, RowKind, rows_of
 
@@ -26,6 +30,7 @@ class RowList(QObject):
         self.row_px = 22
         self.reveal = Reveal()
         self.rows: tuple[Row, ...] = ()
+        self._shown: tuple[object, ...] = ()
         bridge.document_changed.connect(self._refill)
         bridge.session_replaced.connect(self._begin_anew)
         self._refill()
@@ -97,5 +102,27 @@ class RowList(QObject):
         self._refill()
 
     def _refill(self) -> None:
-        self.rows = rows_of(self._bridge.document, self._closed, self.reveal)
-        self.changed.emit()
+        document = self._bridge.document
+        rows = rows_of(document, self._closed, self.reveal)
+        shown = (rows, document.work_area, document.markers, *_drawn_of(document, rows))
+        # A drag on the picture tells many times a second; what is seen here mostly stays.
+        if not _is_same(shown, self._shown):
+            self.rows, self._shown = rows, shown
+            self.changed.emit()
+
+
+def _drawn_of(document: Document, rows: tuple[Row, ...]) -> Iterator[object]:
+    """Yield what the lanes draw of rows: tracks, and the drawings of layers with their names."""
+    yield document.canvas
+    for row in rows:
+        if row.kind is RowKind.LAYER and row.layer_id is not None:
+            layer = document.layer(row.layer_id)
+            yield layer.cels
+            yield layer.name
+        for address in row.addresses:
+            yield track_of(document, address)
+
+
+def _is_same(now: tuple[object, ...], before: tuple[object, ...]) -> bool:
+    """Whether nothing changed; values that an edit left alone are the very same objects, so that this is quick."""
+    return len(now) == len(before) and all(a is b or a == b for a, b in zip(now, before, strict=True))
