@@ -30,5 +30,11 @@ def choice_word(choice: str) -> str:
         "normal": QCoreApplication.translate("Choice", "Normal"),
         "ones": QCoreApplication.translate("Choice", "On ones"),
         "exposures": QCoreApplication.translate("Choice", "With the drawings"),
+        "wall": QCoreApplication.translate("Choice", "Wall"),
+        "box": QCoreApplication.translate("Choice", "Box"),
+        "steps": QCoreApplication.translate("Choice", "Steps"),
+        "ramp": QCoreApplication.translate("Choice", "Ramp"),
+        "cylinder": QCoreApplication.translate("Choice", "Cylinder"),
+        "sphere": QCoreApplication.translate("Choice", "Sphere"),
     }
     return spoken.get(choice, choice)

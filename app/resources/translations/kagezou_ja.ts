@@ -35,6 +35,30 @@
         <source>With the drawings</source>
         <translation>絵に合わせる</translation>
     </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>箱</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>階段</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>坂</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>円柱</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>球</translation>
+    </message>
 </context>
 <context>
     <name>ColorField</name>
