@@ -22,6 +22,7 @@ from kagezou.document.edits import add_layer, rename_layer, set_background, set_
 from kagezou.document.key_edits import all_keys
 from kagezou.document.model import Cels, Document, Exposure, Marker
 from kagezou.document.properties import GROUNDING, LIGHT_POSITION, OPACITY
+from kagezou.document.set_pieces import add_piece
 from kagezou.errors import UsageProblem
 from kagezou.export.after_effects.building import Written, hand_off
 from kagezou.export.after_effects.channels import channel_of, seconds
@@ -159,6 +160,17 @@ def test_drawings_are_held_by_time_remapping_and_empty_cels_have_no_opacity(docu
         picture = int(value_at(remap, time) * 24)
         shown.append(picture if value_at(opacity, time) else None)
     assert shown == [None, 0, None, None, 1, 1]
+
+
+def test_the_shadow_of_the_set_is_a_layer_below_the_characters(document: Document, tmp_path: Path) -> None:
+    document = add_piece(document, "crate", "box", {"casts": True})
+    document = with_key(with_key(document, "set.shadow.opacity", 1, 0.25), "set.shadow.opacity", 24, 0.75)
+    run = run_script(_script(handed_off(document, tmp_path / "ae", mattes=("lit",))), tmp_path / "ae.json")
+    names = [layer["name"] for layer in reversed(run.item("cut 12", "CompItem")["layers"])]
+    assert names[:4] == ["Background", "Set shadow", "A shadow", "B shadow"]
+    opacity = property_of(run.layer("cut 12", "Set shadow"), TRANSFORM, "ADBE Opacity")
+    assert [key["value"] for key in opacity["keys"]] == [25, 75]
+    assert run.item("Set shadow", "FootageItem")["frames"] == 24
 
 
 def test_each_different_shadow_once_when_asked(tmp_path: Path) -> None:

@@ -5,15 +5,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
+from typing import Final
 
 from kagezou.document import properties
 from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.model import Document, Layer, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.set_properties import SET_BLEND, SET_OPACITY
 from kagezou.export.after_effects import comp as ae
 from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import Cels
 from kagezou.export.after_effects.guides import guides_of
+
+SET: Final = "set"
+"""Stands for the set where layers have their ids, which are all of another form."""
 
 Remap = tuple[tuple[float, int | None], ...]
 
@@ -71,7 +76,7 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
 
 
 def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
-    names = {layer.id: layer.name for layer in document.layers}
+    names = {SET: "Set"} | {layer.id: layer.name for layer in document.layers}
     made = []
     if written.background is not None:
         path = _path(written.background, written.folder)
@@ -94,25 +99,27 @@ def _background(written: Written) -> tuple[ae.Layer, ...]:
 
 
 def _shadows(document: Document, written: Written) -> tuple[ae.Layer, ...]:
+    """Return the shadow layers, that of the set below those of the characters."""
     made = []
     rate = document.canvas.frame_rate
-    for layer in document.layers:
-        found = written.shadows.get(("shadow", layer.id))
-        if found is None:
-            continue
-        blend = value_of(document, Address(properties.BLEND, layer.id), 1)
-        opacity = channel_of(track_of(document, Address(properties.OPACITY, layer.id)), 0, rate, 100.0)
-        made.append(
-            ae.Layer(
-                tag=f"shadow:{layer.id}",
-                name=f"{layer.name} shadow",
-                footage=f"shadow:{layer.id}",
-                blend=str(blend).upper(),
-                opacity=opacity,
-                remap=_remap(found[2], rate),
-                markers=_notes(document, layer.id),
+    owners = [(SET, "Set", Address(SET_BLEND), Address(SET_OPACITY))]
+    owners += [
+        (layer.id, layer.name, Address(properties.BLEND, layer.id), Address(properties.OPACITY, layer.id))
+        for layer in document.layers
+    ]
+    for owner, name, blend, opacity in owners:
+        if ("shadow", owner) in written.shadows:
+            made.append(
+                ae.Layer(
+                    tag=f"shadow:{owner}",
+                    name=f"{name} shadow",
+                    footage=f"shadow:{owner}",
+                    blend=str(value_of(document, blend, 1)).upper(),
+                    opacity=channel_of(track_of(document, opacity), 0, rate, 100.0),
+                    remap=_remap(written.shadows["shadow", owner][2], rate),
+                    markers=_notes(document, owner),
+                )
             )
-        )
     return tuple(made)
 
 

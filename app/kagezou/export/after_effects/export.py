@@ -7,7 +7,7 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.export.after_effects.building import Written, hand_off
+from kagezou.export.after_effects.building import SET, Written, hand_off
 from kagezou.export.after_effects.drawings import Cels, copied, referenced, remove_beyond
 from kagezou.export.after_effects.mattes import MATTES, at_full_opacity, matte_document
 from kagezou.export.after_effects.script import script_of
@@ -198,13 +198,17 @@ class _Run:
         plan = planned(document, replace(request, once=False))
         by_name = {layer.name: layer.id for layer in document.layers}
         digits = digits_for(document.canvas.length_frames)
-        for name, safe in plan.names.items():
-            folder = request.folder / f"{safe}_shadow"
+        folders = {by_name[name]: request.folder / f"{safe}_shadow" for name, safe in plan.names.items()}
+        # What is no layer's is the shadow of the set.
+        of_set = [folder for folder in plan.folders if folder not in folders.values()]
+        if kind == "shadow" and of_set:
+            folders[SET] = of_set[0]
+        for layer_id, folder in folders.items():
             pictures = pictures_of(plan, folder) if request.once else None
             count = document.canvas.length_frames if pictures is None else max(pictures) + 1
             first = folder / f"{folder.name}_{1:0{digits}d}{SUFFIXES[request.format]}"
             remove_beyond(folder, folder.name, digits, count)
-            self.shadows[kind, by_name[name]] = (first, count, pictures)
+            self.shadows[kind, layer_id] = (first, count, pictures)
 
 
 def _made(folder: Path) -> Path:

@@ -11,6 +11,7 @@ from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import Property
+from kagezou.document.set_properties import SET_OPACITY
 
 MATTES: Final[Mapping[str, str]] = MappingProxyType({
     "shadow": "the shadow alone, white",
@@ -29,7 +30,7 @@ def at_full_opacity(document: Document) -> Document:
     """Return the document with shadows at opacity 1: After Effects has the opacity as a property of its own."""
     for layer in document.layers:
         document = set_constant(document, Address(properties.OPACITY, layer.id), 1.0)
-    return document
+    return set_constant(document, Address(SET_OPACITY), 1.0) if document.pieces else document
 
 
 def matte_document(document: Document, matte: str) -> Document:
