@@ -65,3 +65,15 @@ def test_what_cannot_be_kept_is_said(styles: StyleList) -> None:
     styles.failed.connect(said.append)
     styles.save("")
     assert len(said) == 1
+
+
+def test_no_pictures_are_drawn_behind_another_panel(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[object] = []
+    monkeypatch.setattr(walking.styles.pictures, "ask", asked.append)
+    walking.desk.bridge.session.go_to(3)
+    qtbot.wait(700)
+    assert asked == [], "the layers lie before the styles"
+    walking.panel_layout.show("styles")
+    qtbot.waitUntil(lambda: len(asked) == 1)

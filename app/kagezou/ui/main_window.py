@@ -227,6 +227,7 @@ class MainWindow(QMainWindow):
             self.addDockWidget(areas.BottomDockWidgetArea if below else areas.RightDockWidgetArea, dock)
             self.menus.add_panel(dock.toggleViewAction())
         curves.visibilityChanged.connect(self.curves.come)
+        styles.visibilityChanged.connect(self.styles.come)
         # The panels at the right reach down beside the timeline, which needs the width less than they the height.
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         for front, behind in ((layers, styles), (timeline, curves)):

@@ -38,6 +38,7 @@ class StyleList(QWidget):
         self._bridge = bridge
         self._folder = folder
         self._files: tuple[StyleFile, ...] = ()
+        self._is_seen = True
         self.pictures = StylePictures()
         self.pictures.made.connect(self._show_picture)
         self._rest = QTimer(self)
@@ -47,8 +48,13 @@ class StyleList(QWidget):
         self.list = self._made_list()
         self._lay_out()
         for signal in (bridge.document_changed, bridge.frame_changed, bridge.selection_changed):
-            signal.connect(self._rest.start)
+            signal.connect(self._wait_for_rest)
         self.reload()
+
+    def come(self, seen: bool) -> None:
+        """Take note whether the dock is at the front; docks behind others count as shown with Qt, but not as seen."""
+        self._is_seen = seen
+        self._wait_for_rest()
 
     def reload(self) -> None:
         """Read the styles again."""
@@ -146,9 +152,14 @@ class StyleList(QWidget):
         index = self.list.currentRow()
         self._remove.setEnabled(0 <= index < len(self._files) and self._files[index].is_own)
 
+    def _wait_for_rest(self) -> None:
+        # Seven more pictures at once would take the processor from the one under the hand.
+        self.pictures.pause()
+        self._rest.start()
+
     def _ask(self) -> None:
         layer_id = self._bridge.layer_id
-        if layer_id is not None and self.isVisible():
+        if layer_id is not None and self._is_seen and self.isVisible():
             styles = tuple(each.style for each in self._files)
             self.pictures.ask(Wanted(self._bridge.document, layer_id, self._bridge.frame, styles))
 

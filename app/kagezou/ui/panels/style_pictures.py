@@ -62,6 +62,12 @@ class StylePictures(QObject):
         else:
             self._job.stop.set()
 
+    def pause(self) -> None:
+        """Stop soon: the machine is needed elsewhere; what is still wanted is asked for again later."""
+        self._next = None
+        if self._job is not None:
+            self._job.stop.set()
+
     def finish(self) -> None:
         """Stop and wait, before the window goes."""
         self._next = None
