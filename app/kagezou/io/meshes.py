@@ -111,7 +111,7 @@ def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
     try:
         # Degenerate triangles are divided by nothing in there.
         with np.errstate(all="ignore"):
-            scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True)
+            scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True, process=False)
             found: trimesh.Trimesh = scene.to_mesh()
     except MemoryError as error:
         raise input_problem(path, "there is not enough memory for this set") from error
@@ -137,7 +137,10 @@ def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
         raise input_problem(path, "it is damaged: a corner is not a number")
     if np.abs(points[np.unique(corners)]).max() > _FARTHEST:
         raise input_problem(path, f"a corner lies more than {_FARTHEST:g} units away")
-    return _joined(points, corners)
+    mesh = _joined(points, corners)
+    if not len(mesh.triangles):
+        raise input_problem(path, "there are no triangles in it but some without an area")
+    return mesh
 
 
 def _joined(points: Any, corners: Any) -> Mesh:
