@@ -47,7 +47,7 @@ def test_a_ray_from_above_meets_the_terrain_where_it_is(x: float, y: float, dx: 
 
 
 def test_the_nearest_of_several_counts_and_nothing_behind_does() -> None:
-    far, near = terrain().vertices, terrain().vertices + [0, 0, 1.0]
+    far, near = terrain().vertices, terrain().vertices + np.array([0, 0, 1.0])
     triangles = terrain().triangles
     both = Mesh(np.concatenate([far, near]), np.concatenate([triangles, triangles + len(far)]), triangles[:0, :2])
     down = first_hit(both, np.array([0.1, 0.2, 5.0]), np.array([0.0, 0.0, -1.0]))

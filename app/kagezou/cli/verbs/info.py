@@ -58,7 +58,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "background": None if document.background is None else shown(document.background),
         "layers": [_about_layer(layer) for layer in document.layers],
         "set": [
-            {"name": piece.name, "kind": kind_of(piece), "file": None if piece.source is None else shown(piece.source)}
+            {"name": piece.name, "kind": kind_of(piece), **({"file": shown(piece.source)} if piece.source else {})}
             for piece in document.pieces
         ],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
