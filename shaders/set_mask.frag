@@ -5,12 +5,37 @@
 //   OWN_SHADOW          writes what is seen and taken from the light, instead of the seen and lit part of u_coverage
 //   DARK_WHEN_TURNED    with OWN_SHADOW: a face that turns away from the light grows dark
 //   LAMP_IS_LOW         with OWN_SHADOW: see grazing.glsl
+//   PAST_MESHES         meshes may hide a part of the receiver
+//   MESHES              meshes take the light, too
 
 #include "edge.glsl"
 #ifdef OWN_SHADOW
 #include "grazing.glsl"
 #else
 uniform sampler2D u_coverage;          // the shadow on this receiver as if it were alone
+#endif
+
+#ifdef PAST_MESHES
+uniform sampler2D u_past;              // the part of each pixel in which no mesh hides the receiver
+#endif
+#ifdef MESHES
+#include "mesh_light.glsl"
+
+uniform vec4 u_lift_rows[4];           // canvas px - origin -> the receiver's points around the origin of the meshes
+uniform vec3 u_normal;                 // of the receiver
+
+vec3 lifted(vec2 pixel) {
+    vec4 place = vec4(pixel, 1.0, 0.0);
+    return vec3(dot(u_lift_rows[0], place), dot(u_lift_rows[1], place), dot(u_lift_rows[2], place))
+         / dot(u_lift_rows[3], place);
+}
+
+// Lit part of a pixel.
+float lit_by(vec2 pixel) {
+    mat2x3 pixel_world = mat2x3(lifted(pixel + vec2(0.5, 0.0)) - lifted(pixel - vec2(0.5, 0.0)),
+                                lifted(pixel + vec2(0.0, 0.5)) - lifted(pixel - vec2(0.0, 0.5)));
+    return mesh_lit(lifted(pixel), u_normal, pixel_world, 4);
+}
 #endif
 
 uniform vec2 u_origin_px;              // canvas px around which all forms are given, for precision
@@ -67,6 +92,11 @@ vec2 seen_and_lit(vec2 here) {
 void main() {
     vec2 pixel = gl_FragCoord.xy - u_origin_px;
     float sum = 0.0;
+#ifdef MESHES
+    float lit = lit_by(pixel);
+#else
+    const float lit = 1.0;
+#endif
 #ifdef OWN_SHADOW
     float strength = grazing_strength(pixel);
 #endif
@@ -74,15 +104,18 @@ void main() {
         for (int x = 0; x < CELLS; ++x) {
             vec2 left = seen_and_lit(pixel + (vec2(float(x), float(y)) + 0.5) * CELL - 0.5);
 #if defined(DARK_WHEN_TURNED)
-            sum += left.x * (1.0 - strength * left.y);
+            sum += left.x * (1.0 - strength * left.y * lit);
 #elif defined(OWN_SHADOW)
-            sum += left.x * strength * (1.0 - left.y);
+            sum += left.x * strength * (1.0 - left.y * lit);
 #else
-            sum += left.x * left.y;
+            sum += left.x * left.y * lit;
 #endif
         }
     }
     o_coverage = sum * CELL * CELL;
+#ifdef PAST_MESHES
+    o_coverage *= texelFetch(u_past, ivec2(gl_FragCoord.xy), 0).r;
+#endif
 #ifndef OWN_SHADOW
     o_coverage *= texelFetch(u_coverage, ivec2(gl_FragCoord.xy), 0).r;
 #endif
