@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from kagezou.animation.track import Track
 from kagezou.geometry.box import Box
+from kagezou.geometry.vanishing import VanishingLines
 
 Tracks = Mapping[str, Track]
 """Property name → track; a property that is missing has its default as its constant."""
@@ -140,11 +141,14 @@ class Piece:
         Unique in the set; part of property paths.
     tracks
         By set piece property name; its shape is one of them.
+    source
+        The file of an imported set, for a piece of that shape.
     """
 
     id: str
     name: str
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    source: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +163,8 @@ class Document:
         In order, one a frame.
     notes
         In the order in which they were made.
+    vanishing
+        The edges of the floor in the background picture by which the camera was matched; None before that.
     """
 
     canvas: Canvas
@@ -169,6 +175,7 @@ class Document:
     markers: tuple[Marker, ...] = ()
     notes: tuple[Note, ...] = ()
     pieces: tuple[Piece, ...] = ()
+    vanishing: VanishingLines | None = None
 
     @property
     def played(self) -> tuple[int, int]:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import count
+from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.track import Track, Value
@@ -30,6 +31,7 @@ _MEASURES = MappingProxyType({
     "ramp": (0.3, 0.15, 0.4),
     "cylinder": (0.15, 0.35, 0.15),
     "sphere": (0.2, 0.2, 0.2),
+    "mesh": (0.4, 0.3, 0.2),
 })  # fmt: skip
 """How wide, high and deep a new piece is, as parts of the canvas' smaller side."""
 
@@ -37,7 +39,13 @@ _BEHIND = 0.06
 """A new piece stands behind the ground line by this part of the canvas' height."""
 
 
-def add_piece(document: Document, name: str, kind: str, values: Mapping[str, object] | None = None) -> Document:
+def add_piece(
+    document: Document,
+    name: str,
+    kind: str,
+    values: Mapping[str, object] | None = None,
+    source: Path | None = None,
+) -> Document:
     """Put a piece into the set under a free name near ``name``, of a natural size behind the characters.
 
     Parameters
@@ -48,6 +56,8 @@ def add_piece(document: Document, name: str, kind: str, values: Mapping[str, obj
         One of ``set_properties.KINDS``.
     values
         Constants that differ from that, by property name.
+    source
+        The file of an imported set.
 
     Raises
     ------
@@ -57,7 +67,7 @@ def add_piece(document: Document, name: str, kind: str, values: Mapping[str, obj
     _check_name(name)
     if len(document.pieces) >= MAX_PIECES:
         raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
-    piece = Piece(_free_id(document), _free_name(document, name))
+    piece = Piece(_free_id(document), _free_name(document, name), source=source)
     document = replace(document, pieces=(*document.pieces, piece))
     first: dict[str, object] = {**_first_values(document, str(PIECE_KIND.canonical(kind))), **(values or {})}
     for each, raw in first.items():
@@ -89,7 +99,7 @@ def copy_piece(document: Document, piece_id: str) -> Document:
     piece = document.piece(piece_id)
     if len(document.pieces) >= MAX_PIECES:
         raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
-    twin = Piece(_free_id(document), _free_name(document, piece.name), piece.tracks)
+    twin = replace(piece, id=_free_id(document), name=_free_name(document, piece.name))
     return replace(document, pieces=(*document.pieces, twin))
 
 

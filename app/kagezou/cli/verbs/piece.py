@@ -73,7 +73,7 @@ def _changed(document: "Document", action: str, name: str, words: list[str]) -> 
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
     from kagezou.cli.values import value_of_text
     from kagezou.document.set_pieces import add_piece
-    from kagezou.document.set_properties import KINDS
+    from kagezou.document.set_properties import BUILT_KINDS as KINDS
 
     kind = words[0] if words else ""
     if kind not in KINDS:
