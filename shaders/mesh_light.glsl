@@ -11,6 +11,7 @@ uniform vec4 u_map_window;             // centre and half size of what the map s
 uniform vec4 u_map_light;              // homogeneous
 uniform vec3 u_map_shift;              // from the places asked about to those of the triangles
 
+const int ALL_PARTS = 0xFFFF;
 const float LIFT_PX = 0.02;            // what is no higher over a surface does not shade it
 const float LOW_PX = 0.1;              // up to here a texel's triangle may be the surface itself, bent a little
 const float CLOSED_PX = 0.4;           // from here on a texel's triangle shades it, even if none is found between
@@ -67,8 +68,9 @@ bool is_dark(vec3 place, vec3 normal, vec4 plane) {
     return dark || least > CLOSED_PX;
 }
 
-// place: the middle of the cell; normal: of the surface, either way; side: how finely the cell is split at an edge.
-float mesh_lit(vec3 place, vec3 normal, mat2x3 cell_world, int side) {
+// place: the middle of the cell; normal: of the surface, either way; side: how finely the cell is split at an edge;
+// parts: which of those parts count, a bit for each.
+float mesh_lit(vec3 place, vec3 normal, mat2x3 cell_world, int side, int parts) {
     place += u_map_shift;
     vec3 seen = in_light(place);
     vec3 up = u_map_axes * normal;
@@ -89,10 +91,13 @@ float mesh_lit(vec3 place, vec3 normal, mat2x3 cell_world, int side) {
     bool is_edge = before && most > LOW_PX && least < HIGH_PX;
     float lit = before && most > LOW_PX ? 0.0 : 1.0;
     int count = is_edge ? side * side : 0;
-    float sum = 0.0;
+    float sum = 0.0, counted = 0.0;
     for (int index = 0; index < count; ++index) {
         vec2 offset = (vec2(float(index % side), float(index / side)) + 0.5) / float(side) - 0.5;
-        sum += is_dark(place + cell_world * offset, normal, plane) ? 0.0 : 1.0;
+        if ((parts & (1 << index)) != 0) {
+            sum += is_dark(place + cell_world * offset, normal, plane) ? 0.0 : 1.0;
+            counted += 1.0;
+        }
     }
-    return is_edge ? sum / float(count) : lit;
+    return is_edge ? sum / max(counted, 1.0) : lit;
 }

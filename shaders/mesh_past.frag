@@ -1,7 +1,6 @@
 #version 330 core
-// The part of each pixel in which the meshes do not hide a face. With ROUND the face is a ball or the side of a drum.
+// In which of the 4 by 4 parts of each pixel the meshes do not hide a face, a bit for each. With ROUND the face is a ball or the side of a drum.
 
-#include "edge.glsl"
 #include "mesh_surface.glsl"
 
 #ifdef ROUND
@@ -37,23 +36,20 @@ void main() {
     uint record = texelFetch(u_pixels, at, 0).r;
     bool several = (record & SEVERAL) != 0u;
     int middle = int(record & ~SEVERAL);
-    int count = middle == 0 ? 0 : several ? u_side * u_side : 1;
-    float hidden = 0.0;
+    int count = middle == 0 ? 0 : 16;
+    int bits = 0xFFFF;
+    vec4 plane = plane_of(max(middle, 1));
     for (int index = 0; index < count; ++index) {
-        int triangle = several ? sample_at(at, index) : middle;
-        if (triangle > 0) {
-            vec4 plane = plane_of(triangle);
-            vec2 here = pixel + (several ? sample_offset(index, u_side) : vec2(0.0));
-#ifdef ROUND
-            hidden += before_face(plane, here) > -TIE_PX ? 1.0 : 0.0;
-#else
-            // As mesh_shade.frag tells what is seen of the mesh, so that both add up.
-            vec2 slope = u_face.xyz * pixel_on(plane, here) / (several ? float(u_side) : 1.0);
-            float value = before_face(plane, here) + TIE_PX;
-            float steep = max(length(slope), 1e-30);
-            hidden += cell_coverage(value / steep, slope / steep);
-#endif
+        int triangle = middle;
+        if (several) {
+            ivec2 part = ivec2(index % 4, index / 4) * u_side / 4;
+            triangle = sample_at(at, part.y * u_side + part.x);
+        }
+        vec4 own = several ? plane_of(max(triangle, 1)) : plane;
+        // As mesh_shade.frag tells what is seen of the mesh, so that both add up.
+        if (triangle > 0 && before_face(own, pixel + sample_offset(index, 4)) > -TIE_PX) {
+            bits &= ~(1 << index);
         }
     }
-    o_past = 1.0 - hidden / float(max(count, 1));
+    o_past = float(bits) / 65535.0;
 }

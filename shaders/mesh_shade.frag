@@ -34,7 +34,7 @@ float part_shade(int triangle, vec4 plane, vec2 pixel, float cell, int finer) {
     float strength = smoothstep(u_grazing_sine.x, u_grazing_sine.y, sine);
     int flags = int(triangle_part(triangle, 0).w);
     vec2 left = seen_and_lit(place, cell_world);
-    left.x *= edge_of(dot(u_ground, place) + TIE_PX, u_ground.xyz * cell_world);
+    left.x *= dot(u_ground, place) > -TIE_PX ? 1.0 : 0.0;
 #ifdef OWN_SHADOW
     bool casts = (flags & CASTS) != 0;
     float wanted = left.x * strength;
@@ -44,7 +44,7 @@ float part_shade(int triangle, vec4 plane, vec2 pixel, float cell, int finer) {
     float lit = 1.0;
 #ifdef MESHES
     if (wanted > 0.0) {
-        lit = mesh_lit(here, plane.xyz, cell_world, finer);
+        lit = mesh_lit(here, plane.xyz, cell_world, finer, ALL_PARTS);
     }
 #endif
 #ifdef OWN_SHADOW
@@ -75,7 +75,11 @@ void main() {
     bool several = (record & SEVERAL) != 0u;
     int middle = int(record & ~SEVERAL);
     vec4 plane = plane_of(max(middle, 1));
-    int side = several ? u_side : cells_of(plane, pixel);
+    float height = dot(u_ground, vec4(met(plane, pixel), 1.0)) + TIE_PX;
+    vec2 slope = abs(u_ground.xyz * pixel_on(plane, pixel));
+    // Where the ground comes through, parts of the pixel add up with those of the ground (mesh_past.frag).
+    bool at_ground = abs(height) < 0.5 * (slope.x + slope.y);
+    int side = several ? u_side : at_ground ? FINE : cells_of(plane, pixel);
     int count = middle == 0 ? 0 : side * side;
     float cell = 1.0 / float(side);
     float sum = 0.0;

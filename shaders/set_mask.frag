@@ -16,7 +16,18 @@ uniform sampler2D u_coverage;          // the shadow on this receiver as if it w
 #endif
 
 #ifdef PAST_MESHES
-uniform sampler2D u_past;              // the part of each pixel in which no mesh hides the receiver
+uniform sampler2D u_past;              // in which of the 4 by 4 parts of each pixel no mesh hides it, a bit for each
+
+int past_at(ivec2 at) {
+    return int(texelFetch(u_past, at, 0).r * 65535.0 + 0.5);
+}
+
+float part_of(int bits) {
+    bits -= (bits >> 1) & 0x5555;
+    bits = (bits & 0x3333) + ((bits >> 2) & 0x3333);
+    bits = (bits + (bits >> 4)) & 0x0F0F;
+    return float((bits + (bits >> 8)) & 0x1F) / 16.0;
+}
 #endif
 #ifdef MESHES
 #include "mesh_light.glsl"
@@ -30,11 +41,11 @@ vec3 lifted(vec2 pixel) {
          / dot(u_lift_rows[3], place);
 }
 
-// Lit part of a pixel.
-float lit_by(vec2 pixel) {
+// How much of some parts of a pixel is lit.
+float lit_at(vec2 pixel, int parts) {
     mat2x3 pixel_world = mat2x3(lifted(pixel + vec2(0.5, 0.0)) - lifted(pixel - vec2(0.5, 0.0)),
                                 lifted(pixel + vec2(0.0, 0.5)) - lifted(pixel - vec2(0.0, 0.5)));
-    return mesh_lit(lifted(pixel), u_normal, pixel_world, 4);
+    return mesh_lit(lifted(pixel), u_normal, pixel_world, 4, parts);
 }
 #endif
 
@@ -92,8 +103,13 @@ vec2 seen_and_lit(vec2 here) {
 void main() {
     vec2 pixel = gl_FragCoord.xy - u_origin_px;
     float sum = 0.0;
+#ifdef PAST_MESHES
+    int parts = past_at(ivec2(gl_FragCoord.xy));
+#else
+    const int parts = 0xFFFF;
+#endif
 #ifdef MESHES
-    float lit = lit_by(pixel);
+    float lit = lit_at(pixel, parts);
 #else
     const float lit = 1.0;
 #endif
@@ -114,7 +130,7 @@ void main() {
     }
     o_coverage = sum * CELL * CELL;
 #ifdef PAST_MESHES
-    o_coverage *= texelFetch(u_past, ivec2(gl_FragCoord.xy), 0).r;
+    o_coverage *= part_of(parts);
 #endif
 #ifndef OWN_SHADOW
     o_coverage *= texelFetch(u_coverage, ivec2(gl_FragCoord.xy), 0).r;

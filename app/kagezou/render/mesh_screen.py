@@ -22,7 +22,7 @@ _NO_SHIFT = np.zeros(3)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Past:
-    """How much of each pixel of a face no mesh hides.
+    """Which parts of each pixel of a face no mesh hides.
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ class Pasts:
         return Past(texture, touched.reshape(shape), hidden.reshape(shape))
 
     def _texture(self, view: MeshView, face: Face | RoundFace) -> Texture:
-        target = Target(view.canvas.width, view.canvas.height, Format.ALPHA8)
+        target = Target(view.canvas.width, view.canvas.height, Format.ALPHA16)
         target.bind()
         view.bind()
         uniforms = view.uniforms()
