@@ -48,7 +48,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         work_area=review.work_area,
         markers=review.markers,
         notes=review.notes,
-        pieces=tuple(_piece(each) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
+        pieces=tuple(_piece(each, folder) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
         vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
     )
     if _row_count(document) > fields.MAX_ROWS:
@@ -98,9 +98,10 @@ def _layer(reader: Reader, folder: Path) -> Layer:
     )
 
 
-def _piece(reader: Reader) -> Piece:
+def _piece(reader: Reader, folder: Path) -> Piece:
     found = _record(reader, fields.PIECE)
-    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE))
+    source = _path(found["source"], folder) if "source" in found else None
+    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE), source)
 
 
 def _vanishing(reader: Reader) -> VanishingLines:

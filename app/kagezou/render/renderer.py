@@ -7,6 +7,7 @@ from kagezou.geometry.box import Box
 from kagezou.io.cels import CelCache
 from kagezou.io.encode import ShadowImage
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.boxes import Boxes
 from kagezou.render.depth_map import DepthMapPass
@@ -34,8 +35,8 @@ class Renderer:
 
     Parameters
     ----------
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and meshes come from.
 
     Raises
     ------
@@ -43,11 +44,11 @@ class Renderer:
         If the context is older than OpenGL 3.3 or the driver fails.
     """
 
-    def __init__(self, cels: CelCache) -> None:
+    def __init__(self, cels: CelCache, meshes: MeshCache | None = None) -> None:
         self.info = read_info()
         self._cels = cels
         self._boxes = Boxes()
-        self._shadows = ShadowLayers(self._boxes, cels, MATTE_BUDGET_BYTES)
+        self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
         self._shade_programs = Variants("box.vert", "shade.frag")
         self._presenter = Presenter(self._boxes)
         self._picture: Picture | None = None

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from kagezou.geometry.box import Box
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Matte
+from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
@@ -28,12 +29,12 @@ class Coverage:
 class ShadowLayers:
     """Casts a layer's shadow unless the last one of the same cast is still there."""
 
-    def __init__(self, boxes: Boxes, cels: CelCache, matte_budget_bytes: int) -> None:
+    def __init__(self, boxes: Boxes, cels: CelCache, meshes: MeshCache, matte_budget_bytes: int) -> None:
         self._cels = cels
         self._mattes = Mattes(boxes, matte_budget_bytes)
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
-        self._set = SetPass(boxes, self._cast, self._shape)
+        self._set = SetPass(boxes, self._cast, self._shape, meshes)
         self._of_set: Coverage | None = None
         self._set_cast: SetCast | None = None
         self._by_layer: dict[str, Coverage] = {}

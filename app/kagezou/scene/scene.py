@@ -87,6 +87,8 @@ class ShadowCast:
         How the united shape is rounded, what becomes of its outline, and the waves it lies on; None for not at all.
     pieces
         The set that stands on the ground.
+    ground_receives
+        Whether the flat ground is there at all, or only the pieces are.
     """
 
     drawing: Drawing
@@ -99,6 +101,7 @@ class ShadowCast:
     edge: Edge | None = None
     water: Water | None = None
     pieces: tuple[PieceScene, ...] = ()
+    ground_receives: bool = True
 
     @property
     def is_filtered(self) -> bool:

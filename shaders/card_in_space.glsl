@@ -1,0 +1,48 @@
+// The shadow of one card piece at a point of the world. Wants veils.glsl. Switches:
+//   TRANSLUCENT   alpha casts as it is; else its 0.5 level is the edge
+
+uniform sampler2D u_matte;
+uniform vec4 u_texel_rows[3];          // from the world to matte texels
+uniform vec4 u_limits[3];              // the card's side and its two folds, >= 0 where the piece casts
+
+float alpha_of(ivec2 at) {
+    return texelFetch(u_matte, at, 0).r;
+}
+
+vec3 alpha_and_slope(vec2 texel) {
+    vec2 place = texel - 0.5;
+    vec2 corner = floor(place);
+    vec2 f = place - corner;
+    // The rim is empty, so clamping to it is the same as finding nothing outside.
+    ivec2 last = textureSize(u_matte, 0) - 1;
+    ivec2 low = clamp(ivec2(corner), ivec2(0), last);
+    ivec2 high = clamp(ivec2(corner) + 1, ivec2(0), last);
+    vec4 a = vec4(alpha_of(low), alpha_of(ivec2(high.x, low.y)), alpha_of(ivec2(low.x, high.y)), alpha_of(high));
+    vec2 rows = mix(a.xz, a.yw, f.x);
+    return vec3(mix(rows.x, rows.y, f.y), mix(a.y - a.x, a.w - a.z, f.y), rows.y - rows.x);
+}
+
+vec3 projected(vec4 place) {
+    return vec3(dot(u_texel_rows[0], place), dot(u_texel_rows[1], place), dot(u_texel_rows[2], place));
+}
+
+float cast_coverage(vec4 place, mat2x3 cell_world) {
+    vec3 h = projected(place);
+    if (h.z <= 0.0) {
+        return 0.0;
+    }
+    vec2 texel = h.xy / h.z;
+    vec3 alpha = alpha_and_slope(clamp(texel, vec2(-1e6), vec2(1e6)));
+#ifdef TRANSLUCENT
+    float covered = alpha.x;
+#else
+    vec3 step_x = projected(vec4(cell_world[0], 0.0)), step_y = projected(vec4(cell_world[1], 0.0));
+    vec2 slope = vec2(dot(alpha.yz, (step_x.xy - texel * step_x.z) / h.z),
+                      dot(alpha.yz, (step_y.xy - texel * step_y.z) / h.z));
+    float covered = cell_coverage(alpha.x - 0.5, slope);
+#endif
+    for (int index = 0; index < 3; ++index) {
+        covered *= edge_of(dot(u_limits[index], place), u_limits[index].xyz * cell_world);
+    }
+    return covered;
+}

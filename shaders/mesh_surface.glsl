@@ -1,0 +1,56 @@
+// What is seen of the meshes: the triangles of a pixel, and where the view ray meets the plane of one.
+// All places are world px around one origin near the meshes.
+
+#include "triangles.glsl"
+
+uniform usampler2D u_pixels;           // the triangle seen in a pixel, counted from 1; with SEVERAL where there is an edge
+uniform usampler2D u_samples;          // those seen in its samples
+uniform int u_side;                    // samples of a pixel, each way
+uniform vec2 u_origin_px;              // canvas px around which pixels are counted
+uniform vec3 u_origin_world;           // the same point of the drawing's plane
+uniform vec4 u_eye;                    // homogeneous
+
+const uint SEVERAL = 0x80000000u;
+const float TIE_PX = 0.02;             // a mesh that lies this near behind a face is before it
+vec4 plane_of(int triangle) {
+    return triangle_part(triangle, 3);
+}
+
+int sample_at(ivec2 pixel, int index) {
+    return int(texelFetch(u_samples, pixel * u_side + ivec2(index % u_side, index / u_side), 0).r);
+}
+
+vec2 sample_offset(int index, int side) {
+    return (vec2(float(index % side), float(index / side)) + 0.5) / float(side) - 0.5;
+}
+
+vec3 ray_start(vec2 pixel) {
+    return u_origin_world + vec3(pixel, 0.0);
+}
+
+vec3 ray_along(vec3 start) {
+    return u_eye.w == 0.0 ? -u_eye.xyz : start - u_eye.xyz;
+}
+
+// How far along its ray a plane is met, in lengths of that.
+float reach_of(vec4 plane, vec3 start, vec3 along) {
+    float falling = dot(plane.xyz, along);
+    return -(dot(plane.xyz, start) + plane.w) / (abs(falling) < 1e-9 ? 1e-9 : falling);
+}
+
+vec3 met(vec4 plane, vec2 pixel) {
+    vec3 start = ray_start(pixel);
+    vec3 along = ray_along(start);
+    return start + along * reach_of(plane, start, along);
+}
+
+// How far one px in x and in y goes over the plane.
+mat2x3 pixel_on(vec4 plane, vec2 pixel) {
+    vec3 start = ray_start(pixel);
+    vec3 along = ray_along(start);
+    float falling = dot(plane.xyz, along);
+    falling = abs(falling) < 1e-6 ? 1e-6 : falling;
+    float grown = 1.0 + (u_eye.w == 0.0 ? 0.0 : reach_of(plane, start, along));
+    return mat2x3((vec3(1.0, 0.0, 0.0) - along * (plane.x / falling)) * grown,
+                  (vec3(0.0, 1.0, 0.0) - along * (plane.y / falling)) * grown);
+}
