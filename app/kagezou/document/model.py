@@ -159,6 +159,8 @@ class Document:
         In order, one a frame.
     notes
         In the order in which they were made.
+    linked
+        Names of layer properties that are the same for all layers, values and keys alike.
     """
 
     canvas: Canvas
@@ -169,6 +171,7 @@ class Document:
     markers: tuple[Marker, ...] = ()
     notes: tuple[Note, ...] = ()
     pieces: tuple[Piece, ...] = ()
+    linked: frozenset[str] = frozenset()
 
     @property
     def played(self) -> tuple[int, int]:

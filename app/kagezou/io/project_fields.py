@@ -47,6 +47,8 @@ PROJECT: Final[Fields] = MappingProxyType({
     "notes": Field("list of objects", "What is said about properties.", optional=True),
     "set": Field(f"list of at most {MAX_PIECES} objects", "The set pieces; missing where there are none.",
                  optional=True),
+    "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
+                    "none. Every layer has them in its own tracks too.", optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({
