@@ -93,6 +93,8 @@ def edit_commands() -> tuple[Command, ...]:
         Command("undo", translate("Commands", "&Undo"), ("Ctrl+Z",), "undo"),
         Command("redo", translate("Commands", "&Redo"), ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
         Command("delete", translate("Commands", "&Delete"), ("Del", "Backspace")),
+        Command("copy_look", translate("Commands", "&Copy Look"), ("Ctrl+Alt+C",)),
+        Command("paste_look", translate("Commands", "&Paste Look"), ("Ctrl+Alt+V",)),
         Command("rename_layer", translate("Commands", "Re&name Layer"), ("F2",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )

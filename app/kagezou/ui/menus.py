@@ -122,7 +122,12 @@ class Menus(QObject):
         self._fill(file, ["import_timesheet", "background"])
         self._fill(file, ["no_background", _SEPARATOR, "export", "export_timesheet", _SEPARATOR, "quit"])
         self._menu(
-            bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
+            bar,
+            self.tr("&Edit"),
+            [
+                *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
+                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts"),
+            ],
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
         bar.addMenu(self.view)

@@ -44,6 +44,8 @@ def connect_project(window: "MainWindow") -> None:
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(window),
         "rename_layer": window.layers.rename_current,
+        "copy_look": window.layers.looks.copy,
+        "paste_look": window.layers.looks.paste,
         "about": lambda: about_dialog(window, window.viewport.device).open(),
     }.items():
         actions.on(name, do)
@@ -123,6 +125,7 @@ def connect_messages(window: "MainWindow") -> None:
 
     viewport.failed.connect(lambda sentence: bar.say("graphics", sentence), _QUEUED)
     viewport.broken_changed.connect(show_broken, _QUEUED)
+    window.layers.looks.refused.connect(lambda sentence: bar.say("look", sentence, Severity.NOTE))
     window.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(window.status.show_device, _QUEUED)
