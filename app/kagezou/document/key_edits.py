@@ -78,7 +78,7 @@ def move_keys(document: Document, refs: Refs, frames: int, amounts: Amounts = NO
         value = _added(address, key.value, amounts.get(address, ()))
         return replace(key, frame=key.frame + frames, value=value)
 
-    return _replaced(document, refs, moved)
+    return replaced_keys(document, refs, moved)
 
 
 def stretch_keys(document: Document, refs: Refs, about: int, factor: float) -> tuple[Document, Refs]:
@@ -97,7 +97,7 @@ def stretch_keys(document: Document, refs: Refs, about: int, factor: float) -> t
             return key
         return replace(key, frame=frame, ease_in=slower(key.ease_in), ease_out=slower(key.ease_out))
 
-    return _replaced(document, refs, stretched, rank=lambda frame: abs(frame - about))
+    return replaced_keys(document, refs, stretched, rank=lambda frame: abs(frame - about))
 
 
 def remove_keys(document: Document, refs: Refs) -> Document:
@@ -174,7 +174,7 @@ def frames_by_address(refs: Iterable[KeyRef]) -> dict[Address, set[int]]:
     return found
 
 
-def _replaced(
+def replaced_keys(
     document: Document,
     refs: Refs,
     change: Callable[[Address, Key], Key],
