@@ -122,6 +122,23 @@ def key_commands() -> tuple[Command, ...]:
     )
 
 
+def drawing_commands() -> tuple[Command, ...]:
+    """Return the commands about when drawings are exposed."""
+    return (
+        Command("drawing_split", translate("Commands", "&Split Drawing Here"), ("Ctrl+Shift+D",)),
+        Command("drawing_empty", translate("Commands", "&Empty Cel"), ("Shift+X",)),
+        Command("drawing_remove", translate("Commands", "&Remove, Hold the Drawing Before")),
+        Command("drawing_longer", translate("Commands", "Hold 1 Frame &Longer"), ("Ctrl+Alt+Right",)),
+        Command("drawing_shorter", translate("Commands", "Hold 1 Frame S&horter"), ("Ctrl+Alt+Left",)),
+        Command("on_ones", translate("Commands", "Expose on &Ones")),
+        Command("on_twos", translate("Commands", "Expose on &Twos")),
+        Command("on_threes", translate("Commands", "E&xpose on Threes")),
+        Command("on_fours", translate("Commands", "Expose on &Fours")),
+        Command("drawing_copy", translate("Commands", "&Copy Drawings"), ("Ctrl+Shift+C",)),
+        Command("drawing_paste", translate("Commands", "&Paste Drawings")),
+    )
+
+
 def view_commands() -> tuple[Command, ...]:
     """Return the commands about looking."""
     return (
@@ -216,6 +233,7 @@ def command_groups() -> tuple[CommandGroup, ...]:
         CommandGroup(translate("Commands", "File"), file_commands()),
         CommandGroup(translate("Commands", "Edit"), edit_commands()),
         CommandGroup(translate("Commands", "Keys"), key_commands()),
+        CommandGroup(translate("Commands", "Drawings"), drawing_commands()),
         CommandGroup(translate("Commands", "Time"), playback_commands()),
         CommandGroup(translate("Commands", "View"), view_commands()),
         CommandGroup(translate("Commands", "Timeline"), timeline_commands()),

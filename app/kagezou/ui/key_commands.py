@@ -25,6 +25,7 @@ from kagezou.ui.bridge import Bridge
 class KeyCommands(QObject):
     """Copying, pasting, moving, easing and setting keys, and the work area; each is one step with a name."""
 
+    copied = Signal()
     refused = Signal(str)
     """One sentence on why nothing happened."""
 
@@ -45,6 +46,7 @@ class KeyCommands(QObject):
             self.refused.emit(self.tr("No keys are selected."))
         else:
             self._clip = clip
+            self.copied.emit()
 
     def cut(self) -> None:
         """Remember the selected keys and take them away."""

@@ -177,5 +177,7 @@ def _export(window: "MainWindow") -> None:
 def _delete(window: "MainWindow") -> None:
     if window.layers.view.hasFocus():
         window.layers.remove_current()
+    elif window.timeline.lanes.hasFocus() and window.timeline.drawings.are_chosen:
+        window.timeline.drawings.empty()
     elif window.viewport.hasFocus() or not window.keys.delete():
         window.viewport.hand.delete_selected()
