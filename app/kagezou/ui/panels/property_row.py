@@ -1,9 +1,11 @@
 """One line of the inspector: key diamond, name, editor, link; it edits one property of all layers that are chosen."""
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QWidget
 
 from kagezou.animation.track import Value
 from kagezou.document.address import Address, path_of, track_of, value_of
@@ -63,10 +65,9 @@ class PropertyRow(QObject):
         self.editor: Editor = editor_for(address.property)
         self.label = ScrubLabel(said(address.property.label), self.editor.scrubbed_by_label)
         self.label.setToolTip(f"{said(address.property.help)}\n{self.path}")
-        for widget in (self.label, self.key):
+        for widget in self.widgets:
             widget.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        self.label.customContextMenuRequested.connect(lambda at: self._open_menu(self.label.mapToGlobal(at)))
-        self.key.customContextMenuRequested.connect(lambda at: self._open_menu(self.key.mapToGlobal(at)))
+            widget.customContextMenuRequested.connect(partial(self._open_menu, widget))
         self.label.reset_asked.connect(self.reset)
         self.key.clicked.connect(self.toggle_key)
         self.link.clicked.connect(self.toggle_link)
@@ -211,5 +212,5 @@ class PropertyRow(QObject):
             palette.setColor(group, QPalette.ColorRole.WindowText, CHANGED if changed else TEXT)
         self.label.setPalette(palette)
 
-    def _open_menu(self, at: QPoint) -> None:
-        open_row_menu(self, at)
+    def _open_menu(self, widget: QWidget, at: QPoint) -> None:
+        open_row_menu(self, widget.mapToGlobal(at))

@@ -119,7 +119,7 @@ class RowNames(QWidget):
     def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
         height = self._rows.row_px
         if row.is_group:
-            is_chosen = row.kind is RowKind.LAYER and row.layer_id == self._bridge.layer_id
+            is_chosen = row.kind is RowKind.LAYER and row.layer_id in self._bridge.layer_ids
             painter.fillRect(QRectF(0, top, self.width(), height), _CHOSEN if is_chosen else _GROUP)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(0, top + height - 1, self.width(), top + height - 1)
