@@ -27,6 +27,8 @@ class State:
         Selected properties.
     keys
         Selected keys; every one of them is there.
+    others
+        The layers that are chosen beside ``layer_id`` and edited with it.
     """
 
     document: Document
@@ -34,6 +36,7 @@ class State:
     layer_id: str | None = None
     selection: tuple[Address, ...] = ()
     keys: Refs = frozenset()
+    others: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +159,11 @@ class Session:
 
     def select(self, layer_id: str | None, selection: tuple[Address, ...] = ()) -> None:
         """Work on a layer and select properties."""
-        self._show(replace(self._state, layer_id=layer_id, selection=selection))
+        self._show(replace(self._state, layer_id=layer_id, selection=selection, others=frozenset()))
+
+    def select_layers(self, layer_id: str, others: frozenset[str]) -> None:
+        """Work on a layer, and edit others with it."""
+        self._show(replace(self._state, layer_id=layer_id, selection=(), others=others))
 
     def select_keys(self, keys: Refs) -> None:
         """Select keys; those that are not there are left out."""
@@ -228,7 +235,7 @@ def _same(a: State, b: State) -> bool:
 
 
 def _looked_at(state: State) -> tuple[object, ...]:
-    return state.frame, state.layer_id, state.selection, state.keys
+    return state.frame, state.layer_id, state.selection, state.keys, state.others
 
 
 def _within(state: State) -> State:
@@ -238,4 +245,6 @@ def _within(state: State) -> State:
     layer_id = state.layer_id if state.layer_id in ids else (document.layers[-1].id if document.layers else None)
     selection = tuple(address for address in state.selection if address.layer_id in (None, *ids))
     frame = min(max(state.frame, 1), document.canvas.length_frames)
-    return State(document, frame, layer_id, selection, present_keys(document, state.keys))
+    return State(
+        document, frame, layer_id, selection, present_keys(document, state.keys), state.others & (ids - {layer_id})
+    )

@@ -48,6 +48,13 @@ class Bridge(QObject):
         """The layer worked on."""
         return self._session.state.layer_id
 
+    @property
+    def layer_ids(self) -> tuple[str, ...]:
+        """Every layer that is chosen: the one worked on, then those edited with it as they lie."""
+        state = self._session.state
+        others = tuple(layer.id for layer in state.document.layers if layer.id in state.others)
+        return others if state.layer_id is None else (state.layer_id, *others)
+
     def open(self, session: Session) -> None:
         """Put another session in the place of this one and say that everything changed."""
         self._session = session
@@ -70,7 +77,7 @@ class Bridge(QObject):
     def _changed(self, before: State, after: State) -> None:
         if after.document is not before.document:
             self.document_changed.emit()
-        if (after.layer_id, after.selection) != (before.layer_id, before.selection):
+        if (after.layer_id, after.selection, after.others) != (before.layer_id, before.selection, before.others):
             self.selection_changed.emit()
         if after.keys != before.keys:
             self.keys_changed.emit()

@@ -93,6 +93,8 @@ def edit_commands() -> tuple[Command, ...]:
         Command("undo", translate("Commands", "&Undo"), ("Ctrl+Z",), "undo"),
         Command("redo", translate("Commands", "&Redo"), ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
         Command("delete", translate("Commands", "&Delete"), ("Del", "Backspace")),
+        Command("copy_look", translate("Commands", "&Copy Look"), ("Ctrl+Alt+C",)),
+        Command("paste_look", translate("Commands", "&Paste Look"), ("Ctrl+Alt+V",)),
         Command("rename_layer", translate("Commands", "Re&name Layer"), ("F2",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )
@@ -117,6 +119,23 @@ def key_commands() -> tuple[Command, ...]:
         Command("hold", translate("Commands", "&Hold"), ("Ctrl+Alt+H",)),
         Command("linear", translate("Commands", "&Linear"), ("Ctrl+Alt+L",)),
         Command("velocity", translate("Commands", "Key &Velocity…"), ("Ctrl+Shift+K",)),
+    )
+
+
+def drawing_commands() -> tuple[Command, ...]:
+    """Return the commands about when drawings are exposed."""
+    return (
+        Command("drawing_split", translate("Commands", "&Split Drawing Here"), ("Ctrl+Shift+D",)),
+        Command("drawing_empty", translate("Commands", "&Empty Cel"), ("Shift+X",)),
+        Command("drawing_remove", translate("Commands", "&Remove, Hold the Drawing Before")),
+        Command("drawing_longer", translate("Commands", "Hold 1 Frame &Longer"), ("Ctrl+Alt+Right",)),
+        Command("drawing_shorter", translate("Commands", "Hold 1 Frame S&horter"), ("Ctrl+Alt+Left",)),
+        Command("on_ones", translate("Commands", "Expose on &Ones")),
+        Command("on_twos", translate("Commands", "Expose on &Twos")),
+        Command("on_threes", translate("Commands", "E&xpose on Threes")),
+        Command("on_fours", translate("Commands", "Expose on &Fours")),
+        Command("drawing_copy", translate("Commands", "&Copy Drawings"), ("Ctrl+Shift+C",)),
+        Command("drawing_paste", translate("Commands", "&Paste Drawings")),
     )
 
 
@@ -215,6 +234,7 @@ def command_groups() -> tuple[CommandGroup, ...]:
         CommandGroup(translate("Commands", "File"), file_commands()),
         CommandGroup(translate("Commands", "Edit"), edit_commands()),
         CommandGroup(translate("Commands", "Keys"), key_commands()),
+        CommandGroup(translate("Commands", "Drawings"), drawing_commands()),
         CommandGroup(translate("Commands", "Time"), playback_commands()),
         CommandGroup(translate("Commands", "View"), view_commands()),
         CommandGroup(translate("Commands", "Timeline"), timeline_commands()),

@@ -31,7 +31,14 @@ from kagezou.ui.project_actions import ProjectActions
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.status import Status
-from kagezou.ui.time_wiring import connect_curves, connect_jumps, connect_keys, connect_playback, connect_timeline
+from kagezou.ui.time_wiring import (
+    connect_curves,
+    connect_drawings,
+    connect_jumps,
+    connect_keys,
+    connect_playback,
+    connect_timeline,
+)
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.transport import Transport
 from kagezou.ui.viewport.onion_skin import OnionSkin
@@ -86,6 +93,7 @@ class MainWindow(QMainWindow):
         connect_playback(self)
         connect_jumps(self)
         connect_keys(self)
+        connect_drawings(self)
         connect_timeline(self)
         connect_curves(self)
         connect_messages(self)

@@ -19,6 +19,10 @@ _ON_KEYS = (
     *("set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete", _SEPARATOR),
     *("ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
 )
+_ON_DRAWINGS = (
+    *("drawing_split", "drawing_empty", "drawing_remove", _SEPARATOR, "drawing_longer", "drawing_shorter", _SEPARATOR),
+    *("on_ones", "on_twos", "on_threes", "on_fours", _SEPARATOR, "drawing_copy", "drawing_paste"),
+)
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
@@ -97,6 +101,10 @@ class Menus(QObject):
         """Fill a menu with what can be done to the selected keys."""
         self._fill(menu, _ON_KEYS)
 
+    def fill_drawings(self, menu: QMenu) -> None:
+        """Fill a menu with what can be done to the chosen drawings of the timeline."""
+        self._fill(menu, _ON_DRAWINGS)
+
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
         bar = QToolBar(self.tr("Tools"), self._window)
@@ -122,9 +130,15 @@ class Menus(QObject):
         self._fill(file, ["import_timesheet", "background"])
         self._fill(file, ["no_background", _SEPARATOR, "export", "export_timesheet", _SEPARATOR, "quit"])
         self._menu(
-            bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
+            bar,
+            self.tr("&Edit"),
+            [
+                *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
+                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts"),
+            ],
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
+        self._menu(bar, self.tr("&Drawings"), _ON_DRAWINGS)
         bar.addMenu(self.view)
         self._build_view()
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])

@@ -9,6 +9,7 @@ from kagezou.ui.icons import icon
 from kagezou.ui.key_frames import key_frames, next_key, previous_key
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.timecode import Count
+from kagezou.ui.timeline.drawing_menu import open_drawing_menu
 from kagezou.ui.timeline.revealing import REVEALED, animated_or_changed, toggled
 
 if TYPE_CHECKING:
@@ -93,6 +94,32 @@ def connect_keys(window: "MainWindow") -> None:
         actions.on(name, do)
     keys.refused.connect(lambda sentence: window.bar.say("keys", sentence, Severity.NOTE))
     window.menus.fill_keys(timeline.key_menu)
+
+
+def connect_drawings(window: "MainWindow") -> None:
+    """Connect the commands on exposures; within the timeline copy and paste are theirs while drawings are chosen."""
+    drawings, actions, timeline, keys = window.timeline.drawings, window.actions_of, window.timeline, window.keys
+    connected: dict[str, Callable[[], object]] = {
+        "drawing_split": drawings.split,
+        "drawing_empty": drawings.empty,
+        "drawing_remove": drawings.remove,
+        "drawing_longer": partial(drawings.hold_longer, 1),
+        "drawing_shorter": partial(drawings.hold_longer, -1),
+        "on_ones": partial(drawings.expose_on, 1),
+        "on_twos": partial(drawings.expose_on, 2),
+        "on_threes": partial(drawings.expose_on, 3),
+        "on_fours": partial(drawings.expose_on, 4),
+        "drawing_copy": drawings.copy,
+        "drawing_paste": drawings.paste,
+    }
+    for name, do in connected.items():
+        actions.on(name, do)
+
+    keys.copied.connect(drawings.forget_copy)
+    actions.on("copy_keys", lambda: drawings.copy() if drawings.are_chosen else keys.copy(), within=timeline)
+    actions.on("paste_keys", lambda: drawings.paste() if drawings.has_copy else keys.paste(), within=timeline)
+    drawings.refused.connect(lambda sentence: window.bar.say("drawings", sentence, Severity.NOTE))
+    timeline.drawing_menu_asked.connect(lambda place: open_drawing_menu(timeline, window.menus.fill_drawings, place))
 
 
 def connect_timeline(window: "MainWindow") -> None:

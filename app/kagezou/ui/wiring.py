@@ -44,6 +44,8 @@ def connect_project(window: "MainWindow") -> None:
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(window),
         "rename_layer": window.layers.rename_current,
+        "copy_look": window.layers.looks.copy,
+        "paste_look": window.layers.looks.paste,
         "about": lambda: about_dialog(window, window.viewport.device).open(),
     }.items():
         actions.on(name, do)
@@ -123,6 +125,7 @@ def connect_messages(window: "MainWindow") -> None:
 
     viewport.failed.connect(lambda sentence: bar.say("graphics", sentence), _QUEUED)
     viewport.broken_changed.connect(show_broken, _QUEUED)
+    window.layers.looks.refused.connect(lambda sentence: bar.say("look", sentence, Severity.NOTE))
     window.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(window.status.show_device, _QUEUED)
@@ -174,5 +177,7 @@ def _export(window: "MainWindow") -> None:
 def _delete(window: "MainWindow") -> None:
     if window.layers.view.hasFocus():
         window.layers.remove_current()
+    elif window.timeline.lanes.hasFocus() and window.timeline.drawings.are_chosen:
+        window.timeline.drawings.empty()
     elif window.viewport.hasFocus() or not window.keys.delete():
         window.viewport.hand.delete_selected()

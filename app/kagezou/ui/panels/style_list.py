@@ -75,12 +75,12 @@ class StyleList(QWidget):
         self._rest.start()
 
     def apply(self, index: int) -> None:
-        """Put a style on the layer worked on, as one step."""
-        layer_id = self._bridge.layer_id
-        if layer_id is None or not 0 <= index < len(self._files):
+        """Put a style on the chosen layers, as one step."""
+        if not self._bridge.layer_ids or not 0 <= index < len(self._files):
             return
-        style = self._files[index].style
-        document = apply_style(self._bridge.document, layer_id, style, self._bridge.frame)
+        style, document = self._files[index].style, self._bridge.document
+        for layer_id in self._bridge.layer_ids:
+            document = apply_style(document, layer_id, style, self._bridge.frame)
         self._bridge.session.edit(self.tr("Style: %1").replace("%1", said(style.name)), document)
 
     def save(self, name: str) -> None:

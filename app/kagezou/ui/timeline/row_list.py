@@ -104,7 +104,7 @@ class RowList(QObject):
     def _refill(self) -> None:
         document = self._bridge.document
         rows = rows_of(document, self._closed, self.reveal)
-        shown = (rows, document.work_area, document.markers, *_drawn_of(document, rows))
+        shown = (rows, document.work_area, document.markers, document.linked, *_drawn_of(document, rows))
         # A drag on the picture tells many times a second; what is seen here mostly stays.
         if not _is_same(shown, self._shown):
             self.rows, self._shown = rows, shown
