@@ -13,6 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from kagezou.io.encode import write_rgba
 from kagezou.session.staging import CharacterSource
+from kagezou.ui import loading
 from kagezou.ui.application import make_application
 from kagezou.ui.desk import Desk
 from kagezou.ui.language import Language
@@ -41,6 +42,12 @@ def english(qapp: QApplication) -> Iterator[Language]:
     language.fall_silent()
 
 
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Loads are waited for, so that what comes after them may look at once; tests of loading itself are impatient."""
+    monkeypatch.setattr(loading, "PATIENCE_S", 30.0)
+
+
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
     store = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
@@ -65,7 +72,7 @@ def desk(qapp: QApplication) -> Desk:  # noqa: ARG001 - Qt objects need the appl
 @pytest.fixture
 def filled(desk: Desk, cels: Path) -> Desk:
     """A desk with one character, taken for saved."""
-    desk.bring((CharacterSource("Walker", cels),))
+    desk.bring((CharacterSource("Walker", cels),)).at_once()
     desk.bridge.session.mark_saved()
     return desk
 

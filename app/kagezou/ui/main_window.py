@@ -131,6 +131,7 @@ class MainWindow(QMainWindow):
         if not self._may_close_unasked and not self.project.may_leave():
             event.ignore()
             return
+        self.project.loading.finish()
         self.exporting.finish()
         self.project.put_away()
         if self.demo is not None:
@@ -207,6 +208,7 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.bar)
+        column.addWidget(self.project.loading)
         column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self.setCentralWidget(middle)
