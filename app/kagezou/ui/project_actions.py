@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
 from kagezou.errors import Problem
@@ -17,6 +17,7 @@ from kagezou.ui.load import AnyLoad, Load
 from kagezou.ui.loading import Loading
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.project_lock import ProjectLock
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.settings import Settings
 
 _KEY = "project"
@@ -225,9 +226,4 @@ class ProjectActions(QObject):
         return True
 
     def _say(self, problem: Problem) -> None:
-        self._bar.say(_KEY, _sentence(problem))
-
-
-def _sentence(problem: Problem) -> str:
-    text = str(problem)
-    return text[:1].upper() + text[1:] if text else QCoreApplication.translate("ProjectActions", "Something went wrong")
+        self._bar.say(_KEY, sentence_of(problem))

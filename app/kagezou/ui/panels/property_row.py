@@ -13,6 +13,7 @@ from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.editors import Editor, editor_for
 from kagezou.ui.panels.key_button import KeyButton, KeyState
 from kagezou.ui.panels.scrub_field import ScrubLabel
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.theme import CHANGED, TEXT
 from kagezou.ui.words import said
 
@@ -84,7 +85,7 @@ class PropertyRow(QObject):
         try:
             session.edit(self._step_name, set_value(document, self.address, raw, self._bridge.frame))
         except Problem as problem:
-            self.label.setToolTip(str(problem))
+            self.label.setToolTip(sentence_of(problem))
         self._shown = None
         self.refresh()
 

@@ -14,6 +14,7 @@ from kagezou.io.images import Steps
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.theme import SURROUND
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
 from kagezou.ui.viewport.stage import Broken, Stage
@@ -112,7 +113,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             self._begin()
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         except Exception:
             # Qt would lose what leaves this method; a defect of ours must be heard of.
             sys.excepthook(*sys.exc_info())
@@ -123,7 +124,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             self._paint(self._stage)
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         except Exception:
             sys.excepthook(*sys.exc_info())
 
@@ -135,7 +136,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             return draw()
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
             return None
         finally:
             self.doneCurrent()
