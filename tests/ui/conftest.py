@@ -19,6 +19,7 @@ from kagezou.ui.desk import Desk
 from kagezou.ui.language import Language
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.settings import Settings
+from kagezou.ui.viewport import resolution
 
 FRAMES = 6
 
@@ -46,6 +47,12 @@ def english(qapp: QApplication) -> Iterator[Language]:
 def patient(monkeypatch: pytest.MonkeyPatch) -> None:
     """Loads are waited for, so that what comes after them may look at once; tests of loading itself are impatient."""
     monkeypatch.setattr(loading, "PATIENCE_S", 30.0)
+
+
+@pytest.fixture(autouse=True)
+def steady(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No picture is late, however busy the machine: what is compared is drawn at full resolution."""
+    monkeypatch.setattr(resolution, "DUE_S", 60.0)
 
 
 @pytest.fixture

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, Literal
+from typing import Final, Literal, Protocol
 
 from kagezou.io.faults import input_problem
 from kagezou.io.images import Cel, Matte, read_cel, read_matte
 
 DEFAULT_LIMIT_BYTES: Final = 512 << 20
-_Kind = Literal["cel", "matte"]
+_Kind = Literal["cel", "matte", "background"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +27,22 @@ class _Key:
     def of(self, kind: _Kind) -> "_Key":
         """Return the key of the same state of the file as another kind."""
         return _Key(kind, self.path, self.size, self.mtime_ns)
+
+
+class CelSource(Protocol):
+    """Where whoever draws gets drawings from; each may raise an InputProblem."""
+
+    def cel(self, path: Path) -> Cel:
+        """Return a drawing."""
+        ...
+
+    def matte(self, path: Path) -> Matte:
+        """Return the matte of a drawing."""
+        ...
+
+    def background(self, path: Path) -> Cel:
+        """Return a picture that is opaque where it has no alpha of its own."""
+        ...
 
 
 class CelCache:
@@ -80,6 +96,18 @@ class CelCache:
             has_cel = whole in self._kept or whole in self._running
         found = self._get(whole, lambda: read_cel(path)) if has_cel else self._get(key, lambda: read_matte(path))
         return found.matte if isinstance(found, Cel) else found
+
+    def background(self, path: Path) -> Cel:
+        """Return the picture at ``path`` with its white opaque.
+
+        Raises
+        ------
+        InputProblem
+            It cannot be read.
+        """
+        found = self._get(_key("background", path), lambda: read_cel(path, white_is_clear=False))
+        assert isinstance(found, Cel)
+        return found
 
     def kept_paths(self) -> frozenset[Path]:
         """Return which drawings are kept now."""

@@ -182,12 +182,13 @@ class Desk(QObject):
 
     def _read_first(self, document: Document, watch: Watch) -> None:
         """Read what the first frame shows, so that the viewport finds it there."""
-        wanted = [document.background] if document.background else []
-        wanted += [drawing.path for layer in document.layers if (drawing := layer.cels.drawing_at(1)) is not None]
-        for index, path in enumerate(wanted):
+        wanted = [(self.cels.background, document.background)] if document.background else []
+        first = (layer.cels.drawing_at(1) for layer in document.layers)
+        wanted += [(self.cels.cel, drawing.path) for drawing in first if drawing is not None]
+        for index, (read, path) in enumerate(wanted):
             watch(Part.READING, index, len(wanted))
             try:
-                self.cels.cel(path)
+                read(path)
             except Problem:
                 # The viewport meets the same file, and says what is wrong with it.
                 continue

@@ -16,7 +16,7 @@ from kagezou.ui.drop_hint import DropHint, drop_words
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
-from kagezou.ui.look_wiring import connect_sheets, connect_views
+from kagezou.ui.look_wiring import connect_resolution, connect_sheets, connect_views
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
 from kagezou.ui.panel_layout import PanelLayout
@@ -79,6 +79,7 @@ class MainWindow(QMainWindow):
         connect_project(self)
         connect_view(self)
         connect_views(self)
+        connect_resolution(self)
         connect_sheets(self)
         connect_playback(self)
         connect_jumps(self)

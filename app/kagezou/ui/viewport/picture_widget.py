@@ -4,7 +4,7 @@ import sys
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 
 from kagezou.document.model import Document
@@ -17,10 +17,13 @@ from kagezou.ui.bridge import Bridge
 from kagezou.ui.sentences import sentence_of
 from kagezou.ui.theme import SURROUND
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
+from kagezou.ui.viewport.resolution import Pace, Resolution
 from kagezou.ui.viewport.stage import Broken, Stage
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 NEEDED_VERSION = (3, 3)
+REST_MS = 150
+"""A hand that has not moved for so long rests, though it may still hold something."""
 
 
 class PictureWidget(QOpenGLWidget):
@@ -41,6 +44,9 @@ class PictureWidget(QOpenGLWidget):
     broken_changed = Signal(object)
     """The picture files that cannot be shown now, a tuple of Broken; connect queued."""
 
+    divisor_changed = Signal(int)
+    """How many px of the canvas are one of the picture, from now on; connect queued."""
+
     started = Signal(str, bool)
     """What draws, by name, and whether it is the processor; connect queued."""
 
@@ -51,11 +57,17 @@ class PictureWidget(QOpenGLWidget):
         self._cels = cels
         self._stage: Stage | None = None
         self._broken: tuple[Broken, ...] = ()
+        self.pace = Pace()
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST_MS)
+        self._rest.timeout.connect(self._refine)
         self._backdrop = Backdrop.BACKGROUND
         self._view = PictureView.COMPOSITE
         bridge.document_changed.connect(self._document_changed)
         bridge.frame_changed.connect(self.update)
         bridge.session_replaced.connect(viewpoint.fit)
+        bridge.session_replaced.connect(self.pace.forget)
         viewpoint.changed.connect(self.update)
         self._document_changed()
 
@@ -72,6 +84,16 @@ class PictureWidget(QOpenGLWidget):
     def show_view(self, view: PictureView) -> None:
         """Choose what of the frame is looked at."""
         self._view = view
+        self.update()
+
+    @property
+    def resolution(self) -> Resolution:
+        """At which part of its resolution the picture is drawn."""
+        return self.pace.resolution
+
+    def show_resolution(self, resolution: Resolution) -> None:
+        """Choose at which part of its resolution the picture is drawn."""
+        self.pace.resolution = resolution
         self.update()
 
     @property
@@ -154,16 +176,32 @@ class PictureWidget(QOpenGLWidget):
     def _paint(self, stage: Stage) -> None:
         document, view = self._bridge.document, self._view
         backdrop = behind(view, self._backdrop, has_background=document.background is not None)
-        stage.draw(document, self._bridge.frame, backdrop, view, line_px(view, self.viewpoint.view.zoom))
+        line = line_px(view, self.viewpoint.view.zoom)
+        at, before = self.pace.next(moving=self._is_moving), stage.divisor
+        if stage.draw(document, self._bridge.frame, backdrop, view, line, at):
+            self.pace.took(stage.divisor, stage.took_s)
         stage.present(self._window_view())
+        if stage.divisor != before:
+            self.divisor_changed.emit(stage.divisor)
         if stage.broken != self._broken:
             self._broken = stage.broken
             self.broken_changed.emit(stage.broken)
 
     def _document_changed(self) -> None:
+        if self._bridge.session.is_in_gesture:
+            self._rest.start()
         canvas = self._bridge.document.canvas
         self.viewpoint.set_canvas((float(canvas.width_px), float(canvas.height_px)))
         self.update()
+
+    @property
+    def _is_moving(self) -> bool:
+        return self._rest.isActive() and self._bridge.session.is_in_gesture
+
+    def _refine(self) -> None:
+        """Draw what was drawn in haste again, now that the hand rests."""
+        if self._stage is not None and self._stage.divisor != self.pace.next(moving=False).divisor:
+            self.update()
 
     def _window_view(self) -> WindowView:
         ratio = self.devicePixelRatioF()
