@@ -19,7 +19,7 @@ from kagezou.ui.desk import Desk
 from kagezou.ui.language import Language
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.settings import Settings
-from kagezou.ui.viewport import resolution
+from kagezou.ui.viewport import reading, resolution
 
 FRAMES = 6
 
@@ -47,6 +47,7 @@ def english(qapp: QApplication) -> Iterator[Language]:
 def patient(monkeypatch: pytest.MonkeyPatch) -> None:
     """Loads are waited for, so that what comes after them may look at once; tests of loading itself are impatient."""
     monkeypatch.setattr(loading, "PATIENCE_S", 30.0)
+    monkeypatch.setattr(reading, "PATIENCE_S", 30.0)
 
 
 @pytest.fixture(autouse=True)

@@ -5,25 +5,31 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from time import sleep
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from viewing import picture, write_garbage
 
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.properties import GROUND_ROLL
+from kagezou.document.review import set_work_area
 from kagezou.errors import InputProblem
+from kagezou.io import cels as cels_room
 from kagezou.io import project_file
-from kagezou.io.images import ImageInfo, probe
+from kagezou.io.images import Cel, ImageInfo, probe, read_cel
 from kagezou.session import exposing
 from kagezou.session.staging import CharacterSource, new_document
 from kagezou.session.watching import Part, Stopped, Watch
 from kagezou.ui import loading
+from kagezou.ui.desk import played_drawings
 from kagezou.ui.dialogs import Answer
 from kagezou.ui.load import Load
 from kagezou.ui.loading import Loading
 from kagezou.ui.main_window import MainWindow
+from kagezou.ui.viewport import reading
 
 
 @pytest.fixture(autouse=True)
@@ -286,3 +292,82 @@ def test_what_a_quick_load_says_comes_at_once(
     assert not walking.project.open_path(tmp_path / "none.kage")
     with pytest.raises(InputProblem):
         walking.desk.bring((CharacterSource(None, tmp_path / "none"),)).at_once()
+
+
+def test_the_work_area_is_read_into_memory_and_that_can_be_stopped(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    desk = walking.desk
+    desk.cels.clear()
+    go_on = threading.Event()
+    read = desk.cels.cel
+    reached = threading.Event()
+
+    def slow(path: Path) -> Cel:
+        if path.stem.endswith("4"):
+            reached.set()
+            assert go_on.wait(30)
+        return read(path)
+
+    monkeypatch.setattr(desk.cels, "cel", slow)
+    bridge = desk.bridge
+    bridge.session.edit("Work area", set_work_area(bridge.document, 2, 5))
+    walking.actions_of["read_ahead"].trigger()
+    qtbot.waitUntil(lambda: walking.project.loading.left_text.startswith("3 of 4"))
+    qtbot.waitUntil(reached.is_set)
+    walking.project.loading.cancel_button.click()
+    go_on.set()
+    qtbot.wait(50)
+    assert not set(played_drawings(bridge.document)) <= desk.cels.kept_paths()
+
+    walking.actions_of["read_ahead"].trigger()
+    qtbot.waitUntil(lambda: set(played_drawings(bridge.document)) <= desk.cels.kept_paths())
+    bridge.session.mark_saved()
+
+
+def test_reading_ahead_gives_way_to_what_is_dropped(qtbot: QtBot, walking: MainWindow, cels: Path) -> None:
+    walking.desk.cels.clear()
+    go_on = threading.Event()
+
+    def hang(_watch: Watch) -> None:
+        assert go_on.wait(30)
+
+    walking.project.loading.start(Load("ahead", hang, lambda _: None, gives_way=True))
+    walking.project.bring([cels])
+    qtbot.waitUntil(lambda: len(walking.desk.bridge.document.layers) == 2)
+    go_on.set()
+
+
+def test_a_frame_whose_drawing_is_slow_keeps_the_last_picture_until_it_is_there(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "PATIENCE_S", 0.0)
+    viewport, desk = walking.viewport, walking.desk
+    before = picture(viewport)
+    go_on = threading.Event()
+
+    def slow(path: Path, *, white_is_clear: bool = True) -> Cel:
+        assert go_on.wait(30)
+        return read_cel(path, white_is_clear=white_is_clear)
+
+    monkeypatch.setattr(cels_room, "read_cel", slow)
+    desk.cels.clear()
+    desk.bridge.session.go_to(3)
+    stays = picture(viewport)
+    assert np.array_equal(stays, before)
+    assert not viewport.is_current
+
+    go_on.set()
+    qtbot.waitUntil(lambda: viewport.is_current)
+    assert not np.array_equal(picture(viewport), before)
+
+
+def test_a_drawing_that_cannot_be_read_is_told_after_the_picture_is_drawn_without_it(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "PATIENCE_S", 0.0)
+    path = walking.desk.bridge.document.layers[0].cels.drawings[1].path
+    write_garbage(path)
+    walking.desk.bridge.session.go_to(2)
+    qtbot.waitUntil(lambda: walking.bar.text.startswith(str(path)))
+    assert walking.viewport.is_current

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal, Protocol
 
+from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
 from kagezou.io.images import Cel, Matte, read_cel, read_matte
 
@@ -108,6 +109,20 @@ class CelCache:
         found = self._get(_key("background", path), lambda: read_cel(path, white_is_clear=False))
         assert isinstance(found, Cel)
         return found
+
+    @property
+    def limit_bytes(self) -> int:
+        """The memory that kept drawings may take together."""
+        return self._limit_bytes
+
+    def is_kept(self, path: Path) -> bool:
+        """Whether the picture at ``path``, as it is now, is kept whole."""
+        try:
+            key = _key("cel", path)
+        except InputProblem:
+            return False
+        with self._lock:
+            return key in self._kept or key.of("background") in self._kept
 
     def kept_paths(self) -> frozenset[Path]:
         """Return which drawings are kept now."""

@@ -164,6 +164,22 @@ class Desk(QObject):
 
         return Load(path.name, read, put)
 
+    def reading_ahead(self) -> AnyLoad:
+        """Decode the drawings of the work area, as many as memory is meant to hold, so that they play smoothly."""
+
+        def read(watch: Watch) -> None:
+            paths = played_drawings(self.bridge.document)
+            for index, path in enumerate(paths):
+                watch(Part.READING, index, len(paths))
+                try:
+                    size = self.cels.cel(path).nbytes
+                except Problem:
+                    continue
+                if self.cels.nbytes + size > self.cels.limit_bytes:
+                    break
+
+        return Load(self.tr("the work area"), read, lambda _nothing: None, gives_way=True)
+
     def remove_background(self) -> None:
         """Leave nothing under the characters."""
         session = self.bridge.session
@@ -217,6 +233,13 @@ def _is_blank(document: Document) -> bool:
 def _names(sources: tuple[CharacterSource, ...]) -> str:
     first = sources[0].path.name if sources else ""
     return f"{first}, …" if len(sources) > 1 else first
+
+
+def played_drawings(document: Document) -> tuple[Path, ...]:
+    """Return the drawings of the work area, each once, in the order in which they are seen."""
+    first, last = document.played
+    seen = (layer.cels.drawing_at(frame) for frame in range(first, last + 1) for layer in document.layers)
+    return tuple(dict.fromkeys(drawing.path for drawing in seen if drawing is not None))
 
 
 def blank_document() -> Document:

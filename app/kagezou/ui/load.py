@@ -24,12 +24,15 @@ class Load(Generic[T]):
         What makes of it what is seen, on the window's own thread; quick, and either all or nothing.
     replaces
         Whether it puts another project in the place of the one there is.
+    gives_way
+        Whether it is given up as soon as something else is to be loaded.
     """
 
     what: str
     read: Callable[[Watch], T]
     put: Callable[[T], None]
     replaces: bool = False
+    gives_way: bool = False
 
     def at_once(self) -> None:
         """Do both now, on the thread that asks."""

@@ -5,7 +5,7 @@ from collections import deque
 from collections.abc import Callable
 from time import monotonic
 
-from PySide6.QtCore import QCoreApplication, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
 from kagezou.errors import Problem
@@ -62,6 +62,9 @@ class Loading(QWidget):
         Whether the desk can take something now; it cannot in the middle of a drag.
     """
 
+    progressed = Signal()
+    """Sent now and then while something is loaded, and at its end."""
+
     def __init__(self, failed: Callable[[Problem], None], may_put: Callable[[], bool]) -> None:
         super().__init__()
         self.setObjectName("loading")
@@ -105,7 +108,7 @@ class Loading(QWidget):
 
     def start(self, load: AnyLoad) -> bool:
         """Load something; false if it turned out at once that it cannot be."""
-        if load.replaces:
+        if load.replaces or (self._job is not None and self._job.load.gives_way):
             self.cancel()
         if self._job is not None:
             self._waiting.append(load)
@@ -142,6 +145,7 @@ class Loading(QWidget):
         if job is None:
             return
         self._show_progress(*job.progress)
+        self.progressed.emit()
         if not job.is_alive() and self._may_put():
             self._finish(job)
 
@@ -165,6 +169,7 @@ class Loading(QWidget):
         self._job = None
         self._timer.stop()
         self.hide()
+        self.progressed.emit()
 
     def _show_progress(self, part: Part, done: int, whole: int) -> None:
         if part is not self._part or done == 0:

@@ -137,6 +137,7 @@ class MainWindow(QMainWindow):
         self.project.put_away()
         if self.demo is not None:
             self.demo.finish()
+        self.viewport.finish()
         self.thumbnails.wait()
         self.styles.pictures.finish()
         self.welcome.pictures.finish()

@@ -143,7 +143,7 @@ class Menus(QObject):
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])
         self._fill(time, ["first", "back_10", "back", "forward", "forward_10", "last", "go_to_frame", _SEPARATOR])
         self._fill(time, ["key_previous", "key_next", "drawing_previous", "drawing_next", _SEPARATOR])
-        self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", _SEPARATOR])
+        self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", "read_ahead", _SEPARATOR])
         self._fill(time, ["marker", "marker_previous", "marker_next"])
         self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
 

@@ -1,6 +1,7 @@
 """What the commands about files do: ask, act, and say in the message bar what went wrong."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -13,7 +14,7 @@ from kagezou.session.staging import CharacterSource
 from kagezou.ui.arrivals import PROJECT_SUFFIX, TIMESHEET_SUFFIXES, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
-from kagezou.ui.load import AnyLoad, Load
+from kagezou.ui.load import AnyLoad
 from kagezou.ui.loading import Loading
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.project_lock import ProjectLock
@@ -82,7 +83,7 @@ class ProjectActions(QObject):
             load.put(found)
             self._remember(path)
 
-        return self._load(Load(load.what, load.read, put, replaces=True))
+        return self._load(replace(load, put=put))
 
     def save(self) -> bool:
         """Save where it was saved before, or ask; false if it is not saved after that."""
@@ -142,6 +143,10 @@ class ProjectActions(QObject):
     def remove_background(self) -> None:
         """Take the background away."""
         self._try(self._desk.remove_background)
+
+    def read_ahead(self) -> None:
+        """Bring the drawings of the work area into memory."""
+        self._load(self._desk.reading_ahead())
 
     def time_by(self, path: Path) -> bool:
         """Expose the drawings as a timesheet says, or begin a project of the drawings beside it."""
@@ -207,7 +212,7 @@ class ProjectActions(QObject):
             load.put(found)
             self._bar.withdraw(_KEY)
 
-        return self.loading.start(Load(load.what, load.read, put, replaces=load.replaces))
+        return self.loading.start(replace(load, put=put))
 
     def _is_free(self) -> bool:
         """Whether the desk can take something: nobody drags, and no question is open about what lies on it."""

@@ -17,6 +17,7 @@ from kagezou.ui.bridge import Bridge
 from kagezou.ui.sentences import sentence_of
 from kagezou.ui.theme import SURROUND
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
+from kagezou.ui.viewport.reading import Reading
 from kagezou.ui.viewport.resolution import Pace, Resolution
 from kagezou.ui.viewport.stage import Broken, Stage
 from kagezou.ui.viewport.viewpoint import Viewpoint
@@ -58,6 +59,9 @@ class PictureWidget(QOpenGLWidget):
         self._stage: Stage | None = None
         self._broken: tuple[Broken, ...] = ()
         self.pace = Pace()
+        self._reading = Reading(cels)
+        self._reading.arrived.connect(self.update, Qt.ConnectionType.QueuedConnection)
+        self._is_current = False
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
@@ -97,6 +101,11 @@ class PictureWidget(QOpenGLWidget):
         self.update()
 
     @property
+    def is_current(self) -> bool:
+        """Whether the picture shown is that of the session's frame; its drawings may still be on their way."""
+        return self._is_current
+
+    @property
     def stage(self) -> Stage | None:
         """What draws; None before the first painting and while there is no context."""
         return self._stage
@@ -130,6 +139,10 @@ class PictureWidget(QOpenGLWidget):
         if stage is None:
             return None
         return self._with_context(partial(stage.layer_picture, document, frame, layer_id, with_shadow=with_shadow))
+
+    def finish(self) -> None:
+        """Read nothing any more, before the window goes."""
+        self._reading.finish()
 
     def initializeGL(self) -> None:
         try:
@@ -175,6 +188,10 @@ class PictureWidget(QOpenGLWidget):
 
     def _paint(self, stage: Stage) -> None:
         document, view = self._bridge.document, self._view
+        self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
+        if not self._is_current and stage.pictures_drawn:
+            stage.present(self._window_view())
+            return
         backdrop = behind(view, self._backdrop, has_background=document.background is not None)
         line = line_px(view, self.viewpoint.view.zoom)
         at, before = self.pace.next(moving=self._is_moving), stage.divisor
