@@ -264,7 +264,7 @@ def test_the_demo_is_made_once_and_opened(
         progress(1, 1)
         made.append(folder)
         folder.mkdir()
-        window.desk.new(())
+        window.desk.new(()).at_once()
         project_file.save(window.desk.bridge.document, folder / "demo.kage")
         return folder / "demo.kage"
 

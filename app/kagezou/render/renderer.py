@@ -4,7 +4,7 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
+from kagezou.io.cels import CelSource
 from kagezou.io.encode import ShadowImage
 from kagezou.io.images import Steps
 from kagezou.io.meshes import MeshCache
@@ -22,7 +22,8 @@ from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
 MATTE_BUDGET_BYTES = 128 << 20
-COLOR_BUDGET_BYTES = 256 << 20
+_SQUARE_PX = 16
+"""The checkered backdrop's, canvas px."""
 
 _DEPTHS = {8: np.uint8, 16: np.uint16}
 
@@ -37,6 +38,8 @@ class Renderer:
     ----------
     cels, meshes
         Where decoded drawings and meshes come from.
+    divisor
+        How many px of the cut's own canvas are one of the scenes that are drawn, for previews.
 
     Raises
     ------
@@ -44,9 +47,10 @@ class Renderer:
         If the context is older than OpenGL 3.3 or the driver fails.
     """
 
-    def __init__(self, cels: CelCache, meshes: MeshCache | None = None) -> None:
+    def __init__(self, cels: CelSource, meshes: MeshCache | None = None, divisor: int = 1) -> None:
         self.info = read_info()
         self._cels = cels
+        self._divisor = divisor
         self._boxes = Boxes()
         self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
         self._shade_programs = Variants("box.vert", "shade.frag")
@@ -207,7 +211,7 @@ class Renderer:
             old.close()
             self._picture = None
         if self._picture is None:
-            self._picture = Picture(self._boxes, canvas, form, COLOR_BUDGET_BYTES)
+            self._picture = Picture(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
         return self._picture
 
     def _shaded_target(self, canvas: Box, form: Format) -> Target:

@@ -16,7 +16,7 @@ from kagezou.ui.drop_hint import DropHint, drop_words
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
-from kagezou.ui.look_wiring import connect_sheets, connect_views
+from kagezou.ui.look_wiring import connect_resolution, connect_sheets, connect_views
 from kagezou.ui.match_wiring import connect_match
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
@@ -88,6 +88,7 @@ class MainWindow(QMainWindow):
         connect_project(self)
         connect_view(self)
         connect_views(self)
+        connect_resolution(self)
         connect_sheets(self)
         connect_match(self)
         connect_playback(self)
@@ -142,10 +143,12 @@ class MainWindow(QMainWindow):
         if not self._may_close_unasked and not self.project.may_leave():
             event.ignore()
             return
+        self.project.loading.finish()
         self.exporting.finish()
         self.project.put_away()
         if self.demo is not None:
             self.demo.finish()
+        self.viewport.finish()
         self.thumbnails.wait()
         self.styles.pictures.finish()
         self.welcome.pictures.finish()
@@ -218,6 +221,7 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.bar)
+        column.addWidget(self.project.loading)
         column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self.setCentralWidget(middle)

@@ -13,6 +13,7 @@ from kagezou.ui.actions import Actions
 from kagezou.ui.commands import plain, timeline_commands
 from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.language import LANGUAGES
+from kagezou.ui.viewport.resolution import Resolution
 
 _SEPARATOR = ""
 _ON_KEYS = (
@@ -48,6 +49,7 @@ class Menus(QObject):
         self.views = QMenu(self.tr("Loo&k At"), window)
         self.onion = QMenu(self.tr("Onion Skin &Drawings"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
+        self.resolutions = QMenu(self.tr("Preview &Resolution"), window)
         self._build()
 
     def add_backdrops(self, current: Backdrop, choose: Callable[[Backdrop], None]) -> None:
@@ -61,6 +63,17 @@ class Menus(QObject):
         }
         choices = [(words[backdrop], backdrop is current, partial(choose, backdrop)) for backdrop in words]
         self._exclusive(self.backdrops, choices)
+
+    def add_resolutions(self, current: Resolution, choose: Callable[[Resolution], None]) -> None:
+        """Fill the choice of the preview's resolution."""
+        words = {
+            Resolution.AUTO: self.tr("Automatic: Lower While Dragging"),
+            Resolution.FULL: self.tr("Full"),
+            Resolution.HALF: self.tr("Half"),
+            Resolution.QUARTER: self.tr("Quarter"),
+        }
+        choices = [(words[each], each is current, partial(choose, each)) for each in words]
+        self._exclusive(self.resolutions, choices)
 
     def add_onion_counts(self, most: int, current: int, choose: Callable[[int], None]) -> None:
         """Fill the choice of how many drawings the onion skin shows on each side."""
@@ -144,7 +157,7 @@ class Menus(QObject):
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])
         self._fill(time, ["first", "back_10", "back", "forward", "forward_10", "last", "go_to_frame", _SEPARATOR])
         self._fill(time, ["key_previous", "key_next", "drawing_previous", "drawing_next", _SEPARATOR])
-        self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", _SEPARATOR])
+        self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", "read_ahead", _SEPARATOR])
         self._fill(time, ["marker", "marker_previous", "marker_next"])
         self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
 
@@ -153,6 +166,7 @@ class Menus(QObject):
         self._fill(self.views, ["view_composite", "view_shadow", "view_outline", "view_matte"])
         self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
+        self.view.addMenu(self.resolutions)
         self._fill(self.view, ["handles", "match_camera", "onion_skin"])
         self.view.addMenu(self.onion)
         self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from kagezou.errors import Problem
 from kagezou.io.keepsake import Keepsake, forget, read_keepsake
+from kagezou.ui.sentences import sentence_of
 
 _FILE = Qt.ItemDataRole.UserRole
 
@@ -87,7 +88,7 @@ class RecoveryDialog(QDialog):
         try:
             work = read_keepsake(file)
         except Problem as problem:
-            item.setText(str(problem))
+            item.setText(sentence_of(problem))
         else:
             self._work[file] = work
             when = QLocale().toString(QDateTime.fromSecsSinceEpoch(work.kept_at_s), QLocale.FormatType.ShortFormat)
@@ -117,7 +118,7 @@ class RecoveryDialog(QDialog):
         try:
             forget(file)
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
             return
         self.list.takeItem(self.list.currentRow())
         if not self.list.count():

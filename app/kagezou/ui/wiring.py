@@ -13,6 +13,7 @@ from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan, wo
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
+from kagezou.ui.sentences import sentence_of, spoken
 from kagezou.ui.viewport.stage import Broken
 from kagezou.ui.words import said
 
@@ -114,7 +115,7 @@ def connect_messages(window: "MainWindow") -> None:
     broken: set[str] = set()
 
     def show_broken(files: tuple[Broken, ...]) -> None:
-        now = {str(each.path): str(each.problem) for each in files}
+        now = {str(each.path): sentence_of(each.problem) for each in files}
         for path in broken - now.keys():
             bar.withdraw(path)
         for path, sentence in now.items():
@@ -129,7 +130,7 @@ def connect_messages(window: "MainWindow") -> None:
     window.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(window.status.show_device, _QUEUED)
-    window.desk.noted.connect(lambda sentence: bar.say(sentence, sentence, Severity.WARNING))
+    window.desk.noted.connect(lambda sentence: bar.say(sentence, spoken(sentence), Severity.WARNING))
 
 
 def _show_recent(window: "MainWindow") -> None:

@@ -32,6 +32,7 @@ from kagezou.ui.curves.key_table import KeyTable
 from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
+from kagezou.ui.sentences import sentence_of
 
 
 class CurveEditor(QWidget):
@@ -101,7 +102,7 @@ class CurveEditor(QWidget):
         try:
             other = load(path)
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return
         self.choice.set(snapshot=other, shows_snapshot=True)
         self._ghost_button.setChecked(True)

@@ -12,6 +12,7 @@ from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.key_rows import KeyRow, pasted, rows_of, text_of, with_cell
+from kagezou.ui.sentences import sentence_of
 
 _FIXED_COLUMNS = (1,)
 
@@ -94,7 +95,7 @@ class KeyTable(QTableWidget):
         try:
             document = make()
         except UsageProblem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
         else:
             self._bridge.session.edit(name, document)
         self._rows = ()

@@ -14,6 +14,7 @@ from kagezou.tools.handle import Handle, HandleSet, hit
 from kagezou.tools.handles import drag_of, handles_of, matching_handles_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.viewport.pointer_report import PointerReport
 from kagezou.ui.viewport.typed_value import with_typed
 from kagezou.ui.viewport.viewpoint import Viewpoint
@@ -206,7 +207,7 @@ class Hand(QObject):
         try:
             document = add_grounding(self._bridge.document, layer_id, self._bridge.frame, canvas_px)
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return False
         self._edit(QCoreApplication.translate("Hand", "Add grounding point"), document)
         points = [handle.id for handle in self.handles.handles if handle.index is not None]
