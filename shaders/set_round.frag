@@ -23,7 +23,7 @@ uniform vec4 u_quadrics[4 * MAX_CONICS];
 uniform int u_region_count;
 
 #ifndef OWN_SHADOW
-uniform sampler2D u_matte;
+uniform sampler2D u_matte;             // texels and their neighbours, with a rim of empty ones
 uniform vec4 u_texel_rows[3];          // from the world to matte texels
 uniform vec4 u_limits[3];              // the card's side and its two folds, >= 0 where the piece casts
 #endif
@@ -85,19 +85,12 @@ vec2 seen_and_lit(vec4 place, mat2x3 step_world) {
 }
 
 #ifndef OWN_SHADOW
-float alpha_of(ivec2 at) {
-    return texelFetch(u_matte, at, 0).r;
-}
-
 vec3 alpha_and_slope(vec2 texel) {
     vec2 place = texel - 0.5;
     vec2 corner = floor(place);
     vec2 f = place - corner;
     // The rim is empty, so clamping to it is the same as finding nothing outside.
-    ivec2 last = textureSize(u_matte, 0) - 1;
-    ivec2 low = clamp(ivec2(corner), ivec2(0), last);
-    ivec2 high = clamp(ivec2(corner) + 1, ivec2(0), last);
-    vec4 a = vec4(alpha_of(low), alpha_of(ivec2(high.x, low.y)), alpha_of(ivec2(low.x, high.y)), alpha_of(high));
+    vec4 a = texelFetch(u_matte, clamp(ivec2(corner), ivec2(0), textureSize(u_matte, 0) - 1), 0);
     vec2 rows = mix(a.xz, a.yw, f.x);
     return vec3(mix(rows.x, rows.y, f.y), mix(a.y - a.x, a.w - a.z, f.y), rows.y - rows.x);
 }
