@@ -9,7 +9,8 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
-from kagezou.export.jobs import CompositeContent, Content, Job, Plan, planned
+from kagezou.export.jobs import CompositeContent, Content, Job, LayeredContent, Plan, planned
+from kagezou.export.layered import LayerPainter
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.pipeline import Draw, Image, Outcome, Stages, flow, window_for
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
@@ -63,7 +64,7 @@ def _make(run: "_Run", jobs: list[Job], document: Document, open_context: OpenCo
     cels = CelCache(CEL_BUDGET_BYTES)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
     stages = Stages(
-        decode=partial(_decode, cels, in_color=request.composite),
+        decode=partial(_decode, cels, in_color=request.composite or request.layered),
         drawing=partial(_drawing, cels, request.depth, open_context),
         write=write_all,
     )
@@ -78,7 +79,7 @@ def _drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[
     with open_context():
         renderer = Renderer(cels)
         try:
-            yield partial(_drawn, renderer, depth)
+            yield partial(_drawn, renderer, LayerPainter(renderer, cels), depth)
         finally:
             renderer.close()
 
@@ -94,7 +95,9 @@ def _decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
             cels.matte(path)
 
 
-def _drawn(renderer: Renderer, depth: int, job: Job) -> Image:
+def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: Job) -> Image:
+    if isinstance(job.content, LayeredContent):
+        return layers.draw(job, job.content, depth)
     if isinstance(job.content, CompositeContent):
         renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
         return renderer.read_picture()

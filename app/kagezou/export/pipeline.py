@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from kagezou.errors import InputProblem
 from kagezou.export.jobs import Job
 from kagezou.io.encode import ShadowImage
+from kagezou.io.layered import LayeredImage
 
-Image = ShadowImage | NDArray[Any]
-"""A shadow layer, or a composite as straight (H, W, 4)."""
+Image = ShadowImage | LayeredImage | NDArray[Any]
+"""A shadow layer, a frame of layers, or a composite as straight (H, W, 4)."""
 
 Draw = Callable[[Job], Image]
 
