@@ -30,9 +30,13 @@ def pair(tmp_path: Path) -> Document:
     meadow = np.full((HEIGHT, WIDTH, 4), (120, 180, 90, 255), np.uint8)
     write_rgba(tmp_path / "meadow.png", meadow)
     document = set_background(document, tmp_path / "meadow.png")
-    document = with_values(document, **{"layers__主役__shadow__opacity": 0.5, "layers__主役__shadow__color": "#203040"})
-    document = with_key(document, "layers.相棒.visible", 1, True)
-    return with_key(document, "layers.相棒.visible", 3, False)
+    document = with_values(document, layers__主役__shadow__opacity=0.5, layers__主役__shadow__color="#203040")
+    document = with_key(document, "layers.相棒.visible", 1, value=True)
+    return with_key(document, "layers.相棒.visible", 3, value=False)
+
+
+def opened(path: Path) -> Any:
+    return oiio.ImageInput.open(str(path))
 
 
 def laid(parts: list[tuple[NDArray[Any], tuple[int, int], float, bool]]) -> NDArray[np.float64]:
@@ -72,7 +76,7 @@ def test_the_layers_of_a_document_make_the_merged_picture(pair: Document, tmp_pa
     ]
     merged = np.asarray(document.topil())
     assert np.abs(laid(parts) - merged[..., :3]).max() <= 1.5
-    source = oiio.ImageInput.open(str(tmp_path / "out/composite/composite_0002.png"))
+    source = opened(tmp_path / "out/composite/composite_0002.png")
     assert np.array_equal(source.read_image(oiio.UINT8)[..., :3], merged[..., :3])
     source.close()
 
@@ -80,7 +84,7 @@ def test_the_layers_of_a_document_make_the_merged_picture(pair: Document, tmp_pa
 def test_an_exr_has_a_part_for_every_layer(pair: Document, tmp_path: Path) -> None:
     export(pair, tmp_path / "out", layered=True, format="exr", depth=16)
     export(pair, tmp_path / "alone", format="exr", depth=16)
-    source = oiio.ImageInput.open(str(tmp_path / "out/layered/layered_0001.exr"))
+    source = opened(tmp_path / "out/layered/layered_0001.exr")
     names, blends, index = [], [], 0
     while source.seek_subimage(index, 0):
         spec = source.spec()
@@ -95,7 +99,7 @@ def test_an_exr_has_a_part_for_every_layer(pair: Document, tmp_path: Path) -> No
     assert names == ["background", "主役_shadow", "相棒_shadow", "主役", "相棒"]
     assert blends == ["normal", "multiply", "multiply", "normal", "normal"]
     source.close()
-    alone = oiio.ImageInput.open(str(tmp_path / "alone/主役_shadow/主役_shadow_0001.exr"))
+    alone = opened(tmp_path / "alone/主役_shadow/主役_shadow_0001.exr")
     assert np.array_equal(alone.read_image(oiio.FLOAT), shadow)
     alone.close()
 
@@ -106,7 +110,7 @@ def test_a_hidden_layer_is_there_and_empty(pair: Document, tmp_path: Path) -> No
     document = PSDImage.open(tmp_path / "out/layered/layered_0003.psd")
     assert [layer.name for layer in document] == ["background", "主役_shadow", "相棒_shadow", "主役", "相棒"]
     assert document[4].bbox == (0, 0, 0, 0)
-    source = oiio.ImageInput.open(str(tmp_path / "out/layered/layered_0003.exr"))
+    source = opened(tmp_path / "out/layered/layered_0003.exr")
     assert not source.read_image(4, 0, 0, 4, oiio.FLOAT).any()
     assert not source.seek_subimage(5, 0)
     source.close()

@@ -40,11 +40,13 @@ def packed_psd(image: LayeredImage) -> bytes:
         version=1, channels=4, height=image.height_px, width=image.width_px, depth=8, color_mode=ColorMode.RGB
     )
     layers = [_layer(part) for part in image.parts]
+    records: Any = [record for record, _ in layers]
+    planes: Any = [each for _, each in layers]
     info = LayerInfo(
         # A negative count says that the fourth channel of the merged picture is its alpha.
         layer_count=-len(layers),
-        layer_records=LayerRecords([record for record, _ in layers]),
-        channel_image_data=ChannelImageData([planes for _, planes in layers]),
+        layer_records=LayerRecords(records),
+        channel_image_data=ChannelImageData(planes),
     )
     merged = ImageData(compression=Compression.RLE)
     merged.set_data([plane.tobytes() for plane in np.moveaxis(_on_white(image), 2, 0)], header)
@@ -76,7 +78,7 @@ def _on_white(image: LayeredImage) -> NDArray[np.uint8]:
 def _layer(part: Part) -> tuple[LayerRecord, ChannelDataList]:
     """Return what a document says of a layer, and its planes."""
     box = part.box
-    planes = [_plane(part, index) for index in range(4)]
+    planes: Any = [_plane(part, index) for index in range(4)]
     record = LayerRecord(
         top=0 if box.is_empty else box.top,
         left=0 if box.is_empty else box.left,

@@ -226,6 +226,6 @@ class Renderer:
 
 def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
     """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
-    most = np.iinfo(_DEPTHS[depth]).max
+    most = (1 << depth) - 1
     alpha: Steps = np.rint(covered * np.float32(opacity * most / _MOST_COVERED)).astype(_DEPTHS[depth])
     return alpha

@@ -72,8 +72,8 @@ def run(options: Namespace, doors: Doors) -> int:
     for each in drawn.operations:
         give(f"  {each.name:<16} {each.median_ms:7.2f} ms {each.fps:8.0f} fps {each.ratio:6.1f} copies")
     wide = f"two layers of {pair.canvas.width_px} x {pair.canvas.height_px} px"
-    for words, each in (("export", export), (f"export of {wide}", export_two)):
-        give(f"{words}: {each.fps:.1f} frames/s; only reading and writing {each.floor_fps:.1f}: {each.of_floor:.0%}")
+    for words, rate in (("export", export), (f"export of {wide}", export_two)):
+        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
     return 0
 
 
