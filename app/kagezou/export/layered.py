@@ -1,7 +1,8 @@
 """A frame as layers: background, the shadow of the set, each character's shadow, each character."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -15,6 +16,7 @@ from kagezou.io.images import Cel, Steps, read_cel
 from kagezou.io.layered import LayeredImage, Part
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
+from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
 
 _BACKGROUND: Final = "background"
 _SET_SHADOW: Final = "set_shadow"
@@ -46,38 +48,39 @@ class LayerPainter:
             self.renderer.draw_picture(job.scene, Backdrop.BACKGROUND)
             merged = self.renderer.read_picture()
         parts = self._parts(job, content, depth, keeps_opacity=is_document)
-        return LayeredImage(canvas.width, canvas.height, tuple(_unlike(parts)), merged)
+        named = (replace(part, name=name) for name, part in zip(part_names(content), parts, strict=True))
+        return LayeredImage(canvas.width, canvas.height, tuple(named), merged)
 
     def _parts(self, job: Job, content: LayeredContent, depth: int, *, keeps_opacity: bool) -> Iterator[Part]:
+        """Yield the parts in the order of `part_names`, without their names."""
         scene = job.scene
         seen = {layer.id: layer for layer in scene.layers}
         if scene.background is not None:
-            yield _cel_part(_BACKGROUND, self._read_background(scene.background), scene.canvas)
-        if content.has_set:
-            shadow = scene.set_shadow
-            if shadow is None:
-                yield _empty_part(_SET_SHADOW, depth)
-            else:
-                # Drawn in full where the opacity is kept beside it.
-                opacity = shadow.look.opacity if keeps_opacity else 1.0
-                full = replace(shadow, look=replace(shadow.look, opacity=1.0)) if keeps_opacity else shadow
-                drawn = self.renderer.set_shadow(scene, full, depth)
-                yield _shadow_part(_SET_SHADOW, drawn, opacity, multiply=shadow.look.multiply)
-        for layer_id, name in content.layers:
+            yield _cel_part(self._read_background(scene.background), scene.canvas)
+        if content.has_set and scene.set_shadow is None:
+            yield _empty_part(depth)
+        elif content.has_set and scene.set_shadow is not None:
+            draw_set = partial(self._set_shadow, scene, scene.set_shadow, depth)
+            yield _shadow_part(draw_set, scene.set_shadow.look, keeps_opacity=keeps_opacity)
+        for layer_id, _ in content.layers:
             layer = seen.get(layer_id)
             if layer is None:
-                yield _empty_part(f"{name}_shadow", depth)
-                continue
-            opacity = layer.look.opacity if keeps_opacity else 1.0
-            whole = replace(layer, look=replace(layer.look, opacity=1.0)) if keeps_opacity else layer
-            drawn = self.renderer.shadow(scene, whole, depth)
-            yield _shadow_part(f"{name}_shadow", drawn, opacity, multiply=layer.look.multiply)
-        for layer_id, name in content.layers:
+                yield _empty_part(depth)
+            else:
+                draw = partial(self._shadow, scene, layer, depth)
+                yield _shadow_part(draw, layer.look, keeps_opacity=keeps_opacity)
+        for layer_id, _ in content.layers:
             layer = seen.get(layer_id)
             if layer is None or layer.drawing is None:
-                yield _empty_part(name, depth)
+                yield _empty_part(depth)
             else:
-                yield _cel_part(name, self.cels.cel(layer.drawing.path), scene.canvas)
+                yield _cel_part(self.cels.cel(layer.drawing.path), scene.canvas)
+
+    def _set_shadow(self, scene: Scene, shadow: SetShadow, depth: int, look: ShadowLook) -> ShadowImage:
+        return self.renderer.set_shadow(scene, replace(shadow, look=look), depth)
+
+    def _shadow(self, scene: Scene, layer: LayerScene, depth: int, look: ShadowLook) -> ShadowImage:
+        return self.renderer.shadow(scene, replace(layer, look=look), depth)
 
     def _read_background(self, path: Path) -> Cel:
         if self._background is None or self._background[0] != path:
@@ -85,34 +88,44 @@ class LayerPainter:
         return self._background[1]
 
 
-def _empty_part(name: str, depth: int) -> Part:
-    return Part(name, np.zeros((0, 0, 4), np.uint8 if depth == 8 else np.uint16), _NOTHING)
+def part_names(content: LayeredContent) -> tuple[str, ...]:
+    """Return what the parts of a frame are called, from the bottom; no two are alike.
+
+    A layer may be called as another's shadow is; the later one of the two gets a ``_`` more.
+    """
+    names = [_BACKGROUND] if content.picture.background is not None else []
+    names += [_SET_SHADOW] if content.has_set else []
+    names += [f"{name}_shadow" for _, name in content.layers]
+    names += [name for _, name in content.layers]
+    unlike: list[str] = []
+    for name in names:
+        free = name
+        while free in unlike:
+            free += "_"
+        unlike.append(free)
+    return tuple(unlike)
 
 
-def _shadow_part(name: str, drawn: ShadowImage, opacity: float, *, multiply: bool) -> Part:
+def _empty_part(depth: int) -> Part:
+    return Part("", np.zeros((0, 0, 4), np.uint8 if depth == 8 else np.uint16), _NOTHING)
+
+
+def _shadow_part(draw: Callable[[ShadowLook], ShadowImage], look: ShadowLook, *, keeps_opacity: bool) -> Part:
+    """Return a shadow; drawn in full where its opacity is kept beside it."""
+    opacity = look.opacity if keeps_opacity else 1.0
+    drawn = draw(replace(look, opacity=1.0) if keeps_opacity else look)
     if drawn.box.is_empty:
-        return Part(name, np.zeros((0, 0, 4), drawn.alpha.dtype), _NOTHING, opacity, multiply)
+        return Part("", np.zeros((0, 0, 4), drawn.alpha.dtype), _NOTHING, opacity, look.multiply)
     box = drawn.box.moved(-drawn.box.left, -drawn.box.top)
     pixels = replace(drawn, width_px=box.width, height_px=box.height, box=box).rgba()
-    return Part(name, pixels, drawn.box, opacity, multiply)
+    return Part("", pixels, drawn.box, opacity, look.multiply)
 
 
-def _cel_part(name: str, cel: Cel, canvas: Box) -> Part:
+def _cel_part(cel: Cel, canvas: Box) -> Part:
     """Return a drawing as it lies on the canvas, cut to its figure and to the canvas."""
     height, width = cel.rgba.shape[:2]
     left, top = centred_offset(canvas, width, height)
     box = cel.matte.box and cel.matte.box.moved(left, top).intersection(canvas)
     if box is None:
-        return Part(name, cel.rgba[:0, :0], _NOTHING)
-    return Part(name, cel.rgba[box.top - top : box.bottom - top, box.left - left : box.right - left], box)
-
-
-def _unlike(parts: Iterator[Part]) -> Iterator[Part]:
-    """Yield the parts under names of which no two are alike: a layer may be called as another's shadow is."""
-    taken: set[str] = set()
-    for part in parts:
-        name = part.name
-        while name in taken:
-            name += "_"
-        taken.add(name)
-        yield replace(part, name=name)
+        return Part("", cel.rgba[:0, :0], _NOTHING)
+    return Part("", cel.rgba[box.top - top : box.bottom - top, box.left - left : box.right - left], box)
