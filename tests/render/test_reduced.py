@@ -49,7 +49,7 @@ def test_the_look_is_the_same_at_a_part_of_the_resolution(
     renderer.draw_picture(evaluate(document, 3), Backdrop.WHITE)
     full = renderer.read_picture()
 
-    small = Renderer(SmallerCels(CelCache(), document.canvas.box, divisor), divisor)
+    small = Renderer(SmallerCels(CelCache(), document.canvas.box, divisor), divisor=divisor)
     small.draw_picture(evaluate(scaled(document, divisor), 3), Backdrop.WHITE)
     drawn = small.read_picture()
     small.close()

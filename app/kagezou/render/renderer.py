@@ -21,11 +21,12 @@ from kagezou.render.shadow_layers import Coverage, ShadowLayers
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
-MATTE_BUDGET_BYTES = 128 << 20
+MATTE_BUDGET_BYTES = 256 << 20
 _SQUARE_PX = 16
 """The checkered backdrop's, canvas px."""
 
 _DEPTHS = {8: np.uint8, 16: np.uint16}
+_MOST_COVERED = 65535
 
 
 class Renderer:
@@ -96,6 +97,10 @@ class Renderer:
             )
         box = coverage.box
         switches, uniforms = look_uniforms(cast, look, box)
+        if not switches:
+            covered = coverage.target.read(box)
+            check("drawing a shadow")
+            return ShadowImage(canvas.width, canvas.height, look.color, _alpha_of(covered, look.opacity, depth), box)
         forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
         target = self._shaded_target(canvas, forms[depth != 8])
         if look.tip:
@@ -222,3 +227,10 @@ class Renderer:
         if target is None:
             target = self._shaded[form] = Target(canvas.width, canvas.height, form)
         return target
+
+
+def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
+    """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
+    most = (1 << depth) - 1
+    alpha: Steps = np.rint(covered * np.float32(opacity * most / _MOST_COVERED)).astype(_DEPTHS[depth])
+    return alpha

@@ -7,7 +7,7 @@ from PySide6.QtCore import QThread, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from kagezou.errors import Problem
-from kagezou.ui.export_plan import ExportOutcome, Work
+from kagezou.ui.export_work import ExportOutcome, Work
 from kagezou.ui.icons import icon
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.offscreen_context import OffscreenSurface

@@ -9,7 +9,8 @@ from kagezou.document.style import apply_style
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.command_search import CommandSearch
 from kagezou.ui.export_dialog import ExportDialog
-from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan, work_of
+from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan
+from kagezou.ui.export_work import work_of
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
@@ -163,7 +164,8 @@ def _export(window: "MainWindow") -> None:
     folder = Path(settings.folder("export")) if settings.folder("export") else beside
     place = Place(folder / f"{name}_export", path, name)
     document = window.desk.bridge.document
-    dialog = ExportDialog(document, loads_plan(settings.word("export_plan", "")), place, window)
+    plan = loads_plan(settings.word("export_plan", ""))
+    dialog = ExportDialog(document, plan, place, settings.preset_folder, window)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
 
     def start(plan: ExportPlan, chosen: Place) -> None:
