@@ -70,6 +70,7 @@ class ExportDialog(QDialog):
         self.options.changed.connect(lambda what: self.change(**what))
         self.show_plan(self.plan)
         self.presets.reload()
+        self.go.setFocus()
 
     def show_plan(self, plan: ExportPlan) -> None:
         """Stand as a plan says, as far as this document and this machine allow."""

@@ -66,6 +66,7 @@ class ExportOptions(QWidget):
         self.depth_box.activated.connect(lambda: self.changed.emit({"depth": self.depth_box.currentData()}))
         self.video_box.activated.connect(lambda: self.changed.emit({"video_layer": self.video_box.currentData()}))
         row = QHBoxLayout()
+        row.setSpacing(GAP_PX)
         row.addWidget(self.format_box, 1)
         row.addWidget(self.depth_box)
         self.labels = (QLabel(self.tr("Format")), QLabel(self.tr("Picture")))
