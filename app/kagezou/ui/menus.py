@@ -19,6 +19,7 @@ _ON_KEYS = (
     *("set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete", _SEPARATOR),
     *("ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
 )
+_ADD_TO_SET = ("add_wall", "add_box", "add_steps", "add_ramp", "add_cylinder", "add_sphere")
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
@@ -97,6 +98,10 @@ class Menus(QObject):
         """Fill a menu with what can be done to the selected keys."""
         self._fill(menu, _ON_KEYS)
 
+    def fill_set(self, menu: QMenu) -> None:
+        """Fill a menu with the pieces that can be added to the set."""
+        self._fill(menu, _ADD_TO_SET)
+
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
         bar = QToolBar(self.tr("Tools"), self._window)
@@ -125,6 +130,7 @@ class Menus(QObject):
             bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
+        self._menu(bar, self.tr("&Set"), [*_ADD_TO_SET, _SEPARATOR, "duplicate_piece", "remove_piece"])
         bar.addMenu(self.view)
         self._build_view()
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])

@@ -43,7 +43,7 @@ def connect_project(window: "MainWindow") -> None:
         "undo": lambda: session().undo(),
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(window),
-        "rename_layer": window.layers.rename_current,
+        "rename_layer": lambda: _rename(window),
         "about": lambda: about_dialog(window, window.viewport.device).open(),
     }.items():
         actions.on(name, do)
@@ -169,6 +169,10 @@ def _export(window: "MainWindow") -> None:
 
     dialog.chosen.connect(start)
     dialog.open()
+
+
+def _rename(window: "MainWindow") -> None:
+    (window.set_list if window.desk.bridge.piece_id else window.layers).rename_current()
 
 
 def _delete(window: "MainWindow") -> None:

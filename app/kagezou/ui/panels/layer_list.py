@@ -1,6 +1,6 @@
 """The list of layers: choose, show and hide, rename, reorder by dragging, remove, add."""
 
-from PySide6.QtCore import QItemSelection, QPoint, Qt, Signal
+from PySide6.QtCore import QItemSelection, QModelIndex, QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -73,7 +73,8 @@ class LayerList(QWidget):
 
     def rename_current(self) -> None:
         """Begin to type another name for the chosen layer."""
-        self.view.edit(self.view.currentIndex())
+        if self.view.currentIndex().isValid():
+            self.view.edit(self.view.currentIndex())
 
     def _lay_out(self) -> None:
         self._empty = QLabel(self.tr("No layers yet.\nDrop a folder of cels here."))
@@ -108,7 +109,9 @@ class LayerList(QWidget):
         self._pages.setCurrentIndex(0 if self.model.rowCount() else 1)
         self._remove.setEnabled(self._bridge.layer_id is not None)
         row = self.model.row_of(self._bridge.layer_id)
-        if row is not None and row != self.view.currentIndex().row():
+        if row is None:
+            self.view.setCurrentIndex(QModelIndex())
+        elif row != self.view.currentIndex().row():
             self.view.setCurrentIndex(self.model.index(row))
 
     def _open_menu(self, at: QPoint) -> None:

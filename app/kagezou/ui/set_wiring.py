@@ -1,0 +1,33 @@
+"""Who tells whom about the set: its commands, its list, and what they are about."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from kagezou.ui.message_bar import Severity
+from kagezou.ui.set_commands import KINDS
+
+if TYPE_CHECKING:
+    from kagezou.ui.main_window import MainWindow
+
+
+def connect_set(window: "MainWindow") -> None:
+    """Connect the commands of the set and the list of its pieces."""
+    actions, commands, pieces, bridge = window.actions_of, window.set_commands, window.set_list, window.desk.bridge
+    for kind in KINDS:
+        actions.on(f"add_{kind}", partial(commands.add, kind))
+    actions.on("duplicate_piece", commands.duplicate)
+    actions.on("remove_piece", commands.remove)
+    # The list of pieces answers for itself what elsewhere is about keys and layers.
+    actions.on("delete", commands.remove, within=pieces)
+
+    def follow() -> None:
+        for kind in KINDS:
+            actions[f"add_{kind}"].setEnabled(not window.desk.is_blank)
+        for name in ("duplicate_piece", "remove_piece"):
+            actions[name].setEnabled(bridge.piece_id is not None)
+
+    for refusal in (commands.refused, pieces.model.refused):
+        refusal.connect(lambda sentence: window.bar.say("set", sentence, Severity.NOTE))
+    bridge.document_changed.connect(follow)
+    bridge.selection_changed.connect(follow)
+    follow()
