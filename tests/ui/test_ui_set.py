@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import set_properties as s
@@ -163,17 +163,16 @@ class TestInspector:
         track = track_of(bridge.document, Address(s.PIECE_WIDTH, piece_id="piece-1"))
         assert [(key.frame, key.value) for key in track.keys] == [(1, 321.0)]
 
-    def test_the_shadow_of_the_set_stands_right_below_the_piece(self, standing: MainWindow) -> None:
+    def test_the_shadow_of_the_set_stands_right_below_the_piece(self, qtbot: QtBot, standing: MainWindow) -> None:
         def top(widget: QWidget) -> int:
-            QApplication.processEvents()
             return widget.mapTo(standing.inspector, QPoint()).y()
 
         color, fov = (standing.inspector.row(name).editor for name in ("set.shadow.color", "camera.fov"))
-        assert top(standing.inspector.row("casts").editor) < top(color) < top(fov)
+        qtbot.waitUntil(lambda: top(standing.inspector.row("casts").editor) < top(color) < top(fov))
         standing.desk.bridge.session.select("layer-1")
         assert standing.inspector.owner is None
         assert self.shown(standing) == []
-        assert top(color) > top(fov)
+        qtbot.waitUntil(lambda: top(color) > top(fov))
 
     def test_a_piece_that_goes_takes_its_rows_with_it(self, standing: MainWindow) -> None:
         standing.desk.bridge.session.undo()
