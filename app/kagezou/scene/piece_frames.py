@@ -9,6 +9,7 @@ from kagezou.document.property import Property
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
 from kagezou.geometry.piece_shapes import stand_on
+from kagezou.geometry.piece_wires import Measures
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,28 +18,23 @@ class PieceFrame:
 
     Parameters
     ----------
-    id, kind
-        Which piece, and what it is.
+    id
+        Which piece.
     stand
         Its own frame on the ground: u along its width, v out of its front.
-    width_px, height_px, depth_px
-        Its sizes, world px.
+    measures
+        What it is made from.
     scale
         World px for one canvas px at the depth where it stands.
-    angle_deg, lean_deg, count
-        The properties of the same names.
+    angle_deg
+        Its turn against the ground line.
     """
 
     id: str
-    kind: str
     stand: Plane
-    width_px: float
-    height_px: float
-    depth_px: float
+    measures: Measures
     scale: float
     angle_deg: float
-    lean_deg: float
-    count: int
 
 
 def piece_frame(piece: Piece, frame: float, camera: Camera, ground: Plane) -> PieceFrame | None:
@@ -52,18 +48,15 @@ def piece_frame(piece: Piece, frame: float, camera: Camera, ground: Plane) -> Pi
         return None
     scale = float(camera.canvas_from_world()[2] @ (*place, 1.0))
     angle = _number(piece, lines.PIECE_ANGLE, frame)
-    return PieceFrame(
-        id=piece.id,
+    measures = Measures(
         kind=str(_value(piece, lines.PIECE_KIND, frame)),
-        stand=stand_on(ground, place, angle),
         width_px=_number(piece, lines.PIECE_WIDTH, frame) * scale,
         height_px=_number(piece, lines.PIECE_HEIGHT, frame) * scale,
         depth_px=_number(piece, lines.PIECE_DEPTH, frame) * scale,
-        scale=scale,
-        angle_deg=angle,
         lean_deg=_number(piece, lines.PIECE_LEAN, frame),
         count=round(_number(piece, lines.PIECE_COUNT, frame)),
     )
+    return PieceFrame(piece.id, stand_on(ground, place, angle), measures, scale, angle)
 
 
 def _value(piece: Piece, line: Property, frame: float) -> Value:

@@ -3,13 +3,14 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
+from math import dist
 from types import MappingProxyType
 
 from kagezou.document import set_properties as lines
-from kagezou.document.address import Address, value_of
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
-from kagezou.geometry.vectors import Point2, Vector3, dot
+from kagezou.geometry.vectors import Vector3, dot
+from kagezou.scene.piece_frames import piece_frame
 from kagezou.tools.setting import Setting
 from kagezou.tools.shadow import tip_of
 from kagezou.tools.sight import MIN_DEPTH, between, depth_of, moved, seen
@@ -25,12 +26,12 @@ _MEASURES = MappingProxyType({
 })  # fmt: skip
 """How wide, high and deep a new piece is, in figure heights."""
 
-_BEHIND = (0.25, 0.7, 0.0, 1.2)
+_BEHIND = (0.25, 0.8, 0.0, 1.4)
 _BEHIND_OF_WALL = (0.45, 0.8, 0.25, 1.3)
 _GROWN = (1.0, 0.7, 0.45)
 _CLEARANCE = 0.12
-_APART = 0.1
-"""Of a figure height: a piece nearer than this to another one is not told apart from it."""
+_CROWDED = 0.5
+"""How much less a place is worth on which something stands already."""
 
 _ENOUGH_OF_WALL, _ENOUGH = 0.5, 0.97
 """How much of a new piece should lie on the canvas."""
@@ -50,11 +51,11 @@ class _Figure:
 
 @dataclass(frozen=True, slots=True)
 class _Spot:
-    """A place of the ground, the size of the piece there, and which part of it would be on the canvas."""
+    """A place of the ground, the size of the piece there, and its worth: which part of it would be on the canvas."""
 
     place: Vector3
     size: tuple[float, float, float]
-    on_canvas: float
+    worth: float
 
 
 def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, name: str) -> tuple[Document, str]:
@@ -85,15 +86,15 @@ def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, 
 
 
 def _best_spot(setting: Setting, kind: str) -> _Spot | None:
-    """Return the first spot that shows enough of the piece, else the one that shows most; None where none is seen."""
+    """Return the first spot that is good enough, else the best; None where a piece would be seen nowhere."""
     enough = _ENOUGH_OF_WALL if kind == "wall" else _ENOUGH
     best: _Spot | None = None
     for spot in _spots(setting, kind):
-        if best is None or spot.on_canvas > best.on_canvas:
+        if best is None or spot.worth > best.worth:
             best = spot
-        if best.on_canvas >= enough:
+        if best.worth >= enough:
             break
-    return best if best is not None and best.on_canvas > 0 else None
+    return best if best is not None and best.worth > 0 else None
 
 
 def _spots(setting: Setting, kind: str) -> Iterator[_Spot]:
@@ -101,20 +102,17 @@ def _spots(setting: Setting, kind: str) -> Iterator[_Spot]:
     measures = _MEASURES.get(kind, _MEASURES["box"])
     first = _shadow_side(setting)
     is_wall = kind == "wall"
-    ways = product(_GROWN, _BEHIND_OF_WALL if is_wall else _BEHIND, (0.0,) if is_wall else (first, -first))
-    taken = [_position(setting, piece_id) for piece_id in (piece.id for piece in setting.document.pieces)]
-    for grown, behind, side in ways:
+    behind_it = _BEHIND_OF_WALL if is_wall else _BEHIND
+    taken = tuple(_taken(setting, is_wall=is_wall))
+    for grown, behind, side in product(_GROWN, behind_it, (0.0,) if is_wall else (first, -first)):
         width, height, depth = (figure.height * part * grown for part in measures)
         aside = side * (figure.half_width + width / 2 + _CLEARANCE * figure.height)
         place = moved(figure.foot, (aside, ground.u), (-behind * figure.height, ground.v))
         if depth_of(camera, place) <= MIN_DEPTH:
             continue
-        x, y = seen(camera, place)
-        near = _APART * figure.height / depth_of(camera, place)
-        if any(abs(x - at[0]) < near and abs(y - at[1]) < near for at in taken):
-            continue
-        size = (width, height, depth)
-        yield _Spot(place, size, _part_on_canvas(setting, place, size))
+        size, reach = (width, height, depth), (depth if is_wall else max(width, depth)) / 2
+        is_crowded = any(dist(place, at) < reach + room for at, room in taken)
+        yield _Spot(place, size, _part_on_canvas(setting, place, size) * (_CROWDED if is_crowded else 1.0))
 
 
 def _figure(setting: Setting) -> _Figure:
@@ -132,10 +130,13 @@ def _shadow_side(setting: Setting) -> float:
     return -1.0 if tip is not None and dot(between(setting.contact, tip), setting.ground.u) < 0 else 1.0
 
 
-def _position(setting: Setting, piece_id: str) -> Point2:
-    value = value_of(setting.document, Address(lines.PIECE_POSITION, piece_id=piece_id), setting.frame)
-    x, y = (part for part in value if isinstance(part, float)) if isinstance(value, tuple) else (0.0, 0.0)
-    return (x, y)
+def _taken(setting: Setting, *, is_wall: bool) -> Iterator[tuple[Vector3, float]]:
+    """Yield where the other pieces stand and how far they reach; a wall has things before it, but no second wall."""
+    for piece in setting.document.pieces:
+        found = piece_frame(piece, setting.frame, setting.camera, setting.ground)
+        if found is not None and (found.measures.kind == "wall") == is_wall:
+            sizes = (found.measures.depth_px,) if is_wall else (found.measures.width_px, found.measures.depth_px)
+            yield found.stand.origin, max(sizes) / 2
 
 
 def _part_on_canvas(setting: Setting, place: Vector3, size: tuple[float, float, float]) -> float:

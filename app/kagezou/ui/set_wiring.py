@@ -31,3 +31,10 @@ def connect_set(window: "MainWindow") -> None:
     bridge.document_changed.connect(follow)
     bridge.selection_changed.connect(follow)
     follow()
+
+
+def remove_touched(window: "MainWindow") -> None:
+    """Take the set piece away of which something is selected in the picture."""
+    selected = window.viewport.hand.handles.find(window.viewport.hand.selected_id)
+    if window.viewport.hasFocus() and selected is not None and selected.piece_id is not None:
+        window.set_commands.remove()

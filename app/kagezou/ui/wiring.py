@@ -13,6 +13,7 @@ from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan, wo
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
+from kagezou.ui.set_wiring import remove_touched
 from kagezou.ui.viewport.stage import Broken
 from kagezou.ui.words import said
 
@@ -178,5 +179,5 @@ def _rename(window: "MainWindow") -> None:
 def _delete(window: "MainWindow") -> None:
     if window.layers.view.hasFocus():
         window.layers.remove_current()
-    elif window.viewport.hasFocus() or not window.keys.delete():
-        window.viewport.hand.delete_selected()
+    elif (window.viewport.hasFocus() or not window.keys.delete()) and not window.viewport.hand.delete_selected():
+        remove_touched(window)
