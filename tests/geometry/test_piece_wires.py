@@ -44,7 +44,7 @@ def walked_within(bodies: tuple[Body, ...], start: Matrix, eye: Vector4, size: f
 def middle_of(wire: Wire) -> Matrix:
     """Return a point truly on a wire: the corner nearest to its middle, or the middle of a straight one."""
     points = np.array(wire.points)
-    return points[len(points) // 2] if len(points) > 2 else points.mean(axis=0)
+    return np.asarray(points[len(points) // 2] if len(points) > 2 else points.mean(axis=0), np.float64)
 
 
 @settings(max_examples=60)

@@ -208,6 +208,8 @@ def set_commands() -> tuple[Command, ...]:
         Command("add_ramp", translate("Commands", "Add &Ramp"), (), "ramp"),
         Command("add_cylinder", translate("Commands", "Add &Cylinder"), (), "cylinder"),
         Command("add_sphere", translate("Commands", "Add S&phere"), (), "sphere"),
+        Command("draw_corner", translate("Commands", "Draw &Ground and Wall Line"), (), "corner"),
+        Command("draw_wall", translate("Commands", "Draw Wall &Line"), (), ""),
         Command("duplicate_piece", translate("Commands", "&Duplicate Set Piece"), ("Ctrl+D",), "duplicate"),
         Command("remove_piece", translate("Commands", "Re&move Set Piece"), (), "remove"),
     )

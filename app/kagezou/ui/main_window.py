@@ -36,6 +36,7 @@ from kagezou.ui.status import Status
 from kagezou.ui.time_wiring import connect_curves, connect_jumps, connect_keys, connect_playback, connect_timeline
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.transport import Transport
+from kagezou.ui.viewport.corner_sheet import CornerSheet
 from kagezou.ui.viewport.onion_skin import OnionSkin
 from kagezou.ui.viewport.sheets import Guides, Snapshot
 from kagezou.ui.viewport.viewport import Viewport
@@ -121,7 +122,8 @@ class MainWindow(QMainWindow):
 
     def show_handles(self) -> None:
         """Show the handles if they are wanted; while the cut runs they would only stand in the way of seeing it."""
-        shown = self.actions_of["handles"].isChecked() and not self.player.is_playing
+        is_free = not self.player.is_playing and not self.corner_sheet.is_on
+        shown = self.actions_of["handles"].isChecked() and is_free
         self.viewport.show_handles(shown=shown)
 
     def close_unasked(self) -> None:
@@ -200,6 +202,7 @@ class MainWindow(QMainWindow):
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
         self.menus = Menus(self, self.actions_of)
         self.set_commands = SetCommands(bridge)
+        self.corner_sheet = CornerSheet(self.viewport, bridge, self.space)
         self.set_list = SetList(bridge, self.set_commands, self.menus.fill_set)
         self.curves = CurvesPanel(bridge, self.menus.fill_keys)
         self.keyboard = Keyboard(self, self.actions_of, self.settings, self.bar)

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.set_commands import KINDS
+from kagezou.ui.viewport.corner_sheet import Stroke
 
 if TYPE_CHECKING:
     from kagezou.ui.main_window import MainWindow
@@ -20,17 +21,29 @@ def connect_set(window: "MainWindow") -> None:
     # The list of pieces answers for itself what elsewhere is about keys and layers.
     actions.on("delete", commands.remove, within=pieces)
 
+    actions.on("draw_corner", lambda: _draw(window, Stroke.GROUND))
+    actions.on("draw_wall", lambda: _draw(window, Stroke.WALL))
+    window.corner_sheet.turned.connect(window.show_handles)
+    needing_a_picture = (*(f"add_{kind}" for kind in KINDS), "draw_corner", "draw_wall")
+
     def follow() -> None:
-        for kind in KINDS:
-            actions[f"add_{kind}"].setEnabled(not window.desk.is_blank)
+        for name in needing_a_picture:
+            actions[name].setEnabled(not window.desk.is_blank)
         for name in ("duplicate_piece", "remove_piece"):
             actions[name].setEnabled(bridge.piece_id is not None)
 
-    for refusal in (commands.refused, pieces.model.refused):
+    for refusal in (commands.refused, pieces.model.refused, window.corner_sheet.refused):
         refusal.connect(lambda sentence: window.bar.say("set", sentence, Severity.NOTE))
     bridge.document_changed.connect(follow)
     bridge.selection_changed.connect(follow)
     follow()
+
+
+def _draw(window: "MainWindow", stroke: Stroke) -> None:
+    window.player.stop()
+    window.viewport.hand.cancel()
+    window.viewport.hand.hover(None)
+    window.corner_sheet.begin(stroke)
 
 
 def remove_touched(window: "MainWindow") -> None:
