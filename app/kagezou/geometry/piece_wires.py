@@ -18,7 +18,9 @@ from kagezou.geometry.pieces import Ball, Body, Drum, Solid, vector
 from kagezou.geometry.vectors import Matrix, Vector3, Vector4
 
 RIM_PARTS = 48
-_STEP_PARTS = 16
+_STEP_PARTS = 48
+"""Into how many parts the edges of all steps together are looked at, along each of their directions."""
+
 _TOUCH = 1e-4
 """A sight line that crosses a body for less than this part of its size only touches it."""
 
@@ -78,7 +80,8 @@ def wires_of(stand: Plane, measures: Measures, eye: Vector4) -> tuple[Wire, ...]
             return (rim, *_split([girth], (ball,), eye, w))
         case "steps":
             solids = shapes.steps(stand, w, d, h, measures.count)
-            edges = _drawn_out(stand, w, _steps_profile(d, h, measures.count), _STEP_PARTS)
+            parts = max(_STEP_PARTS // measures.count, 2)
+            edges = _drawn_out(stand, w, _steps_profile(d, h, measures.count), parts)
             return _split(edges, solids, eye, w + h + d)
         case "ramp":
             edges = _drawn_out(stand, w, [(d / 2, 0.0), (-d / 2, h), (-d / 2, 0.0)], 1)
@@ -176,20 +179,21 @@ def _crossed(body: Body, points: Matrix, eye: Vector4) -> Matrix:
     planes = [facet.equation for facet in body.facets] if isinstance(body, Solid) else []
     if isinstance(body, Drum):
         planes = list(body.ends)
-    for *normal, offset in planes:
-        begin, end = _beyond(points @ np.array(normal) + offset, ways @ np.array(normal), begin, end)
+    if planes:
+        normals, offsets = np.array(planes)[:, :3].T, np.array(planes)[:, 3]
+        begin, end = _under(points @ normals + offsets, ways @ normals, begin, end)
     if isinstance(body, Ball | Drum):
         begin, end = _within(body.quadric, points, ways, begin, end)
     return np.maximum(end - begin, 0.0)
 
 
-def _beyond(heights: Matrix, rises: Matrix, begin: Matrix, end: Matrix) -> tuple[Matrix, Matrix]:
-    """Return the part of each way from ``begin`` to ``end`` that is not over a plane."""
+def _under(heights: Matrix, rises: Matrix, begin: Matrix, end: Matrix) -> tuple[Matrix, Matrix]:
+    """Return the part of each way from ``begin`` to ``end`` over none of the planes; heights are (N, planes)."""
     level = np.abs(rises) < 1e-9
-    crossing = -heights / np.where(level, 1.0, rises)
-    begin = np.where(~level & (rises < 0), np.maximum(begin, crossing), begin)
-    end = np.where(~level & (rises > 0), np.minimum(end, crossing), end)
-    return begin, np.where(level & (heights > -1e-6), begin, end)
+    crossings = -heights / np.where(level, 1.0, rises)
+    begin = np.maximum(begin, np.where(~level & (rises < 0), crossings, 0.0).max(axis=1))
+    end = np.minimum(end, np.where(~level & (rises > 0), crossings, np.inf).min(axis=1))
+    return begin, np.where((level & (heights > -1e-6)).any(axis=1), begin, end)
 
 
 def _within(form: Matrix, points: Matrix, ways: Matrix, begin: Matrix, end: Matrix) -> tuple[Matrix, Matrix]:

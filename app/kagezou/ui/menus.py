@@ -20,7 +20,7 @@ _ON_KEYS = (
     *("ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
 )
 _ADD_TO_SET = ("add_wall", "add_box", "add_steps", "add_ramp", "add_cylinder", "add_sphere")
-_ON_SET = ("draw_corner", "draw_wall", "", "duplicate_piece", "remove_piece")
+_DRAW = ("draw_corner", "draw_wall")
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
@@ -101,7 +101,7 @@ class Menus(QObject):
 
     def fill_set(self, menu: QMenu) -> None:
         """Fill a menu with the pieces that can be added to the set."""
-        self._fill(menu, _ADD_TO_SET)
+        self._fill(menu, [*_ADD_TO_SET, _SEPARATOR, *_DRAW])
 
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
@@ -131,7 +131,9 @@ class Menus(QObject):
             bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
-        self._menu(bar, self.tr("&Set"), [*_ADD_TO_SET, _SEPARATOR, *_ON_SET])
+        self._menu(
+            bar, self.tr("&Set"), [*_ADD_TO_SET, _SEPARATOR, *_DRAW, _SEPARATOR, "duplicate_piece", "remove_piece"]
+        )
         bar.addMenu(self.view)
         self._build_view()
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])
