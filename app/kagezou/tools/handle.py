@@ -65,8 +65,9 @@ class Handle:
     id
         Stable while the same thing is edited: ``light.lamp``, ``light.foot``, ``light.sun``, ``ground.position``,
         ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``filter.distance``, ``filter.wave1``,
-        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …, and of the set piece worked on ``piece.position``,
-        ``piece.turn``, ``piece.width``, ``piece.depth``, ``piece.height``, ``piece.lean``.
+        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …, ``match.horizon``, ``match.horizon_end``,
+        ``match.end.0`` …, and of the set piece worked on ``piece.position``, ``piece.turn``, ``piece.width``,
+        ``piece.depth``, ``piece.height``, ``piece.lean``.
     shape
         Its look, of constant size on screen.
     canvas_px
@@ -138,6 +139,13 @@ class GuideKind(StrEnum):
     LEAN_ARM = "lean-arm"
     """A wall seen from its side."""
     LEAN_ARC = "lean-arc"
+    FLOOR_FIRST = "floor-first"
+    """An edge of the floor in the background picture."""
+    FLOOR_SECOND = "floor-second"
+    """One square to it."""
+    FLOOR_RAY = "floor-ray"
+    """From an edge to where it vanishes."""
+    HORIZON = "horizon"
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +163,8 @@ class HandleSet:
 
     handles: tuple[Handle, ...] = ()
     guides: tuple[Guide, ...] = ()
+    note: Words | None = None
+    """What keeps the handles from having an effect now."""
 
     def find(self, handle_id: str | None) -> Handle | None:
         """Return the handle with this id, None where it is not shown now."""

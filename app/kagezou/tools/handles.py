@@ -3,7 +3,7 @@
 from types import MappingProxyType
 
 from kagezou.document.model import Document
-from kagezou.tools import filters, ground, grounding, light, set_piece, set_size, shadow, sun, tilt
+from kagezou.tools import filters, ground, grounding, light, matching, set_piece, set_size, shadow, sun, tilt
 from kagezou.tools.drag import Drag, Move, dragging
 from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.pointer import Modifiers, Pointer
@@ -33,6 +33,9 @@ _MOVES: MappingProxyType[str, Move] = MappingProxyType(
         set_size.WIDTH: set_size.move_size,
         set_size.DEPTH: set_size.move_size,
         set_size.HEIGHT: set_size.move_size,
+        matching.END: matching.move_end,
+        matching.HORIZON: matching.move_horizon,
+        matching.HORIZON_END: matching.move_horizon_end,
     }
 )
 
@@ -50,6 +53,12 @@ def handles_of(
         tuple(handle for room in _ROOMS for handle in room.handles(setting)),
         tuple(guide for room in _ROOMS for guide in room.guides(setting)),
     )
+
+
+def matching_handles_of(document: Document, frame: int, view: View) -> HandleSet:
+    """Return what lies over the picture while the camera is matched to it."""
+    setting = Setting.of(document, frame, None, view)
+    return HandleSet(matching.handles(setting), matching.guides(setting), matching.note_of(setting))
 
 
 def drag_of(handle: Handle, document: Document, frame: int, view: View) -> Drag:

@@ -41,6 +41,7 @@ def connect_set(window: "MainWindow") -> None:
 
 def _draw(window: "MainWindow", stroke: Stroke) -> None:
     window.player.stop()
+    window.actions_of["match_camera"].setChecked(False)
     window.viewport.hand.cancel()
     window.viewport.hand.hover(None)
     window.corner_sheet.begin(stroke)

@@ -11,7 +11,7 @@ from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
 from kagezou.tools.grounding import add_grounding, remove_grounding
 from kagezou.tools.handle import Handle, HandleSet, hit
-from kagezou.tools.handles import drag_of, handles_of, nudge
+from kagezou.tools.handles import drag_of, handles_of, matching_handles_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.bridge import Bridge
@@ -52,6 +52,8 @@ class Hand(QObject):
     changed = Signal()
     refused = Signal(str)
     """What was asked for cannot be done, with the sentence that says why."""
+    laid_down = Signal()
+    """Escape while nothing was held: what the hand was given for a while may be put away."""
 
     def __init__(self, bridge: Bridge, viewpoint: Viewpoint) -> None:
         super().__init__()
@@ -65,6 +67,7 @@ class Hand(QObject):
         self.selected_id: str | None = None
         self.place_px: Point2 | None = None
         self.typed = ""
+        self._is_matching = False
         bridge.session_replaced.connect(self._drop)
         bridge.selection_changed.connect(self._keep_to_what_is_there)
 
@@ -84,8 +87,17 @@ class Hand(QObject):
         bridge = self._bridge
         made_of = (bridge.document, bridge.frame, bridge.layer_id, self._viewpoint.view, bridge.piece_id)
         if self._seen is None or not _same(self._seen.made_of, made_of):
-            self._seen = _Seen(made_of, handles_of(*made_of))
+            document, frame, _, view, _ = made_of
+            found = matching_handles_of(document, frame, view) if self._is_matching else handles_of(*made_of)
+            self._seen = _Seen(made_of, found)
         return self._seen.handles
+
+    def match_camera(self, *, on: bool) -> None:
+        """Take up the lines and the horizon by which the camera is matched, instead of everything else; or lay down."""
+        self._let_go(keep=False)
+        self._is_matching, self._seen = on, None
+        self.hovered_id = self.selected_id = None
+        self.changed.emit()
 
     @property
     def words(self) -> str:
@@ -95,6 +107,8 @@ class Hand(QObject):
             if self.typed:
                 return f"{said(held.handle.label)}  {self.typed}"
             language = "ja" if is_japanese() else "en"
+            if self.handles.note is not None:
+                return said(self.handles.note)
             return readout(held.handle, held.gesture.start, self._bridge.document, held.frame, language)
         hovered = self.handles.find(self.hovered_id)
         return self.pieces.name if hovered is None else said(hovered.label)
@@ -105,7 +119,7 @@ class Hand(QObject):
         self.place_px = report.view_px if report else None
         found = self._hit(report) if report else None
         self.hovered_id = found.id if found else None
-        self.pieces.hover(None if found else report)
+        self.pieces.hover(None if found or self._is_matching else report)
         if self._touched != before:
             self.changed.emit()
 
@@ -113,7 +127,7 @@ class Hand(QObject):
         """Take hold of the handle under the pointer, or of the set piece whose outline it is on; false without any."""
         self.end_nudge()
         handle = self._hit(report)
-        if handle is None and self.pieces.choose(report):
+        if handle is None and not self._is_matching and self.pieces.choose(report):
             handle = self.handles.find(POSITION)
         self.selected_id = handle.id if handle else None
         if handle is not None:
@@ -147,13 +161,19 @@ class Hand(QObject):
         self._let_go(keep=True)
 
     def cancel(self) -> bool:
-        """Let go and restore what was; without a drag let go of the selected handle. False where there was neither."""
+        """Let go and restore what was; without a drag let go of the selected handle, then of the lines of a match.
+
+        False where there was none of it.
+        """
         if self._held is not None:
             self._let_go(keep=False)
             return True
         if self.selected_id is not None:
             self.selected_id = None
             self.changed.emit()
+            return True
+        if self._is_matching:
+            self.laid_down.emit()
             return True
         return False
 
@@ -188,7 +208,7 @@ class Hand(QObject):
         """Add a grounding point under the pointer and select it; false without a layer or on a handle."""
         self.pieces.go_back()
         layer_id = self._bridge.layer_id
-        if layer_id is None or self._hit(report) is not None:
+        if layer_id is None or self._is_matching or self._hit(report) is not None:
             return False
         canvas_px = self._viewpoint.view.canvas_from_view(report.view_px)
         try:
