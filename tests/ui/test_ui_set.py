@@ -136,6 +136,14 @@ class TestList:
         assert (index.data(PieceRole.KIND), index.data(PieceRole.IS_PRESENT)) == ("wall", True)
 
 
+def test_no_style_is_offered_while_there_is_no_character_to_put_it_on(standing: MainWindow) -> None:
+    states = [standing.styles.isEnabled()]
+    standing.desk.bridge.session.select("layer-1")
+    states.append(standing.styles.isEnabled())
+    standing.desk.clear()
+    assert [*states, standing.styles.isEnabled()] == [False, True, False]
+
+
 class TestInspector:
     def shown(self, window: MainWindow) -> list[str]:
         rows = [row for row in window.inspector.rows if row.address.piece_id is not None]

@@ -29,6 +29,8 @@ def connect_set(window: "MainWindow") -> None:
     def follow() -> None:
         for name in needing_a_picture:
             actions[name].setEnabled(not window.desk.is_blank)
+        # Styles are looks of a character's shadow.
+        window.styles.setEnabled(bridge.layer_id is not None)
         for name in ("duplicate_piece", "remove_piece"):
             actions[name].setEnabled(bridge.piece_id is not None)
 
