@@ -109,8 +109,8 @@ class CornerSheet(Sheet):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         bridge, view = self._bridge, self._viewpoint.view
-        first = bridge.document.pieces[0].id if bridge.document.pieces else None
-        for guide in handles_of(bridge.document, bridge.frame, None, view, first).guides:
+        newest = bridge.document.pieces[-1].id if bridge.document.pieces else None
+        for guide in handles_of(bridge.document, bridge.frame, None, view, newest).guides:
             if guide.kind in _SHOWN:
                 paint_guide(painter, guide, view, QRectF(self.rect()))
         if self._line is not None:
