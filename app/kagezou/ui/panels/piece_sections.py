@@ -16,16 +16,17 @@ from kagezou.ui.words import choice_word
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
 
+_DEEP = ("box", "steps", "ramp")
 _ONLY_FOR = {
     lines.PIECE_LEAN: ("wall",),
+    lines.PIECE_WIDTH: ("wall", *_DEEP, "cylinder", "sphere"),
+    lines.PIECE_HEIGHT: ("wall", *_DEEP, "cylinder"),
+    lines.PIECE_DEPTH: _DEEP,
     lines.PIECE_COUNT: ("steps",),
 }
-_NOT_FOR = {
-    lines.PIECE_DEPTH: ("wall", "cylinder", "sphere"),
-    lines.PIECE_HEIGHT: ("sphere",),
-    lines.PIECE_ANGLE: ("cylinder", "sphere"),
-}
-"""Properties that mean nothing for some kinds of pieces and are hidden then."""
+"""Properties that mean something for these kinds alone and are hidden for all others."""
+
+_NOT_FOR = {lines.PIECE_ANGLE: ("cylinder", "sphere")}
 
 
 class PieceName(QWidget):
