@@ -64,7 +64,10 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
 
 
 def move_size(setting: Setting, handle: Handle, aim: Aim) -> Document:
-    """Draw a side out, or push it in; seen end-on, the hand's way down draws it out."""
+    """Draw a side out, or push it in; constrained, the piece keeps its proportions.
+
+    Seen end-on, the hand's way down draws it out.
+    """
     piece, line = setting.piece, _LINES[handle.id]
     if piece is None:
         return setting.document
@@ -73,7 +76,13 @@ def move_size(setting: Setting, handle: Handle, aim: Aim) -> Document:
     if size is None:
         (x, y), (across_x, across_y) = aim.offset, setting.across
         size = setting.number(line) + x * across_x + y * across_y
-    return setting.edited(line, size)
+    document = setting.edited(line, size)
+    if aim.modifiers.constrain:
+        grown = max(size, line.low) / setting.number(line)
+        for other in _LINES:
+            if other != handle.id and piece.measures.kind in _KINDS[other]:
+                document = setting.edited(_LINES[other], grown * setting.number(_LINES[other]), document)
+    return document
 
 
 def _line(piece: PieceFrame, handle_id: str) -> tuple[Vector3, Vector3]:
