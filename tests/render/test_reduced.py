@@ -63,7 +63,7 @@ def test_the_look_is_the_same_at_a_part_of_the_resolution(
 
 def test_the_checkered_backdrop_keeps_its_squares(figure: Path) -> None:
     document = standing(figure)
-    small = Renderer(SmallerCels(CelCache(), document.canvas.box, 4), 4)
+    small = Renderer(SmallerCels(CelCache(), document.canvas.box, 4), divisor=4)
     small.draw_picture(evaluate(scaled(document, 4), 1), Backdrop.CHECKER)
     row = small.read_picture()[0, :12, 0]
     small.close()

@@ -174,9 +174,7 @@ class SetPass:
         alone.clear(box)
         return drawn
 
-    def _lit(
-        self, stage: Stage, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]
-    ) -> _Lit:
+    def _lit(self, stage: Stage, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]) -> _Lit:
         view = self._mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
         meshes = None if view is None else self._mesh.lit(view, stage, light, ground, wanted)
         return _Lit(stage, light, stage.veils(light, wanted), meshes)
