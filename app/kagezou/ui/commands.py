@@ -219,6 +219,22 @@ def timeline_commands() -> tuple[Command, ...]:
     )
 
 
+def set_commands() -> tuple[Command, ...]:
+    """Return the commands about the set."""
+    return (
+        Command("add_wall", translate("Commands", "Add &Wall"), (), "wall"),
+        Command("add_box", translate("Commands", "Add &Box"), (), "box"),
+        Command("add_steps", translate("Commands", "Add &Steps"), (), "steps"),
+        Command("add_ramp", translate("Commands", "Add &Ramp"), (), "ramp"),
+        Command("add_cylinder", translate("Commands", "Add &Cylinder"), (), "cylinder"),
+        Command("add_sphere", translate("Commands", "Add S&phere"), (), "sphere"),
+        Command("draw_corner", translate("Commands", "Draw &Ground and Wall Line"), (), "corner"),
+        Command("draw_wall", translate("Commands", "Draw Wall &Line"), (), ""),
+        Command("duplicate_piece", translate("Commands", "&Duplicate Set Piece"), ("Ctrl+D",), "duplicate"),
+        Command("remove_piece", translate("Commands", "Re&move Set Piece"), (), "remove"),
+    )
+
+
 def help_commands() -> tuple[Command, ...]:
     """Return the commands that explain."""
     return (
@@ -238,6 +254,7 @@ def command_groups() -> tuple[CommandGroup, ...]:
         CommandGroup(translate("Commands", "Time"), playback_commands()),
         CommandGroup(translate("Commands", "View"), view_commands()),
         CommandGroup(translate("Commands", "Timeline"), timeline_commands()),
+        CommandGroup(translate("Commands", "Set"), set_commands()),
         CommandGroup(translate("Commands", "Window"), window_commands()),
         CommandGroup(translate("Commands", "Help"), help_commands()),
     )

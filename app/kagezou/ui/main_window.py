@@ -23,11 +23,14 @@ from kagezou.ui.message_bar import MessageBar
 from kagezou.ui.panel_layout import PanelLayout
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
+from kagezou.ui.panels.set_list import LayersAndSet, SetList
 from kagezou.ui.panels.style_list import StyleList
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
 from kagezou.ui.prefetch import Prefetch
 from kagezou.ui.project_actions import ProjectActions
+from kagezou.ui.set_commands import SetCommands
+from kagezou.ui.set_wiring import connect_set
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.status import Status
@@ -41,6 +44,7 @@ from kagezou.ui.time_wiring import (
 )
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.transport import Transport
+from kagezou.ui.viewport.corner_sheet import CornerSheet
 from kagezou.ui.viewport.onion_skin import OnionSkin
 from kagezou.ui.viewport.sheets import Guides, Snapshot
 from kagezou.ui.viewport.viewport import Viewport
@@ -86,6 +90,7 @@ class MainWindow(QMainWindow):
         self.welcome.offer_demo(offered=make_demo is not None)
         self._lay_out()
         connect_project(self)
+        connect_set(self)
         connect_view(self)
         connect_views(self)
         connect_sheets(self)
@@ -128,7 +133,8 @@ class MainWindow(QMainWindow):
 
     def show_handles(self) -> None:
         """Show the handles if they are wanted; while the cut runs they would only stand in the way of seeing it."""
-        shown = self.actions_of["handles"].isChecked() and not self.player.is_playing
+        is_free = not self.player.is_playing and not self.corner_sheet.is_on
+        shown = self.actions_of["handles"].isChecked() and is_free
         self.viewport.show_handles(shown=shown)
 
     def close_unasked(self) -> None:
@@ -206,6 +212,9 @@ class MainWindow(QMainWindow):
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
         self.menus = Menus(self, self.actions_of)
+        self.set_commands = SetCommands(bridge)
+        self.corner_sheet = CornerSheet(self.viewport, bridge, self.space)
+        self.set_list = SetList(bridge, self.set_commands, self.menus.fill_set)
         self.curves = CurvesPanel(bridge, self.menus.fill_keys)
         self.keyboard = Keyboard(self, self.actions_of, self.settings, self.bar)
 
@@ -225,7 +234,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.menus.tool_bar())
         self.setStatusBar(self.status)
         self.docks = (
-            Dock("layers", self.tr("Layers"), self.layers),
+            Dock("layers", self.tr("Layers"), LayersAndSet(self.layers, self.set_list)),
             Dock("inspector", self.tr("Inspector"), self.inspector),
             Dock("styles", self.tr("Styles"), self.styles),
             Dock("timeline", self.tr("Timeline"), self.timeline),

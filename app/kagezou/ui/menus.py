@@ -23,6 +23,8 @@ _ON_DRAWINGS = (
     *("drawing_split", "drawing_empty", "drawing_remove", _SEPARATOR, "drawing_longer", "drawing_shorter", _SEPARATOR),
     *("on_ones", "on_twos", "on_threes", "on_fours", _SEPARATOR, "drawing_copy", "drawing_paste"),
 )
+_ADD_TO_SET = ("add_wall", "add_box", "add_steps", "add_ramp", "add_cylinder", "add_sphere")
+_DRAW = ("draw_corner", "draw_wall")
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
@@ -105,6 +107,10 @@ class Menus(QObject):
         """Fill a menu with what can be done to the chosen drawings of the timeline."""
         self._fill(menu, _ON_DRAWINGS)
 
+    def fill_set(self, menu: QMenu) -> None:
+        """Fill a menu with the pieces that can be added to the set."""
+        self._fill(menu, [*_ADD_TO_SET, _SEPARATOR, *_DRAW])
+
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
         bar = QToolBar(self.tr("Tools"), self._window)
@@ -139,6 +145,9 @@ class Menus(QObject):
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
         self._menu(bar, self.tr("&Drawings"), _ON_DRAWINGS)
+        self._menu(
+            bar, self.tr("&Set"), [*_ADD_TO_SET, _SEPARATOR, *_DRAW, _SEPARATOR, "duplicate_piece", "remove_piece"]
+        )
         bar.addMenu(self.view)
         self._build_view()
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])

@@ -28,6 +28,7 @@ class Status(QStatusBar):
         for widget in (extra, self._device, self._canvas, self._zoom):
             self.addPermanentWidget(widget)
         bridge.document_changed.connect(self._show_document)
+        bridge.selection_changed.connect(self._show_document)
         self._show_document()
 
     def show_zoom(self, percent: float) -> None:
@@ -46,7 +47,11 @@ class Status(QStatusBar):
         is_blank = not document.layers and document.background is None
         for label in (self._canvas, self._zoom, self._device):
             label.setVisible(not is_blank)
-        if not document.layers:
+        if self._bridge.piece_id is not None:
+            self._hint.setText(
+                self.tr("Drag an edge to move the set piece, the arrows to size it, the lever at its front to turn it")
+            )
+        elif not document.layers:
             self._hint.setText("")
         else:
             self._hint.setText(

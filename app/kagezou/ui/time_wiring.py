@@ -47,7 +47,7 @@ def connect_jumps(window: "MainWindow") -> None:
     actions, bridge = window.actions_of, window.desk.bridge
 
     def keyed() -> tuple[int, ...]:
-        return key_frames(bridge.document, bridge.layer_id)
+        return key_frames(bridge.document, bridge.layer_id, bridge.piece_id)
 
     def drawn() -> tuple[int, ...]:
         layers = [layer for layer in bridge.document.layers if layer.id == bridge.layer_id]

@@ -13,6 +13,7 @@ from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan, wo
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
+from kagezou.ui.set_wiring import remove_touched
 from kagezou.ui.viewport.stage import Broken
 from kagezou.ui.words import said
 
@@ -43,7 +44,7 @@ def connect_project(window: "MainWindow") -> None:
         "undo": lambda: session().undo(),
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(window),
-        "rename_layer": window.layers.rename_current,
+        "rename_layer": lambda: _rename(window),
         "copy_look": window.layers.looks.copy,
         "paste_look": window.layers.looks.paste,
         "about": lambda: about_dialog(window, window.viewport.device).open(),
@@ -174,10 +175,14 @@ def _export(window: "MainWindow") -> None:
     dialog.open()
 
 
+def _rename(window: "MainWindow") -> None:
+    (window.set_list if window.desk.bridge.piece_id else window.layers).rename_current()
+
+
 def _delete(window: "MainWindow") -> None:
     if window.layers.view.hasFocus():
         window.layers.remove_current()
     elif window.timeline.lanes.hasFocus() and window.timeline.drawings.are_chosen:
         window.timeline.drawings.empty()
-    elif window.viewport.hasFocus() or not window.keys.delete():
-        window.viewport.hand.delete_selected()
+    elif (window.viewport.hasFocus() or not window.keys.delete()) and not window.viewport.hand.delete_selected():
+        remove_touched(window)

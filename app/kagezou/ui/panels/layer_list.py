@@ -77,7 +77,8 @@ class LayerList(QWidget):
 
     def rename_current(self) -> None:
         """Begin to type another name for the chosen layer."""
-        self.view.edit(self.view.currentIndex())
+        if self.view.currentIndex().isValid():
+            self.view.edit(self.view.currentIndex())
 
     def _lay_out(self) -> None:
         self._empty = QLabel(self.tr("No layers yet.\nDrop a folder of cels here."))

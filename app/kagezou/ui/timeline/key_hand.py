@@ -211,6 +211,8 @@ class KeyHand(QObject):
         row = self._rows.rows[index] if index is not None else None
         if row is not None and row.layer_id is not None and row.layer_id != self._bridge.layer_id:
             self._bridge.session.select(row.layer_id)
+        elif row is not None and row.piece_id is not None and row.piece_id != self._bridge.piece_id:
+            self._bridge.session.select_piece(row.piece_id)
 
     def _drag(self, grip: Grip, *, catches: bool) -> None:
         stretches = grip.stretches_about is not None

@@ -119,7 +119,8 @@ class RowNames(QWidget):
     def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
         height = self._rows.row_px
         if row.is_group:
-            is_chosen = row.kind is RowKind.LAYER and row.layer_id in self._bridge.layer_ids
+            about = self._bridge.layer_ids or (None,)
+            is_chosen = any(row.is_about(each, self._bridge.piece_id) for each in about)
             painter.fillRect(QRectF(0, top, self.width(), height), _CHOSEN if is_chosen else _GROUP)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(0, top + height - 1, self.width(), top + height - 1)
@@ -190,6 +191,8 @@ class RowNames(QWidget):
         session = self._bridge.session
         if row.layer_id is not None:
             session.select(row.layer_id, () if row.is_group else row.addresses)
+        elif row.piece_id is not None:
+            session.select_piece(row.piece_id, () if row.is_group else row.addresses)
         document = self._bridge.document
         session.select_keys(frozenset().union(*(all_keys(document, address) for address in row.addresses)))
 

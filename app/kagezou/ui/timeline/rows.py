@@ -49,6 +49,12 @@ class Row:
         """Whether the row sums up others."""
         return self.kind is not RowKind.PROPERTY
 
+    def is_about(self, layer_id: str | None, piece_id: str | None) -> bool:
+        """Whether it stands for the layer or the set piece worked on."""
+        if self.kind is RowKind.PIECE:
+            return self.piece_id == piece_id
+        return self.kind is RowKind.LAYER and self.layer_id == layer_id
+
 
 @dataclass(frozen=True, slots=True)
 class Reveal:

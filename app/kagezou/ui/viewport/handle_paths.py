@@ -34,6 +34,12 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.SHADOW_RAY: (_FAINT, Qt.PenStyle.DotLine),
     GuideKind.FILTER_DISTANCE: (_CLEAR, Qt.PenStyle.DashLine),
     GuideKind.WAVE: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_EDGE: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_HIDDEN: (_CLEAR, Qt.PenStyle.DashLine),
+    GuideKind.PIECE_OTHER: (_FAINT, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_ARM: (_CLEAR, Qt.PenStyle.SolidLine),
+    GuideKind.LEAN_ARM: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.LEAN_ARC: (_FAINT, Qt.PenStyle.SolidLine),
     GuideKind.FLOOR_FIRST: (_OPAQUE, Qt.PenStyle.SolidLine),
     GuideKind.FLOOR_SECOND: (_OPAQUE, Qt.PenStyle.DashLine),
     GuideKind.FLOOR_RAY: (_FAINT, Qt.PenStyle.DotLine),
@@ -48,6 +54,7 @@ _EXPLAINING: dict[GuideKind, tuple[str, ...]] = {
     GuideKind.GROUND_OUTLINE: ("ground.", "light."),
     GuideKind.SHADOW_RAY: ("shadow.",),
     GuideKind.TILT_ARC: ("tilt.",),
+    GuideKind.LEAN_ARC: ("piece.lean",),
 }
 """Guides that only stand in the way until one of their handles is touched, by the beginnings of those handles' ids."""
 
@@ -83,6 +90,10 @@ def handle_path(shape: Shape, radius: float, cursor: Cursor) -> QPainterPath:
         case Shape.ARROW:
             path.addPolygon(_star(3, radius * 1.5, radius * 0.75))
             path.closeSubpath()
+        case Shape.PEG:
+            path.addEllipse(QPointF(0, 0), radius, radius)
+        case Shape.GRIP:
+            path = _two_arrows(radius, upright=cursor is Cursor.VERTICAL)
         case Shape.RING:
             path.addEllipse(QPointF(0, 0), radius * 1.2, radius * 1.2)
             path.addEllipse(QPointF(0, 0), radius * 0.55, radius * 0.55)
@@ -163,6 +174,16 @@ def _cross(reach: float, half: float) -> QPainterPath:
     upright.addRect(QRectF(-half, -reach, 2 * half, 2 * reach))
     level.addRect(QRectF(-reach, -half, 2 * reach, 2 * half))
     return upright.united(level)
+
+
+def _two_arrows(radius: float, *, upright: bool) -> QPainterPath:
+    path = QPainterPath()
+    for side in (-1, 1):
+        corners = [(side * 0.35, -0.95), (side * 1.5, 0.0), (side * 0.35, 0.95)]
+        turned = [(y, x) if upright else (x, y) for x, y in corners]
+        path.addPolygon(QPolygonF([QPointF(x * radius, y * radius) for x, y in turned]))
+        path.closeSubpath()
+    return path
 
 
 def _paint_rays(painter: QPainter, radius: float, tone: QColor) -> None:

@@ -222,7 +222,8 @@ class Viewport(PictureWidget):
         elif self._space.is_held:
             self.setCursor(Qt.CursorShape.OpenHandCursor)
         else:
-            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else _CURSORS[over.cursor])
+            on_piece = Qt.CursorShape.SizeAllCursor if self.hand.pieces.hovered_id else Qt.CursorShape.ArrowCursor
+            self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
 
 
 def _is_typing(event: QKeyEvent) -> bool:
