@@ -167,3 +167,5 @@ def test_set_obeys_a_link(shell: Shell, tmp_path: Path) -> None:
     shell.ok("set", path, "layers.B.shadow.opacity=0.25", "--frame", "3")
     assert json.loads(shell.ok("get", path, "layers.A.shadow.opacity", "--frame", "3")) == 0.25
     assert load(path).linked == {OPACITY.name}
+    assert shell.json("info", path, "--json")["linked"] == [OPACITY.name]
+    assert "linked      layers.*.shadow.opacity" in shell.ok("info", path)

@@ -112,6 +112,14 @@ def test_the_cut_grows_with_what_is_moved_out_of_it() -> None:
     assert exposure_edits.with_exposures(document, "layer-1", shorter).canvas.length_frames == 4
 
 
+def test_what_began_before_the_cut_counts_from_its_first_frame() -> None:
+    early = (Exposure(-4, 0), Exposure(-1, 1), Exposure(4, 2))
+    clip = exposure_edits.copy(Cels(DRAWINGS, early), 0, 2, 6)
+    assert (clip.entries, clip.length) == (((0, "B"), (3, "C")), 6)
+    assert seen(exposure_edits.on_steps(early, 1, 2, 2), 6) == "BBCCCC"
+    assert seen(exposure_edits.move_run(early, 1, 1, 3), 8) == "BBBBBCCC"
+
+
 sheets = st.text("ABCD.", min_size=1, max_size=24).map(made)
 
 

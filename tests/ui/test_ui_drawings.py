@@ -115,6 +115,19 @@ def test_with_shift_what_follows_moves_along(timeline: Timeline, sheet: Desk) ->
     assert seen(sheet)[:21] == "AABBBBBBCCCCCCDDDDDDD"
 
 
+def test_the_cut_grows_when_the_hand_lets_go(timeline: Timeline, sheet: Desk) -> None:
+    cell_px, lengths = timeline.scale.cell_px, list[int]()
+    drag(timeline, 7, 9, SHIFT, aside=-5, let_go=False)
+    lengths.append(sheet.bridge.document.canvas.length_frames)
+    assert timeline.scale.cell_px == cell_px
+    QTest.mouseRelease(timeline.lanes, LEFT, SHIFT)
+    lengths.append(sheet.bridge.document.canvas.length_frames)
+    assert lengths == [24, 28]
+    assert seen(sheet) == "AAAAAAAAAAAAAAABBBBBBCCCCCCD"
+    sheet.bridge.session.undo()
+    assert seen(sheet) == SHEET
+
+
 def test_the_hud_says_how_long_and_escape_takes_back(timeline: Timeline, sheet: Desk) -> None:
     before = sheet.bridge.document
     drag(timeline, 7, 2, aside=-5, let_go=False)

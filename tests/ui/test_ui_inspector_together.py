@@ -105,6 +105,23 @@ def test_layers_are_chosen_together_in_the_list(qtbot: QtBot, layers: LayerList,
     assert len(trio.bridge.layer_ids) == 3, "undo shows what was chosen"
 
 
+def test_the_eye_stands_for_all_that_are_chosen_and_lets_none_go(qtbot: QtBot, layers: LayerList, trio: Desk) -> None:
+    ids = [layer.id for layer in trio.bridge.document.layers]
+    trio.bridge.session.select_layers(ids[2], frozenset({ids[1]}))
+
+    def click(row: int) -> list[bool]:
+        place = layers.view.visualRect(layers.model.index(row))
+        at = QPoint(place.left() + 12, place.center().y())
+        qtbot.mouseClick(layers.view.viewport(), Qt.MouseButton.LeftButton, NO_MODIFIER, at)
+        values = [Address(properties.VISIBLE, each) for each in ids]
+        return [bool(value_of(trio.bridge.document, each, 1)) for each in values]
+
+    assert click(0) == [True, False, False]
+    assert trio.bridge.layer_ids == (ids[2], ids[1])
+    assert click(2) == [False, False, False], "one that is not chosen alone"
+    assert trio.bridge.layer_ids == (ids[2], ids[1])
+
+
 def test_rows_dragged_together_keep_their_order(layers: LayerList, trio: Desk) -> None:
     model = layers.model
     carried = model.mimeData([model.index(1), model.index(0)])

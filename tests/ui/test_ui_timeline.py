@@ -24,9 +24,10 @@ from kagezou.io.cels import CelCache
 from kagezou.session.staging import CharacterSource
 from kagezou.ui.desk import Desk
 from kagezou.ui.key_commands import KeyCommands
+from kagezou.ui.main_window import MainWindow
 from kagezou.ui.playback import Player, bounced
 from kagezou.ui.timecode import Count, counted
-from kagezou.ui.timeline.revealing import ANIMATED, CHANGED, REVEALED, animated_or_changed, toggled
+from kagezou.ui.timeline.revealing import ANIMATED, CHANGED, REVEALED, added, animated_or_changed, toggled
 from kagezou.ui.timeline.row_names import Spot
 from kagezou.ui.timeline.rows import Reveal, RowKind
 from kagezou.ui.timeline.snapping import snap_frames, snapped
@@ -336,6 +337,20 @@ def test_letters_reveal_properties_and_a_second_press_goes_back() -> None:
     assert animated_or_changed(ANIMATED) == CHANGED
     assert animated_or_changed(light) == ANIMATED
     assert all(REVEALED.values()), "every letter shows something"
+
+
+def test_with_shift_a_letter_adds_what_it_reveals(qtbot: QtBot, walking: MainWindow) -> None:
+    both = added(toggled(ANIMATED, "reveal_light"), "reveal_tilt")
+    assert both == Reveal(REVEALED["reveal_light"] | REVEALED["reveal_tilt"])
+    assert added(ANIMATED, "reveal_tilt") == Reveal(REVEALED["reveal_tilt"])
+    walking.activateWindow()
+    walking.timeline.lanes.setFocus()
+    qtbot.waitUntil(walking.timeline.lanes.hasFocus)
+    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_P)
+    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    assert walking.timeline.rows.reveal == both
+    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R)
+    assert walking.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
 
 
 def test_revealed_properties_have_rows_whether_keyed_or_not(timeline: Timeline, keyed: Desk) -> None:

@@ -126,7 +126,7 @@ def on_steps(exposures: Exposures, first: int, last: int, step: int) -> Exposure
     if not run:
         return exposures
     different = [run[0], *(after for before, after in pairwise(run) if after.drawing != before.drawing)]
-    start = run[0].frame
+    start = max(run[0].frame, 1)
     stepped = tuple(replace(each, frame=start + number * step) for number, each in enumerate(different))
     following = exposures[last + 1 :]
     away = start + len(stepped) * step - following[0].frame if following else 0
@@ -136,10 +136,12 @@ def on_steps(exposures: Exposures, first: int, last: int, step: int) -> Exposure
 def copy(cels: Cels, first: int, last: int, length: int) -> ExposureClip:
     """Return the exposures from index ``first`` to ``last`` of a layer in a cut of so many frames."""
     run = cels.exposures[first : last + 1]
+    start = max(run[0].frame, 1)
     end = cels.exposures[last + 1].frame if last + 1 < len(cels.exposures) else max(length, run[-1].frame) + 1
-    names = (None if each.drawing is None else cels.drawings[each.drawing].name for each in run)
-    entries = tuple((each.frame - run[0].frame, name) for each, name in zip(run, names, strict=True))
-    return ExposureClip(entries, end - run[0].frame)
+    # Of what began before the cut did, the last is what is seen on its first frame.
+    seen = {max(each.frame, 1): each.drawing for each in run}
+    entries = ((frame - start, None if index is None else cels.drawings[index].name) for frame, index in seen.items())
+    return ExposureClip(tuple(entries), max(end - start, 1))
 
 
 def paste(cels: Cels, clip: ExposureClip, frame: int) -> Exposures:

@@ -264,5 +264,5 @@ def _within(state: State) -> State:
         if address.layer_id in (None, *ids) and address.piece_id in (None, *pieces)
     )
     frame = min(max(state.frame, 1), document.canvas.length_frames)
-    others = state.others & (ids - {layer_id}) if layer_id is not None else frozenset()
+    others = frozenset() if layer_id is None else state.others & (ids - {layer_id})
     return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id, others)

@@ -49,16 +49,16 @@ class Bridge(QObject):
         return self._session.state.layer_id
 
     @property
-    def layer_ids(self) -> tuple[str, ...]:
-        """Every layer that is chosen: the one worked on, then those edited with it as they lie."""
-        state = self._session.state
-        others = tuple(layer.id for layer in state.document.layers if layer.id in state.others)
-        return others if state.layer_id is None else (state.layer_id, *others)
-
-    @property
     def piece_id(self) -> str | None:
         """The set piece worked on."""
         return self._session.state.piece_id
+
+    @property
+    def layer_ids(self) -> tuple[str, ...]:
+        """Every layer that is chosen: the one worked on, then those edited with it as they lie; none with a piece."""
+        state = self._session.state
+        others = tuple(layer.id for layer in state.document.layers if layer.id in state.others)
+        return () if state.layer_id is None else (state.layer_id, *others)
 
     def open(self, session: Session) -> None:
         """Put another session in the place of this one and say that everything changed."""

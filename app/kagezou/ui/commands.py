@@ -209,14 +209,14 @@ def timeline_commands() -> tuple[Command, ...]:
         Command("timeline_in", translate("Commands", "Zoom &In on Time"), ("=", "Ctrl+Alt+Up")),
         Command("timeline_out", translate("Commands", "Zoom &Out of Time"), ("-", "Ctrl+Alt+Down")),
         Command("reveal_animated", translate("Commands", "Show Keyed Properties; Again: Cha&nged Ones"), ("U",)),
-        Command("reveal_light", translate("Commands", "Show &Light"), ("P",)),
-        Command("reveal_ground", translate("Commands", "Show &Ground"), ("G",)),
-        Command("reveal_contacts", translate("Commands", "Show Grounding &Points"), ("C",)),
-        Command("reveal_shape", translate("Commands", "Show &Shape"), ("S",)),
-        Command("reveal_tilt", translate("Commands", "Show &Body Tilt"), ("R",)),
-        Command("reveal_opacity", translate("Commands", "Show Op&acity and Fading"), ("T",)),
-        Command("reveal_waves", translate("Commands", "Show &Waves"), ("W",)),
-        Command("reveal_softness", translate("Commands", "Show So&ftness"), ("Y",)),
+        Command("reveal_light", translate("Commands", "Show &Light"), ("P", "Shift+P")),
+        Command("reveal_ground", translate("Commands", "Show &Ground"), ("G", "Shift+G")),
+        Command("reveal_contacts", translate("Commands", "Show Grounding &Points"), ("C", "Shift+C")),
+        Command("reveal_shape", translate("Commands", "Show &Shape"), ("S", "Shift+S")),
+        Command("reveal_tilt", translate("Commands", "Show &Body Tilt"), ("R", "Shift+R")),
+        Command("reveal_opacity", translate("Commands", "Show Op&acity and Fading"), ("T", "Shift+T")),
+        Command("reveal_waves", translate("Commands", "Show &Waves"), ("W", "Shift+W")),
+        Command("reveal_softness", translate("Commands", "Show So&ftness"), ("Y", "Shift+Y")),
     )
 
 

@@ -75,7 +75,7 @@ class KeyCommands(QObject):
             self._edit(self.tr("Move keys"), *move_keys(self._bridge.document, self.chosen, frames))
 
     def select_all(self) -> None:
-        """Select every key of the scene and of the chosen layers or the set piece worked on."""
+        """Select every key of the scene and of the layers or the set piece worked on."""
         self._bridge.session.select_keys(
             frozenset().union(*(all_keys(self._bridge.document, each) for each in self._worked_on()))
         )
@@ -143,9 +143,9 @@ class KeyCommands(QObject):
             gesture.show(document, keys)
 
     def _worked_on(self) -> list[Address]:
-        layer_ids, piece_id = self._bridge.layer_ids, self._bridge.piece_id
+        piece_id = self._bridge.piece_id
         found = [Address(line) for line in OF_DOCUMENT.values()]
-        found += [Address(line, each) for each in layer_ids for line in OF_LAYER.values()]
+        found += [Address(line, each) for each in self._bridge.layer_ids for line in OF_LAYER.values()]
         if piece_id is not None:
             found += [Address(line, piece_id=piece_id) for line in OF_PIECE.values()]
         return found

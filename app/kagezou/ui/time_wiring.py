@@ -4,13 +4,16 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+
 from kagezou.animation.track import Interpolation
 from kagezou.ui.icons import icon
 from kagezou.ui.key_frames import key_frames, next_key, previous_key
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.timecode import Count
 from kagezou.ui.timeline.drawing_menu import open_drawing_menu
-from kagezou.ui.timeline.revealing import REVEALED, animated_or_changed, toggled
+from kagezou.ui.timeline.revealing import REVEALED, added, animated_or_changed, toggled
 
 if TYPE_CHECKING:
     from kagezou.ui.main_window import MainWindow
@@ -161,7 +164,8 @@ def connect_curves(window: "MainWindow") -> None:
 
 def _reveal(window: "MainWindow", name: str) -> None:
     rows = window.timeline.rows
-    rows.show_only(toggled(rows.reveal, name))
+    adds = QGuiApplication.keyboardModifiers() & Qt.KeyboardModifier.ShiftModifier
+    rows.show_only(added(rows.reveal, name) if adds else toggled(rows.reveal, name))
 
 
 def _play(window: "MainWindow") -> None:

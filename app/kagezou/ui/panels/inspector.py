@@ -41,6 +41,7 @@ class Inspector(QScrollArea):
         super().__init__()
         self._bridge = bridge
         self._built_for: tuple[object, ...] | None = None
+        self._folded: frozenset[str] = frozenset()
         self._scene_sections: list[Section] = []
         self._layer_sections: list[Section] = []
         self.owner: PieceName | None = None
@@ -90,21 +91,22 @@ class Inspector(QScrollArea):
         if wanted == self._built_for:
             return
         self._built_for = wanted
-        folded = {section.title for section in self._layer_sections if not section.is_open}
+        for section in self._layer_sections:
+            self._folded = self._folded - {section.title} if section.is_open else self._folded | {section.title}
         for part in (*self._layer_sections, *([self.owner] if self.owner else [])):
             self._column.removeWidget(part)
             part.hide()
             part.deleteLater()
         layer_id = self._bridge.layer_id
         self._layer_sections = [] if layer_id is None else self._sections(Scope.LAYER, layer_id)
-        for section in self._layer_sections:
-            section.open(opened=section.title not in folded)
         self._show_several()
         self.waves = None if layer_id is None else WaveNote(self._bridge, self._bridge.layer_ids)
         if self.waves is not None:
             of_waves = [each for each in self._layer_sections if each.rows[0].address.property is properties.WAVES_ON]
             of_waves[0].add_note(self.waves)
         self._follow_piece()
+        for section in self._layer_sections:
+            section.open(opened=section.title not in self._folded)
         _align([*self._scene_sections, *self._layer_sections])
         bar = self.verticalScrollBar().sizeHint().width()
         self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
@@ -119,7 +121,7 @@ class Inspector(QScrollArea):
             self._column.insertWidget(self._column.count() - 1, of_set)
             return
         self._layer_sections = piece_sections(self._bridge, piece_id)
-        for at, part in enumerate((self.owner, *self._layer_sections, of_set)):
+        for at, part in enumerate((self.owner, *self._layer_sections, of_set), 1):
             self._column.insertWidget(at, part)
 
     def _sections(self, scope: Scope, layer_id: str | None) -> list[Section]:

@@ -1,7 +1,16 @@
 """The list of layers: choose, show and hide, rename, reorder by dragging, remove, add."""
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, QPoint, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import (
+    QEvent,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QPoint,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -17,7 +26,7 @@ from PySide6.QtWidgets import (
 from kagezou.document.edits import remove_layer
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.icons import icon, icon_size
-from kagezou.ui.panels.layer_delegate import LayerDelegate
+from kagezou.ui.panels.layer_delegate import EYE_WIDTH, LayerDelegate
 from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.panels.look_clipboard import LookClipboard
 from kagezou.ui.panels.thumbnails import Thumbnails
@@ -38,6 +47,14 @@ class LayerView(QListView):
         self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName(self.tr("Layers"))
+
+    def selectionCommand(
+        self, index: QModelIndex | QPersistentModelIndex, event: QEvent | None = None
+    ) -> QItemSelectionModel.SelectionFlag:
+        # The eye of any row is clicked without letting go of what is chosen.
+        if isinstance(event, QMouseEvent) and event.position().x() < EYE_WIDTH:
+            return QItemSelectionModel.SelectionFlag.NoUpdate
+        return super().selectionCommand(index, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # The space bar plays, wherever the focus is.

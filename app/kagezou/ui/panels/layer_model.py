@@ -73,7 +73,9 @@ class LayerModel(QAbstractListModel):
         layer = self.layer(index.row())
         document, session = self._bridge.document, self._bridge.session
         if role == Role.IS_VISIBLE:
-            self.show_layers((layer.id,), shown=bool(value))
+            # One of several that are chosen stands for all of them.
+            chosen = self._bridge.layer_ids
+            self.show_layers(chosen if layer.id in chosen else (layer.id,), shown=bool(value))
             return True
         try:
             session.edit(self.tr("Rename layer"), rename_layer(document, layer.id, str(value).strip()))

@@ -36,7 +36,7 @@ class LinkButton(QAbstractButton):
 
     def sizeHint(self) -> QSize:
         height = max(self.fontMetrics().height(), 18)
-        return QSize(16, height)
+        return QSize(18, height)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

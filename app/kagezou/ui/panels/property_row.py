@@ -95,9 +95,10 @@ class PropertyRow(QObject):
 
     @property
     def can_be_linked(self) -> bool:
-        """Whether there are characters it could be the same for."""
-        layers = len(self.bridge.document.layers)
-        return self.address.layer_id is not None and self.address.property.name in LINKABLE and layers > 1
+        """Whether there are characters it could be the same for; a link that is there can always be taken away."""
+        if self.address.layer_id is None or self.address.property.name not in LINKABLE:
+            return False
+        return len(self.bridge.document.layers) > 1 or is_linked(self.bridge.document, self.address)
 
     def refresh(self) -> None:
         """Show what the document has now; costs nothing where neither tracks nor frame changed."""

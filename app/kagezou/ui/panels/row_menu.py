@@ -18,6 +18,7 @@ from kagezou.io.value_clips import dumps_value, dumps_values, loads_value, loads
 if TYPE_CHECKING:
     from kagezou.ui.panels.property_row import PropertyRow
 
+translate = QCoreApplication.translate
 _TABLES = MappingProxyType({Scope.DOCUMENT: OF_DOCUMENT, Scope.LAYER: OF_LAYER, Scope.PIECE: OF_PIECE})
 
 
@@ -33,26 +34,32 @@ def fill_row_menu(row: "PropertyRow", menu: QMenu) -> None:
     """Fill a menu with what can be done with a property."""
     tracks = [track_of(row.bridge.document, address) for address in row.addresses]
     here = is_keyed_here(row.bridge.document, row.addresses, row.bridge.frame)
-    menu.addAction(_tr("Copy Value"), lambda: _put(dumps_value(row.value)))
+    menu.addAction(translate("RowMenu", "Copy Value"), lambda: _put(dumps_value(row.value)))
     add_paste(menu, row)
-    menu.addAction(_tr("Copy All of This Section"), lambda: copy_section(row.mates))
+    menu.addAction(translate("RowMenu", "Copy All of This Section"), lambda: copy_section(row.mates))
     menu.addSeparator()
-    menu.addAction(_tr("Reset to Default"), row.reset)
-    menu.addAction(_tr("Remove Key") if here else _tr("Set Key"), row.toggle_key)
-    menu.addAction(_tr("Remove All Keys"), row.remove_all_keys).setEnabled(any(track.is_keyed for track in tracks))
+    menu.addAction(translate("RowMenu", "Reset to Default"), row.reset)
+    menu.addAction(translate("RowMenu", "Remove Key") if here else translate("RowMenu", "Set Key"), row.toggle_key)
+    menu.addAction(translate("RowMenu", "Remove All Keys"), row.remove_all_keys).setEnabled(
+        any(track.is_keyed for track in tracks)
+    )
     if row.can_be_linked:
-        words = _tr("Give Each Character Its Own") if row.link.is_linked else _tr("Make the Same for All Characters")
+        words = (
+            translate("RowMenu", "Give Each Character Its Own")
+            if row.link.is_linked
+            else translate("RowMenu", "Make the Same for All Characters")
+        )
         menu.addAction(words, row.toggle_link)
     menu.addSeparator()
-    menu.addAction(_tr("Copy Name for Scripts"), lambda: _put(row.path))
+    menu.addAction(translate("RowMenu", "Copy Name for Scripts"), lambda: _put(row.path))
 
 
 def fill_section_menu(rows: "list[PropertyRow]", menu: QMenu) -> None:
     """Fill the menu of a section's heading."""
-    menu.addAction(_tr("Copy All of This Section"), lambda: copy_section(rows))
+    menu.addAction(translate("RowMenu", "Copy All of This Section"), lambda: copy_section(rows))
     add_paste(menu, rows[0], alone=False)
     menu.addSeparator()
-    menu.addAction(_tr("Reset All of This Section"), lambda: reset_section(rows))
+    menu.addAction(translate("RowMenu", "Reset All of This Section"), lambda: reset_section(rows))
 
 
 def copy_section(rows: "Iterable[PropertyRow]") -> None:
@@ -62,7 +69,7 @@ def copy_section(rows: "Iterable[PropertyRow]") -> None:
 
 def reset_section(rows: "list[PropertyRow]") -> None:
     """Bring every property of rows back to its default, as one step."""
-    with rows[0].bridge.session.gesture(_tr("Reset section")):
+    with rows[0].bridge.session.gesture(translate("RowMenu", "Reset section")):
         for row in rows:
             row.reset()
 
@@ -75,7 +82,11 @@ def add_paste(menu: QMenu, row: "PropertyRow", *, alone: bool = True) -> None:
     single = loads_value(text, line) if alone and not values else None
     if single is not None:
         values = {line.name: single}
-    words = _tr("Paste Value") if single is not None or len(values) < 2 else _tr("Paste %1 Values")
+    words = (
+        translate("RowMenu", "Paste Value")
+        if single is not None or len(values) < 2
+        else translate("RowMenu", "Paste %1 Values")
+    )
     action = menu.addAction(words.replace("%1", str(len(values))))
     action.setEnabled(bool(values))
 
@@ -84,14 +95,10 @@ def add_paste(menu: QMenu, row: "PropertyRow", *, alone: bool = True) -> None:
         for name, value in values.items():
             addresses = [replace(each, property=_TABLES[line.scope][name]) for each in row.addresses]
             document = set_all(document, addresses, value, row.bridge.frame)
-        session.edit(_tr("Paste values"), document)
+        session.edit(translate("RowMenu", "Paste values"), document)
 
     action.triggered.connect(paste)
 
 
 def _put(text: str) -> None:
     QGuiApplication.clipboard().setText(text)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("RowMenu", text)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
+from kagezou.document.edits import set_exposures
 from kagezou.document.exposure_edits import Exposures, end_at, move_boundary, move_run, ripple, with_exposures
 from kagezou.session.session import Gesture
 from kagezou.ui.bridge import Bridge
@@ -58,6 +59,7 @@ class DrawingHand(QObject):
         self._pressed = QPointF()
         self._grip: Grip | None = None
         self._gesture: Gesture | None = None
+        self._exposures: Exposures = ()
 
     @property
     def is_busy(self) -> bool:
@@ -117,7 +119,8 @@ class DrawingHand(QObject):
     def release(self, event: QMouseEvent) -> None:
         """Take the button that comes up."""
         grip = self._grip
-        if self._gesture is not None:
+        if self._gesture is not None and grip is not None:
+            self._gesture.show(with_exposures(self._gesture.start, grip.layer_id, self._exposures))
             self._gesture.commit()
         elif grip is not None and event.modifiers() & _SHIFT:
             self.choice.extend(grip.layer_id, grip.exposures[grip.index].frame)
@@ -157,9 +160,9 @@ class DrawingHand(QObject):
         last_of_cut = grip.part is BarPart.END and grip.index + 1 == len(grip.exposures)
         start = self._scale.length + 1 if last_of_cut else grip.frame
         frame, self.caught_by = snapped(start + away, grip.catching if catches else (), self._scale.cell_px)
-        exposures = self._dragged(grip, frame, ripples=bool(event.modifiers() & _SHIFT))
-        document = self._gesture.start
-        self._gesture.show(with_exposures(document, grip.layer_id, exposures))
+        self._exposures = self._dragged(grip, frame, ripples=bool(event.modifiers() & _SHIFT))
+        # The cut grows when the hand lets go: before that the frames would move under the hand.
+        self._gesture.show(set_exposures(self._gesture.start, grip.layer_id, self._exposures))
         self.said = self._words(grip, frame, start)
         if grip.part is not BarPart.END:
             first = max(frame, 1)
