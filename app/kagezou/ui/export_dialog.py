@@ -26,6 +26,7 @@ from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.request import DEPTHS, SUFFIXES
 from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, preview, sound
+from kagezou.ui.sentences import sentence_of
 
 
 class ExportDialog(QDialog):
@@ -73,10 +74,10 @@ class ExportDialog(QDialog):
         try:
             self.preview.addItems(list(preview(self._document, self.plan, self._place_now())))
         except UsageProblem as refused:
-            problem = str(refused)
+            problem = sentence_of(refused)
         if not problem and not self.folder.text().strip():
             problem = self.tr("Choose a folder.")
-        self.says.setText(problem[:1].upper() + problem[1:])
+        self.says.setText(problem)
         self.says.setVisible(bool(problem))
         self.go.setEnabled(not problem)
 
