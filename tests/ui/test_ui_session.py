@@ -1,7 +1,7 @@
 """A whole session, as somebody has it: from a dropped folder to the exported shadows, with a crash on the way.
 
-Where ``KAGEZOU_SCREENSHOTS`` names a folder, it is gone through in both sizes and both languages, and each state is kept
-there as a picture to be looked at.
+Where ``KAGEZOU_SCREENSHOTS`` names a folder, it is gone through in both sizes and both languages, and each state is
+kept there as a picture to be looked at.
 """
 
 import os
