@@ -8,8 +8,10 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from time import sleep
 
 import pytest
 from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt, QUrl
@@ -26,8 +28,10 @@ from kagezou.document.edits import track_of
 from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION
 from kagezou.io.images import read_cel
 from kagezou.io.project_file import load
+from kagezou.session.watching import Part, Watch
 from kagezou.ui.application import Program
 from kagezou.ui.export_dialog import ExportDialog
+from kagezou.ui.load import Load
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.recovery import RecoveryDialog
 from kagezou.ui.settings import Settings
@@ -155,6 +159,23 @@ def meet(qtbot: QtBot, settings: Settings) -> Iterator[Callable[[tuple[int, int]
         person.program.put_away()
 
 
+def keep_picture_of_loading(person: Person, path: Path) -> None:
+    """Keep a picture of the bar of a load, which is then given up."""
+    go_on = threading.Event()
+
+    def read(watch: Watch) -> None:
+        watch(Part.OPENING, 0, 120)
+        sleep(1.1)
+        watch(Part.OPENING, 37, 120)
+        go_on.wait(30)
+
+    person.window.project.loading.start(Load(path.name, read, lambda _nothing: None))
+    QTest.qWait(1500)
+    person.keep_picture("loading")
+    person.window.project.loading.cancel_button.click()
+    go_on.set()
+
+
 def all_steps(person: Person, name: str) -> int:
     """Undo or redo as long as there is something, and return how often."""
     count = 0
@@ -190,6 +211,8 @@ def test_a_whole_session(
     session, viewport = person.program.desk.bridge.session, person.window.viewport
     opened = session.document
     person.keep_picture("opened")
+    if FOLDER:
+        keep_picture_of_loading(person, source)
 
     drag(person.qtbot, viewport, "light.lamp", QPoint(60, 30), let_go=False)
     person.keep_picture("dragging_the_lamp")
