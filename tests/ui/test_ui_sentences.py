@@ -114,6 +114,6 @@ def test_the_window_says_no_problem_but_in_its_own_language() -> None:
         for call in ast.walk(handler)
         if isinstance(call, ast.Call)
         and ast.unparse(call.func) in ("str", "repr")
-        and handler.name in map(ast.unparse, call.args)
+        and str(handler.name) in map(ast.unparse, call.args)
     ]
     assert not raw

@@ -23,12 +23,12 @@ from test_ui_recovery import OTHER_PROGRAM
 from viewing import drag
 
 from kagezou.animation.track import Interpolation
-from kagezou.document.address import Address, value_of
-from kagezou.document.edits import track_of
+from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION
 from kagezou.io.images import read_cel
 from kagezou.io.project_file import load
 from kagezou.session.watching import Part, Watch
+from kagezou.ui import loading
 from kagezou.ui.application import Program
 from kagezou.ui.export_dialog import ExportDialog
 from kagezou.ui.load import Load
@@ -212,7 +212,9 @@ def test_a_whole_session(
     opened = session.document
     person.keep_picture("opened")
     if FOLDER:
-        keep_picture_of_loading(person, source)
+        with monkeypatch.context() as impatient:
+            impatient.setattr(loading, "PATIENCE_S", 0.0)
+            keep_picture_of_loading(person, source)
 
     drag(person.qtbot, viewport, "light.lamp", QPoint(60, 30), let_go=False)
     person.keep_picture("dragging_the_lamp")

@@ -25,11 +25,11 @@ class TopBars(QWidget):
     def __init__(self, over: QWidget, bars: Iterable[QWidget]) -> None:
         super().__init__(over.parentWidget())
         self._over, self._bars = over, tuple(bars)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(0)
         for bar in self._bars:
-            column.addWidget(bar)
+            self._column.addWidget(bar)
             bar.installEventFilter(self)
         over.installEventFilter(self)
         self._place()
@@ -42,8 +42,7 @@ class TopBars(QWidget):
     def _place(self) -> None:
         self.setVisible(any(not bar.isHidden() for bar in self._bars))
         if not self.isHidden():
-            width = self._over.width()
-            column = self.layout()
+            width, column = self._over.width(), self._column
             column.activate()
             height = column.heightForWidth(width) if column.hasHeightForWidth() else column.sizeHint().height()
             self.setGeometry(self._over.x(), self._over.y(), width, height)
