@@ -16,7 +16,7 @@ SOURCES = Path(kagezou.__file__).parent
 _ELSEWHERE = ("cli", "__main__.py")
 """Rooms whose sentences only the terminal says."""
 
-_MAKERS = re.compile(r"\w*Problem|\w*_?problem|_?refused")
+_MAKERS = re.compile(r"\w*Problem|\w*_?problem|_?refused|_number")
 _NAMES = frozenset({"notes", "cause", "why", "wanted", "hint", "inside", "rest", "_CAUSES"})
 _FUNCTIONS = re.compile(r"cause_of|_left_out|\w*_notes?(_\w+)?")
 _WORDS = re.compile(r"[A-Za-z]+ |[ ;] *[a-z]+")

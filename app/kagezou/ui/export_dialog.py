@@ -24,6 +24,7 @@ from kagezou.io.video import is_there as video_is_there
 from kagezou.ui.export_options import GAP_PX, ExportOptions
 from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, preview, sound
 from kagezou.ui.export_preset_row import PresetRow
+from kagezou.ui.sentences import sentence_of
 
 
 class ExportDialog(QDialog):
@@ -95,7 +96,7 @@ class ExportDialog(QDialog):
         try:
             self.preview.addItems(list(preview(self._document, self.plan, self._place_now())))
         except UsageProblem as refused:
-            problem = str(refused)
+            problem = sentence_of(refused)
         if not problem and not self.folder.text().strip():
             problem = self.tr("Choose a folder.")
         self._say(problem)

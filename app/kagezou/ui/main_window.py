@@ -43,6 +43,7 @@ from kagezou.ui.time_wiring import (
     connect_timeline,
 )
 from kagezou.ui.timeline.timeline import Timeline
+from kagezou.ui.top_bars import TopBars
 from kagezou.ui.transport import Transport
 from kagezou.ui.viewport.corner_sheet import CornerSheet
 from kagezou.ui.viewport.onion_skin import OnionSkin
@@ -229,11 +230,10 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(middle)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self.bar)
-        column.addWidget(self.project.loading)
         column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self.setCentralWidget(middle)
+        self.top_bars = TopBars(self.pages, (self.bar, self.project.loading))
         self.drop_hint = DropHint(middle)
         self.addToolBar(self.menus.tool_bar())
         self.setStatusBar(self.status)

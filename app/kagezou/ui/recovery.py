@@ -45,6 +45,10 @@ class RecoveryDialog(QDialog):
         self._work: dict[Path, Keepsake] = {}
         self.list = QListWidget()
         self.list.setAlternatingRowColors(True)
+        # A line never grows wider than the list; a long path loses its middle.
+        self.list.setWordWrap(True)
+        self.list.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.recover_button = self._button(self.tr("Recover"), self._recover)
         self.recover_button.setDefault(True)
         self.discard_button = self._button(self.tr("Discard"), self._discard)
@@ -94,7 +98,8 @@ class RecoveryDialog(QDialog):
             when = QLocale().toString(QDateTime.fromSecsSinceEpoch(work.kept_at_s), QLocale.FormatType.ShortFormat)
             where = str(work.path) if work.path else self.tr("never saved")
             steps = self.tr("%n step(s)", "", work.edits)
-            item.setText(f"{work.name}\n{when}   ·   {steps}   ·   {where}")
+            item.setText(f"{work.name}\n{when}   ·   {steps}\n{where}")
+            item.setToolTip(where)
         self.list.addItem(item)
 
     def _chosen(self) -> Path | None:
