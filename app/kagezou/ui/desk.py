@@ -13,6 +13,7 @@ from kagezou.errors import Problem
 from kagezou.io import project_file
 from kagezou.io.cels import CelCache
 from kagezou.io.keepsake import Keepsake
+from kagezou.io.meshes import MeshCache
 from kagezou.io.timesheet import Timesheet
 from kagezou.io.xdts import read_timesheet, write_xdts
 from kagezou.session.session import Session
@@ -40,6 +41,7 @@ class Desk(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.cels = CelCache()
+        self.meshes = MeshCache()
         self.bridge = Bridge(Session(blank_document()))
         self._path: Path | None = None
         self._seen = ""

@@ -11,19 +11,20 @@ from kagezou.errors import Problem
 from kagezou.geometry.box import Box
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
 from kagezou.io.smaller_cels import SmallerCels
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.scene import LayerScene, Scene
+from kagezou.scene.scene import LayerScene, Scene, without_pieces
 from kagezou.ui.viewport.picture_view import PictureView, seen
 from kagezou.ui.viewport.resolution import FULL, Fineness
 
 
 @dataclass(frozen=True, slots=True)
 class Broken:
-    """A picture file that cannot be shown, and why."""
+    """A file that cannot be shown, and why."""
 
     path: Path
     problem: Problem
@@ -53,13 +54,14 @@ class Stage:
 
     Parameters
     ----------
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and sets come from.
     """
 
-    def __init__(self, cels: CelCache) -> None:
+    def __init__(self, cels: CelCache, meshes: MeshCache) -> None:
         self._cels = cels
-        self._renderer = self._front = Renderer(cels)
+        self._meshes = meshes
+        self._renderer = self._front = Renderer(cels, meshes)
         self._smaller: dict[int, _Smaller] = {}
         self._evaluated: _Evaluated | None = None
         self._drawn: tuple[Scene, int, Backdrop, PictureView, int] | None = None
@@ -159,7 +161,7 @@ class Stage:
             if known is not None:
                 known.renderer.close()
             cels = SmallerCels(self._cels, canvas, self.divisor)
-            known = self._smaller[self.divisor] = _Smaller(canvas, cels, Renderer(cels, divisor=self.divisor))
+            known = self._smaller[self.divisor] = _Smaller(canvas, cels, Renderer(cels, self._meshes, self.divisor))
         return known
 
     def _readable(self, scene: Scene) -> Scene:
@@ -178,6 +180,12 @@ class Stage:
                 return layer
             return replace(layer, drawing=None, cast=None)
 
+        lost = {
+            piece.id
+            for piece in scene.pieces
+            if piece.mesh is not None and not can_be_read(piece.mesh.path, self._meshes.mesh)
+        }
+        scene = without_pieces(scene, lost) if lost else scene
         layers = tuple(shown(layer) for layer in scene.layers)
         behind = scene.background
         background = behind if behind and can_be_read(behind, self._cels.background) else None
