@@ -15,7 +15,9 @@ from kagezou.render.set_tiles import Flags
 from kagezou.render.targets import DeepTarget, Format, Texture
 from kagezou.scene.pieces import PieceScene
 
-MAP_PX: Final = 2048
+_STEP_PX: Final = 512
+_LARGEST_PX: Final = 2048
+"""A map has as many texels a side as the canvas has px, in such steps and up to there: edges are finer than them."""
 
 _KEPT_MAPS = 4
 """As many as an overhead light has lamps."""
@@ -231,7 +233,13 @@ class LightMaps:
             if kept in self._kept:
                 self._kept.remove(kept)
                 self._spare += [] if kept.target is None else [kept.target]
-        return self._spare.pop() if self._spare else DeepTarget(MAP_PX, MAP_PX, Format.FLOAT2)
+        side = min(-(-max(view.canvas.width, view.canvas.height) // _STEP_PX) * _STEP_PX, _LARGEST_PX)
+        while self._spare:
+            target = self._spare.pop()
+            if target.box.width == side:
+                return target
+            target.close()
+        return DeepTarget(side, side, Format.FLOAT2)
 
     def _draw(
         self, view: MeshView, window: LightWindow, target: DeepTarget, wanted: Callable[[PieceScene], bool]
