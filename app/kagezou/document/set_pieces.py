@@ -12,6 +12,7 @@ from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Piece
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
 from kagezou.document.set_properties import (
+    MESH,
     PIECE_DEPTH,
     PIECE_HEIGHT,
     PIECE_KIND,
@@ -31,7 +32,6 @@ _MEASURES = MappingProxyType({
     "ramp": (0.3, 0.15, 0.4),
     "cylinder": (0.15, 0.35, 0.15),
     "sphere": (0.2, 0.2, 0.2),
-    "mesh": (0.4, 0.3, 0.2),
 })  # fmt: skip
 """How wide, high and deep a new piece is, as parts of the canvas' smaller side."""
 
@@ -112,9 +112,11 @@ def kind_of(piece: Piece, frame: float = 1) -> str:
 def _first_values(document: Document, kind: str) -> dict[str, Value]:
     canvas = document.canvas
     side = min(canvas.width_px, canvas.height_px)
-    width, height, depth = (max(part * side, 1.0) for part in _MEASURES[kind])
     ground = value_of(document, Address(GROUND_POSITION), 1)
     x, y = (part for part in ground if isinstance(part, float)) if isinstance(ground, tuple) else (0.0, 0.0)
+    if kind == MESH:
+        return {PIECE_KIND.name: kind, PIECE_POSITION.name: (x, y)}
+    width, height, depth = (max(part * side, 1.0) for part in _MEASURES[kind])
     return {
         PIECE_KIND.name: kind,
         PIECE_POSITION.name: (x, y - _BEHIND * canvas.height_px),

@@ -15,8 +15,9 @@ from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.names import digits_for, safe_names
 from kagezou.export.request import SUFFIXES, ExportRequest
+from kagezou.geometry.camera import Camera
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.pieces import SetCast
+from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
 COMPOSITE: Final = "composite"
@@ -33,11 +34,15 @@ class ShadowContent:
 
 @dataclass(frozen=True, slots=True)
 class CompositeContent:
-    """All that decides a composite but its size and format: the background and each layer, from the bottom."""
+    """All that decides a composite but its size and format: the background and each layer, from the bottom.
+
+    ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any.
+    """
 
     background: Path | None
     layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook], ...]
     set_shadow: SetShadow | None = None
+    clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
 
 
 Content = ShadowContent | CompositeContent
@@ -89,7 +94,14 @@ class Job:
     def sources(self) -> tuple[Path, ...]:
         """Every file it is made of."""
         background = self.content.background if isinstance(self.content, CompositeContent) else None
-        return (*self.mattes, *self.cels, *([background] if background is not None else []))
+        return (*self.mattes, *self.cels, *([background] if background is not None else []), *self.sets)
+
+    @property
+    def sets(self) -> tuple[Path, ...]:
+        """The files of imported sets that it needs."""
+        if isinstance(self.content, ShadowContent) and self.content.cast is None:
+            return ()
+        return tuple(dict.fromkeys(piece.mesh.path for piece in self.scene.pieces if piece.mesh is not None))
 
     def only(self, targets: tuple[Target, ...]) -> "Job":
         """Return the job with some of its targets."""
@@ -188,7 +200,8 @@ def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple
 
 def _composite(scene: Scene) -> CompositeContent:
     layers = tuple((each.drawing, each.cast, each.look) for each in scene.layers)
-    return CompositeContent(scene.background, layers, scene.set_shadow)
+    clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
+    return CompositeContent(scene.background, layers, scene.set_shadow, (scene.camera, clay) if clay else None)
 
 
 def _set_shadow(scene: Scene) -> ShadowContent:

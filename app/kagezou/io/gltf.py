@@ -1,8 +1,4 @@
-"""glTF and GLB files: what they claim is checked before anything is decoded, and their cameras are read.
-
-The triangles themselves are read elsewhere; here is only what that reader does not do (glTF 2.0, the sections on
-accessors, cameras and animations).
-"""
+"""glTF and GLB files as trees of numbers; what they claim is checked before anything is made of it (glTF 2.0, 3-5)."""
 
 import base64
 import binascii
@@ -21,16 +17,17 @@ from kagezou.io.faults import input_problem
 
 Tree = dict[str, Any]
 
-_MAX_JSON_BYTES: Final = 64 << 20
+_MAX_JSON_BYTES: Final = 32 << 20
 _MAX_NODES: Final = 200_000
 _MAX_DEPTH: Final = 200
-_MAGIC: Final = b"glTF"
-_JSON_CHUNK: Final = 0x4E4F534A
-_BINARY_CHUNK: Final = 0x004E4942
+MAGIC: Final = b"glTF"
+JSON_CHUNK: Final = 0x4E4F534A
+BINARY_CHUNK: Final = 0x004E4942
 _COMPONENTS: Final = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _WIDTHS: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 _UNREADABLE: Final = ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression")
-_TRIANGLE_MODES: Final = (4, 5, 6)
+SHAPELESS: Final = (KeyError, TypeError, AttributeError, ValueError, IndexError, OverflowError, struct.error)
+"""A tree of the wrong shape shows itself in many ways."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +41,12 @@ class Gltf:
 
     def accessor(self, index: int) -> NDArray[np.float64]:
         """Return the numbers (count, width) of an accessor."""
-        accessor = _at(self.path, self.tree, "accessors", index)
+        accessor = entry_of(self.path, self.tree, "accessors", index)
         kind = np.dtype(_COMPONENTS[accessor["componentType"]])
         width, count = _WIDTHS[accessor["type"]], accessor["count"]
         made = np.zeros((count, width))
         if "bufferView" in accessor:
-            view = _at(self.path, self.tree, "bufferViews", accessor["bufferView"])
+            view = entry_of(self.path, self.tree, "bufferViews", accessor["bufferView"])
             start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
             step = view.get("byteStride") or width * kind.itemsize
             rows = np.ndarray((count, width), kind, self.buffers[view["buffer"]], start, (step, kind.itemsize))
@@ -57,25 +54,6 @@ class Gltf:
         if accessor.get("normalized") and kind.kind in "iu":
             made = np.maximum(made / np.iinfo(kind).max, -1.0)
         return made
-
-
-def check_gltf(path: Path, most_triangles: int) -> None:
-    """See that a file holds what it claims and refers to nothing outside its folder.
-
-    Raises
-    ------
-    InputProblem
-        It does not.
-    """
-    file = read_gltf(path)
-    total = 0
-    meshes = [_triangles_of(file, mesh) for mesh in _list(path, file.tree, "meshes")]
-    for node in _list(path, file.tree, "nodes"):
-        if "mesh" in node:
-            _at(path, file.tree, "meshes", node["mesh"])
-            total += meshes[node["mesh"]]
-    if total > most_triangles:
-        raise input_problem(path, f"it has {total} triangles, more than the {most_triangles} that can be worked with")
 
 
 def read_gltf(path: Path) -> Gltf:
@@ -95,33 +73,33 @@ def read_gltf(path: Path) -> Gltf:
         for name in tree.get("extensionsRequired", ()):
             if name in _UNREADABLE:
                 raise input_problem(path, f"it is compressed ({name}): please export it without compression")
-        buffers = tuple(_buffer(path, each, binary) for each in _list(path, tree, "buffers"))
+        buffers = tuple(_buffer(path, each, binary) for each in list_of(path, tree, "buffers"))
         file = Gltf(path, tree, buffers, _parents(path, tree))
-        for accessor in _list(path, tree, "accessors"):
+        for accessor in list_of(path, tree, "accessors"):
             _check_accessor(file, accessor)
-    # A tree of the wrong shape shows itself in many ways.
-    except (KeyError, TypeError, AttributeError, ValueError, IndexError, OverflowError) as error:
-        raise input_problem(path, "it is no whole glTF file") from error
+    except SHAPELESS as error:
+        raise damaged(path) from error
     return file
 
 
 def _parts(path: Path, data: bytes) -> tuple[Tree, bytes | None]:
     binary = None
     text = data
-    if data[:4] == _MAGIC:
+    if data[:4] == MAGIC:
         _, version, length = struct.unpack_from("<4sII", data)
         if version != 2:
             raise input_problem(path, f"it is glTF {version}; only glTF 2 is read")
         if length > len(data):
             raise input_problem(path, "it is cut off")
-        at, chunks = 12, {}
+        at = 12
+        chunks: dict[int, bytes] = {}
         while at + 8 <= length:
             size, kind = struct.unpack_from("<II", data, at)
             if at + 8 + size > length:
                 raise input_problem(path, "it is cut off")
             chunks.setdefault(kind, data[at + 8 : at + 8 + size])
             at += 8 + size
-        text, binary = chunks[_JSON_CHUNK], chunks.get(_BINARY_CHUNK)
+        text, binary = chunks[JSON_CHUNK], chunks.get(BINARY_CHUNK)
     if len(text) > _MAX_JSON_BYTES:
         raise input_problem(path, f"its description is larger than {_MAX_JSON_BYTES >> 20} MB")
     try:
@@ -133,18 +111,23 @@ def _parts(path: Path, data: bytes) -> tuple[Tree, bytes | None]:
     return tree, binary
 
 
-def _list(path: Path, tree: Tree, name: str) -> list[Tree]:
+def list_of(path: Path, tree: Tree, name: str) -> list[Tree]:
+    """Return a list of objects out of a tree, empty where there is none."""
     found = tree.get(name, [])
-    if not isinstance(found, list) or not all(isinstance(each, dict) for each in found):
-        raise input_problem(path, f"it is no whole glTF file: {name!r} is no list of objects")
+    if not isinstance(found, list):
+        raise input_problem(path, f"it is no whole glTF file: {name!r} is no list")
     return found
 
 
-def _at(path: Path, tree: Tree, name: str, index: object) -> Tree:
-    found = _list(path, tree, name)
+def entry_of(path: Path, tree: Tree, name: str, index: object) -> Tree:
+    """Return an object of such a list."""
+    found = list_of(path, tree, name)
     if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(found):
         raise input_problem(path, f"it is damaged: there is no {name}[{index!r}]"[:200])
-    return found[index]
+    entry = found[index]
+    if not isinstance(entry, dict):
+        raise TypeError(entry)
+    return entry
 
 
 def _buffer(path: Path, buffer: Tree, binary: bytes | None) -> bytes:
@@ -177,25 +160,25 @@ def _beside(path: Path, uri: str) -> bytes:
 
 def _parents(path: Path, tree: Tree) -> dict[int, int]:
     """Return which node hangs on which, having seen that none hangs on itself or too deep."""
-    nodes = _list(path, tree, "nodes")
+    nodes = list_of(path, tree, "nodes")
     if len(nodes) > _MAX_NODES:
         raise input_problem(path, f"it has more than {_MAX_NODES} nodes")
     parents: dict[int, int] = {}
     for number, node in enumerate(nodes):
         for child in node.get("children", ()):
-            _at(path, tree, "nodes", child)
+            entry_of(path, tree, "nodes", child)
             if child in parents:
                 raise input_problem(path, "it is damaged: a node hangs on two others")
             parents[child] = number
-    for number in range(len(nodes)):
-        above, depth = number, 0
-        while above in parents:
-            above, depth = parents[above], depth + 1
-            if depth > _MAX_DEPTH:
-                raise input_problem(path, "it is damaged: its nodes hang on one another without end")
-    for scene in _list(path, tree, "scenes"):
+    reached = level = [number for number in range(len(nodes)) if number not in parents]
+    for _ in range(_MAX_DEPTH):
+        level = [child for number in level for child in nodes[number].get("children", ())]
+        reached = reached + level
+    if len(reached) != len(nodes):
+        raise input_problem(path, "it is damaged: its nodes hang on one another without end")
+    for scene in list_of(path, tree, "scenes"):
         for root in scene.get("nodes", ()):
-            _at(path, tree, "nodes", root)
+            entry_of(path, tree, "nodes", root)
     return parents
 
 
@@ -209,7 +192,7 @@ def _check_accessor(file: Gltf, accessor: Tree) -> None:
     if "bufferView" not in accessor:
         # Nothing but zeros, of any claimed number.
         raise input_problem(file.path, "it is damaged: numbers are claimed that are not there")
-    view = _at(file.path, file.tree, "bufferViews", accessor["bufferView"])
+    view = entry_of(file.path, file.tree, "bufferViews", accessor["bufferView"])
     buffer = file.buffers[_index(view["buffer"], len(file.buffers))]
     start, inner = view.get("byteOffset", 0), accessor.get("byteOffset", 0)
     step = view.get("byteStride") or size
@@ -223,25 +206,6 @@ def _index(index: object, count: int) -> int:
     if not isinstance(index, int) or not 0 <= index < count:
         raise IndexError(index)
     return index
-
-
-def _triangles_of(file: Gltf, mesh: Tree) -> int:
-    """Return how many triangles a mesh has, having seen that its corners are there."""
-    total = 0
-    for part in mesh.get("primitives", ()):
-        if part.get("mode", 4) not in _TRIANGLE_MODES:
-            continue
-        where = _at(file.path, file.tree, "accessors", part.get("attributes", {}).get("POSITION"))
-        count = where["count"]
-        if "indices" in part:
-            indices = _at(file.path, file.tree, "accessors", part["indices"])
-            if indices["componentType"] not in (5121, 5123, 5125) or indices["type"] != "SCALAR":
-                raise input_problem(file.path, "it is damaged: corners are not named by whole numbers")
-            if indices["count"] and file.accessor(part["indices"]).max() >= count:
-                raise input_problem(file.path, "it is damaged: a triangle names a corner that is not there")
-            count = indices["count"]
-        total += count // 3 if part.get("mode", 4) == 4 else max(count - 2, 0)
-    return total
 
 
 def damaged(path: Path) -> InputProblem:

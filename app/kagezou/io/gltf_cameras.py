@@ -33,16 +33,16 @@ class _Channel:
         points = self.values[1::3] if is_cubic else self.values
         after = bisect_right(self.times, time)
         if after == 0 or after == len(self.times):
-            return points[min(after, len(points) - 1)]
+            return np.array(points[min(after, len(points) - 1)])
         start, end = points[after - 1], points[after]
         span = self.times[after] - self.times[after - 1]
         part = (time - self.times[after - 1]) / span
         if self.way == "STEP":
-            return start
+            return np.array(start)
         if is_cubic:
             out, into = span * self.values[3 * after - 1], span * self.values[3 * after]
             two, three = part * part, part * part * part
-            return (
+            return np.asarray(
                 (2 * three - 3 * two + 1) * start
                 + (three - 2 * two + part) * out
                 + (3 * two - 2 * three) * end
@@ -74,7 +74,7 @@ def gltf_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
             for number, node in enumerate(file.tree.get("nodes", ()))
             if "camera" in node
         )
-    except (KeyError, TypeError, AttributeError, ValueError, IndexError, np.linalg.LinAlgError) as error:
+    except (KeyError, TypeError, AttributeError, ValueError, IndexError, ZeroDivisionError) as error:
         raise damaged(path) from error
 
 

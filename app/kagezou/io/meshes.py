@@ -5,6 +5,7 @@ What a file claims is compared with what it holds before a decoder allocates any
 
 import threading
 from collections import OrderedDict
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -13,7 +14,7 @@ import numpy as np
 from kagezou.errors import InputProblem
 from kagezou.geometry.mesh import Mesh
 from kagezou.io.faults import input_problem
-from kagezou.io.gltf import check_gltf
+from kagezou.io.gltf_meshes import packed_gltf
 from kagezou.io.usd import read_usd
 
 if TYPE_CHECKING:
@@ -87,19 +88,30 @@ def read_mesh(path: Path) -> Mesh:
         raise input_problem(path, f"this is no set that can be read, only {', '.join(MESH_SUFFIXES)}")
     if size > MAX_BYTES:
         raise input_problem(path, f"it is larger than {MAX_BYTES >> 20} MB, too large for a set")
-    if suffix in _GLTF:
-        check_gltf(path, MAX_TRIANGLES)
-    vertices, triangles = read_usd(path, MAX_TRIANGLES) if suffix in _USD else _read_by_trimesh(path)
+    if suffix in _USD:
+        vertices, triangles = read_usd(path, MAX_TRIANGLES)
+    elif suffix in _GLTF:
+        vertices, triangles = _read_by_trimesh(path, packed_gltf(path, MAX_TRIANGLES), "glb")
+    else:
+        vertices, triangles = _read_by_trimesh(path, _bytes_of(path), suffix.removeprefix("."))
     return _checked(path, vertices, triangles)
 
 
-def _read_by_trimesh(path: Path) -> tuple[Any, Any]:
+def _bytes_of(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise input_problem(path, error) from error
+
+
+def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
+    """Decode a file from memory, so that the decoder has no way to whatever else the file names."""
     import trimesh
 
     try:
         # Degenerate triangles are divided by nothing in there.
         with np.errstate(all="ignore"):
-            scene = trimesh.load_scene(path, skip_materials=True)
+            scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True, process=False)
             found: trimesh.Trimesh = scene.to_mesh()
     except MemoryError as error:
         raise input_problem(path, "there is not enough memory for this set") from error
@@ -125,7 +137,10 @@ def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
         raise input_problem(path, "it is damaged: a corner is not a number")
     if np.abs(points[np.unique(corners)]).max() > _FARTHEST:
         raise input_problem(path, f"a corner lies more than {_FARTHEST:g} units away")
-    return _joined(points, corners)
+    mesh = _joined(points, corners)
+    if not len(mesh.triangles):
+        raise input_problem(path, "there are no triangles in it but some without an area")
+    return mesh
 
 
 def _joined(points: Any, corners: Any) -> Mesh:

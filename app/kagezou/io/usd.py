@@ -1,5 +1,6 @@
 """Sets from USD files, where the optional package for them is installed."""
 
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Final
 
@@ -20,8 +21,7 @@ def read_usd(path: Path, most: int) -> tuple[Any, Any]:
         The package is missing, the file is broken, or there are more than ``most`` triangles.
     """
     stage = open_stage(path)
-    from pxr import Usd, UsdGeom
-
+    Usd, UsdGeom = pxr("Usd"), pxr("UsdGeom")  # noqa: N806 - modules
     points: list[Any] = []
     corners: list[Any] = []
     placed = UsdGeom.XformCache(Usd.TimeCode.EarliestTime())
@@ -53,20 +53,23 @@ def read_usd(path: Path, most: int) -> tuple[Any, Any]:
 
 def is_z_up(path: Path) -> bool:
     """Whether a stage says that its third axis points up."""
-    from pxr import UsdGeom
+    return str(pxr("UsdGeom").GetStageUpAxis(open_stage(path))) == "Z"
 
-    return str(UsdGeom.GetStageUpAxis(open_stage(path))) == "Z"
+
+def pxr(name: str) -> Any:
+    """Return a module of USD's package, which has no types; InputProblem where the package is missing."""
+    try:
+        return import_module(f"pxr.{name}")
+    except ImportError as error:
+        raise InputProblem(MISSING) from error
 
 
 def open_stage(path: Path) -> Any:
     """Open a stage; InputProblem where the package for it is missing or the file is broken."""
+    stages = pxr("Usd").Stage
     try:
-        from pxr import Tf, Usd
-    except ImportError as error:
-        raise InputProblem(MISSING) from error
-    try:
-        stage = Usd.Stage.Open(str(path), Usd.Stage.LoadAll)
-    except Tf.ErrorException as error:
+        stage = stages.Open(str(path), stages.LoadAll)
+    except pxr("Tf").ErrorException as error:
         raise input_problem(path, "it cannot be read as USD: the file is damaged") from error
     if stage is None:
         raise input_problem(path, "it cannot be read as USD: the file is damaged")

@@ -10,7 +10,7 @@ import numpy as np
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.io.faults import input_problem
 from kagezou.io.gltf_cameras import MAX_FRAMES
-from kagezou.io.usd import open_stage
+from kagezou.io.usd import open_stage, pxr
 
 _APERTURE_UNIT: Final = 0.1
 """Apertures are in tenths of the stage's unit."""
@@ -27,8 +27,7 @@ def usd_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
         The package for USD is missing, or the file is broken.
     """
     stage = open_stage(path)
-    from pxr import Usd, UsdGeom
-
+    Usd, UsdGeom = pxr("Usd"), pxr("UsdGeom")  # noqa: N806 - modules
     first, last, rate = stage.GetStartTimeCode(), stage.GetEndTimeCode(), stage.GetTimeCodesPerSecond()
     count = ceil((last - first) / rate * frame_rate - _STILL) + 1 if last > first and rate > 0 else 1
     if count > MAX_FRAMES:

@@ -1,23 +1,26 @@
 """Sets from files: where they stand at first, the canvas camera following theirs, and characters standing on them."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
-from math import acos, atan2, degrees, radians, tan
+from dataclasses import dataclass
+from math import radians, tan
 from pathlib import Path
 from typing import Final
 
 import numpy as np
 
-from kagezou.animation.track import Interpolation, Key, Track, Value
+from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant, set_track
 from kagezou.document.model import Document
-from kagezou.document.properties import FOV, GROUND_DECLINATION, GROUND_POSITION, GROUND_ROLL, OF_PIECE
-from kagezou.document.property import Property
+from kagezou.document.properties import (
+    FOV,
+    GROUND_DECLINATION,
+    GROUND_POSITION,
+    GROUND_ROLL,
+)
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import UsageProblem
-from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.mesh_ray import first_hit
 from kagezou.geometry.set_camera import SetCamera
@@ -25,16 +28,15 @@ from kagezou.geometry.vectors import Matrix, Point2, Vector3
 from kagezou.io.faults import shown
 from kagezou.io.meshes import MeshCache
 from kagezou.io.set_cameras import cameras_of, up_axis_of
-from kagezou.scene.evaluate import camera_at, ground_at
-from kagezou.scene.pieces import pieces_at
+from kagezou.scene.evaluate import camera_at
+from kagezou.session.set_following import follow_camera
+from kagezou.session.set_placing import of_piece, placement, track_through
 
 PERSON_UNITS: Final = 1.6
 """How high a character is taken to be in a file's units, which most programs write as metres."""
 
 _NATURAL_HEIGHTS: Final = (0.2, 200.0)
 """A set between these many character heights is believed to be in metres; any other is fitted to the canvas."""
-
-_LINEAR: Final = Interpolation.LINEAR
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,41 +109,9 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
     return Imported(follow_camera(document, piece_id, camera), piece_id, tuple(_notes(document, camera, met)))
 
 
-def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Document:
-    """Return the document whose camera sees an imported set exactly as a camera of its file does.
-
-    Field of view, ground and the placement of the piece follow from where the camera stands; the ground goes through
-    the piece's anchor, which comes to lie in the plane of the drawings. For a camera that moves there is a key on
-    every frame, so that each frame is exact; halfway between two frames all of it is interpolated.
-
-    Raises
-    ------
-    UsageProblem
-        The camera sees the ground from below, or does not see the anchor before it.
-    """
-    piece = document.piece(piece_id)
-    anchor = _place(value_of(document, _of_piece(lines.PIECE_ANCHOR, piece_id), 1))
-    up = str(value_of(document, _of_piece(lines.PIECE_UP, piece_id), 1))
-    last = min(len(camera.poses), document.canvas.length_frames)
-    sights = [_sight(document, camera, frame, anchor, up) for frame in range(1, last + 1)]
-    angles = np.degrees(np.unwrap(np.radians([sight.angle for sight in sights])))
-    columns: list[tuple[Address, list[Value]]] = [
-        (Address(GROUND_POSITION), [sight.position for sight in sights]),
-        (Address(GROUND_ROLL), [sight.roll for sight in sights]),
-        (Address(GROUND_DECLINATION), [sight.declination for sight in sights]),
-        (_of_piece(lines.PIECE_POSITION, piece.id), [sight.position for sight in sights]),
-        (_of_piece(lines.PIECE_ANGLE, piece.id), [float(angle) for angle in angles]),
-        (_of_piece(lines.PIECE_SCALE, piece.id), [sight.scale for sight in sights]),
-    ]
-    document = set_constant(document, Address(FOV), camera.height if camera.is_perspective else 0.0)
-    for address, values in columns:
-        document = set_track(document, address, _track(address.property, enumerate(values, start=1)))
-    return document
-
-
 def point_under(document: Document, piece_id: str, mesh: Mesh, canvas_px: Point2, frame: int) -> Vector3 | None:
-    """Return the point of an imported set, in its file's units, that is seen at a place of the canvas; None for none."""
-    world_from_mesh = _placement(document, piece_id, frame)
+    """Return the point of an imported set, in its file's units, seen at a place of the canvas; None for none."""
+    world_from_mesh = placement(document, piece_id, frame)
     if world_from_mesh is None:
         return None
     ex, ey, ez, ew = camera_at(document, frame).eye
@@ -169,7 +139,7 @@ def stand_at(document: Document, piece_id: str, point: Vector3) -> Document:
     positions: list[Value] = []
     scales: list[Value] = []
     for frame in frames:
-        world_from_mesh = _placement(document, piece_id, frame)
+        world_from_mesh = placement(document, piece_id, frame)
         if world_from_mesh is None:
             raise UsageProblem("the set is not before the camera on every frame")
         x, y, w = camera_at(document, frame).canvas_from_world() @ world_from_mesh @ np.array([*point, 1.0])
@@ -177,53 +147,18 @@ def stand_at(document: Document, piece_id: str, point: Vector3) -> Document:
             raise UsageProblem("this point of the set is not before the camera on every frame")
         positions.append((float(x / w), float(y / w)))
         scales.append(float(np.linalg.norm(world_from_mesh[:3, 0]) / w))
-    document = set_constant(document, _of_piece(lines.PIECE_ANCHOR, piece_id), point)
+    document = set_constant(document, of_piece(lines.PIECE_ANCHOR, piece_id), point)
     is_still = frames == (1,) and not _keyed_frames(document, piece_id)
     for address, values in (
         (Address(GROUND_POSITION), positions),
-        (_of_piece(moved[0], piece_id), positions),
-        (_of_piece(moved[1], piece_id), scales),
+        (of_piece(moved[0], piece_id), positions),
+        (of_piece(moved[1], piece_id), scales),
     ):
         if is_still:
             document = set_constant(document, address, values[0])
         else:
-            document = set_track(document, address, _track(address.property, zip(frames, values, strict=True)))
+            document = set_track(document, address, track_through(address.property, zip(frames, values, strict=True)))
     return document
-
-
-@dataclass(frozen=True, slots=True)
-class _Sight:
-    """What follows from one pose of a camera."""
-
-    position: Point2
-    roll: float
-    declination: float
-    angle: float
-    scale: float
-
-
-def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, up: str) -> _Sight:
-    pose = camera.pose(frame)
-    # From the mesh's directions to the canvas', whose y points down.
-    canvas_from_mesh = np.diag([1.0, -1.0, 1.0]) @ pose[:3, :3].T
-    normal = canvas_from_mesh @ (np.array([0.0, 0.0, 1.0]) if up == "z" else np.array([0.0, 1.0, 0.0]))
-    declination = degrees(acos(min(max(float(normal[2]), -1.0), 1.0)))
-    if not GROUND_DECLINATION.low <= declination <= GROUND_DECLINATION.high:
-        raise UsageProblem(
-            f"the camera {camera.name!r} sees the ground at {declination:.1f}° on frame {frame}; "
-            f"it can be followed from {GROUND_DECLINATION.low:g}° to {GROUND_DECLINATION.high:g}°"
-        )
-    roll = degrees(atan2(normal[0], -normal[1]))
-    ground = ground_plane((0.0, 0.0), roll, declination)
-    right = canvas_from_mesh[:, 0]
-    angle = degrees(atan2(float(right @ ground.v), float(right @ ground.u)))
-    depth = -float((np.linalg.inv(pose) @ np.array([*anchor, 1.0]))[2])
-    if camera.is_perspective and depth <= 0:
-        raise UsageProblem(f"the place to stand on is behind the camera {camera.name!r} on frame {frame}")
-    width, height = float(document.canvas.width_px), float(document.canvas.height_px)
-    focal = (height / 2) / tan(radians(camera.height) / 2) if camera.is_perspective else 0.0
-    scale = focal / depth if camera.is_perspective else height / camera.height
-    return _Sight(camera.sees(anchor, frame, (width, height)), roll, declination, angle, scale)
 
 
 def _ray_of(camera: SetCamera, canvas_px: Point2, size_px: Point2) -> tuple[Matrix, Matrix]:
@@ -244,8 +179,8 @@ def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> Iterab
         yield f"the camera {camera.name!r} sees nothing of the set where the character stands"
     if camera.aspect and abs(camera.aspect / aspect - 1) > 0.01:
         yield (
-            f"the camera {camera.name!r} is for a picture of {camera.aspect:.3f} to 1, the canvas is {aspect:.3f} to 1: "
-            "the height was kept, the sides differ"
+            f"the camera {camera.name!r} is for a picture of {camera.aspect:.3f} to 1, the canvas is {aspect:.3f} "
+            "to 1: the height was kept, the sides differ"
         )
     if camera.is_animated and len(camera.poses) != canvas.length_frames:
         yield f"the camera {camera.name!r} moves for {len(camera.poses)} frames, the cut has {canvas.length_frames}"
@@ -279,13 +214,6 @@ def _natural_scale(document: Document, mesh: Mesh, up: str) -> float:
     return document.canvas.width_px / widest
 
 
-def _placement(document: Document, piece_id: str, frame: int) -> Matrix | None:
-    for piece in pieces_at(document, frame, camera_at(document, frame), ground_at(document, frame)):
-        if piece.id == piece_id and piece.mesh is not None:
-            return np.array(piece.mesh.world_from_mesh)
-    return None
-
-
 def _keyed_frames(document: Document, piece_id: str) -> tuple[int, ...]:
     """Return every frame on which something is keyed that decides how an imported set is seen."""
     own = document.piece(piece_id).tracks
@@ -294,17 +222,6 @@ def _keyed_frames(document: Document, piece_id: str) -> tuple[int, ...]:
     of_scene = (FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION)
     tracks += [document.tracks[line.name] for line in of_scene if line.name in document.tracks]
     return tuple(sorted({key.frame for track in tracks for key in track.keys}))
-
-
-def _track(line: Property, values: Iterable[tuple[int, Value]]) -> Track:
-    keys = tuple(Key(frame, line.canonical(value), _LINEAR) for frame, value in values)
-    if all(key.value == keys[0].value for key in keys):
-        return Track(keys[0].value)
-    return Track(keys[0].value, keys)
-
-
-def _of_piece(line: Property, piece_id: str) -> Address:
-    return Address(OF_PIECE[line.name], piece_id=piece_id)
 
 
 def _corners(mesh: Mesh) -> Matrix:
@@ -316,9 +233,3 @@ def _points(value: Value) -> Point2:
     assert isinstance(value, tuple), value
     x, y = (part for part in value if isinstance(part, float))
     return (x, y)
-
-
-def _place(value: Value) -> Vector3:
-    assert isinstance(value, tuple), value
-    x, y, z = (part for part in value if isinstance(part, float))
-    return (x, y, z)

@@ -57,7 +57,10 @@ def _about(document: "Document") -> dict[str, Json]:
         "last_frame": canvas.length_frames,
         "background": None if document.background is None else shown(document.background),
         "layers": [_about_layer(layer) for layer in document.layers],
-        "set": [{"name": piece.name, "kind": kind_of(piece)} for piece in document.pieces],
+        "set": [
+            {"name": piece.name, "kind": kind_of(piece), **({"file": shown(piece.source)} if piece.source else {})}
+            for piece in document.pieces
+        ],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": [shown(path) for path in _missing(document)],
     }
@@ -90,6 +93,7 @@ def _missing(document: "Document") -> "Iterator[Path]":
     paths = [drawing.path for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
         paths.append(document.background)
+    paths += [piece.source for piece in document.pieces if piece.source is not None]
     return (path for path in dict.fromkeys(paths) if not path.is_file())
 
 
@@ -110,7 +114,8 @@ def _lines(document: "Document") -> Iterator[str]:
         box = layer.figure
         yield f"layer       {layer.name}: {count} drawing{'s' * (count != 1)}, figure {box.width} x {box.height} px"
     for piece in document.pieces:
-        yield f"set piece   {piece.name}: {kind_of(piece)}"
+        file = "" if piece.source is None else f" of {shown(piece.source)}"
+        yield f"set piece   {piece.name}: {kind_of(piece)}{file}"
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"
