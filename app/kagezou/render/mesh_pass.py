@@ -1,6 +1,6 @@
 """The pass of meshes: the shadow on every triangle that is seen, and what meshes do to the other faces of a set."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from math import radians, sin
 
@@ -20,6 +20,7 @@ from kagezou.render.cast_uniforms import TRANSLUCENT, card_uniforms
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.mesh_card import MeshesOnCard, PlacedMesh
+from kagezou.render.mesh_display import Display, MeshDisplays, SetPicture
 from kagezou.render.mesh_map import LightMap, LightMaps, Surroundings
 from kagezou.render.mesh_screen import Pasts, Screen, light_uniforms
 from kagezou.render.mesh_view import MeshView, MeshViews
@@ -108,6 +109,7 @@ class MeshPass:
         self._views = MeshViews(boxes)
         self._maps = LightMaps()
         self._pasts = Pasts(boxes)
+        self._displays = MeshDisplays(boxes)
         self._on_card: MeshesOnCard | None = None
 
     @property
@@ -124,12 +126,12 @@ class MeshPass:
         """Give the memory back."""
         self.forget()
         self._programs.close()
-        for each in (self._views, self._maps, self._pasts):
+        for each in (self._views, self._maps, self._pasts, self._displays):
             each.close()
 
     def forget(self) -> None:
         """Give back everything about the meshes drawn last."""
-        for each in (self._pasts, self._maps, self._views):
+        for each in (self._displays, self._pasts, self._maps, self._views):
             each.forget()
         if self._on_card is not None:
             self._on_card.close()
@@ -147,6 +149,10 @@ class MeshPass:
             self.forget()
             self._on_card = MeshesOnCard(placed)
         return self._views.view(self._on_card, stage.camera, canvas)
+
+    def pictures(self, view: MeshView, displays: Iterable[Display]) -> tuple[SetPicture, ...]:
+        """Return what is to be shown of the meshes themselves."""
+        return self._displays.pictures(view, displays)
 
     def lit(
         self,

@@ -29,6 +29,7 @@ from kagezou.scene.scene import ShadowCast
 _PATCH_MARGIN = 0.5
 """How far beyond its corners' picture a curved patch may reach, as a part of that."""
 
+
 @dataclass(frozen=True, slots=True, eq=False)
 class RoundLit:
     """A round face under one light, with what the other bodies take of that."""

@@ -1,5 +1,6 @@
 """The covered parts of each layer's shadow, kept as long as nothing that shapes them changes."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kagezou.geometry.box import Box
@@ -9,6 +10,7 @@ from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
+from kagezou.render.mesh_display import Display, SetPicture
 from kagezou.render.set_pass import SetPass
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Format, Target
@@ -77,6 +79,10 @@ class ShadowLayers:
             self._set_cast = scene.set_shadow.cast
             self.casts_drawn += 1
         return kept if kept.box is not None else None
+
+    def set_pictures(self, scene: Scene, displays: Sequence[Display]) -> tuple[SetPicture, ...]:
+        """Return what is to be shown of meshes themselves, those under the background first."""
+        return self._set.pictures(SetCast(scene.camera, scene.ground, scene.pieces, ()), scene.canvas, displays)
 
     def forget_except(self, scene: Scene) -> None:
         """Give back the memory of layers that the scene no longer has."""

@@ -69,7 +69,7 @@ class Stage:
         if self._drawn == (scene, backdrop, view, line_px):
             return
         whole = self._readable(scene)
-        self._renderer.draw_picture(seen(whole, view), backdrop, line_px=line_px)
+        self._renderer.draw_picture(seen(whole, view), backdrop, line_px=line_px, wireframes=True)
         self.pictures_drawn += 1
         self._drawn = (scene, backdrop, view, line_px)
 
