@@ -30,7 +30,7 @@ class Display(Enum):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SetPicture:
-    """A picture of meshes, of the canvas' size: RGBA for clay, covered parts for a wireframe; equal if it is the same."""
+    """A picture of meshes, of the canvas' size: RGBA for clay, covered parts for a wireframe."""
 
     texture: Texture
     display: Display

@@ -120,7 +120,7 @@ class LightMap:
     texture: Texture
 
     def uniforms(self, origin: Matrix) -> dict[str, Uniform]:
-        """Return what ``mesh_light.glsl`` wants, for places around a point (3,), itself told about the meshes' origin."""
+        """Return what ``mesh_light.glsl`` wants, for places around a point (3,) told around the meshes' origin."""
         window = self.window
         return {
             "u_map": MAP_UNIT,

@@ -54,7 +54,7 @@ class Picture:
         return self._target
 
     def begin(self, backdrop: Backdrop, background: Path | None, sets: tuple[SetPicture, ...] = ()) -> None:
-        """Start over from the base: the backdrop, the background picture where it is asked for, and pictures of sets."""
+        """Start over from the base: the backdrop, the background picture where it is asked for, and sets."""
         base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None, sets)
         if base != self._base:
             self._base = None

@@ -194,7 +194,7 @@ class Target:
 
 
 class DeepTarget(Target):
-    """A target in which the nearest counts, of numbers (COUNT) or of floats; it starts with zero, infinitely far away."""
+    """A target in which the nearest counts, of numbers (COUNT) or floats; it starts with zero, infinitely far away."""
 
     def __init__(self, width_px: int, height_px: int, form: Format) -> None:
         super().__init__(width_px, height_px, form)
