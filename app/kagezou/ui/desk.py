@@ -9,6 +9,7 @@ from kagezou.document.model import Canvas, Document
 from kagezou.io import project_file
 from kagezou.io.cels import CelCache
 from kagezou.io.keepsake import Keepsake
+from kagezou.io.meshes import MeshCache
 from kagezou.io.xdts import write_xdts
 from kagezou.session.session import Session
 from kagezou.session.sheet_project import document_of_sheet
@@ -33,6 +34,7 @@ class Desk(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.cels = CelCache()
+        self.meshes = MeshCache()
         self.bridge = Bridge(Session(blank_document()))
         self._path: Path | None = None
         self._seen = ""
@@ -46,7 +48,7 @@ class Desk(QObject):
     def is_blank(self) -> bool:
         """Whether there is nothing to see."""
         document = self.bridge.document
-        return not document.layers and document.background is None
+        return not document.layers and not document.pieces and document.background is None
 
     @property
     def is_saved(self) -> bool:

@@ -28,6 +28,9 @@ from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
 from kagezou.ui.prefetch import Prefetch
 from kagezou.ui.project_actions import ProjectActions
+from kagezou.ui.set_bar import SetBar
+from kagezou.ui.set_import_wiring import connect_set_import
+from kagezou.ui.set_imports import SetImports
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.status import Status
@@ -83,6 +86,7 @@ class MainWindow(QMainWindow):
         connect_views(self)
         connect_sheets(self)
         connect_match(self)
+        connect_set_import(self)
         connect_playback(self)
         connect_jumps(self)
         connect_keys(self)
@@ -187,7 +191,7 @@ class MainWindow(QMainWindow):
         self.space = SpaceBar()
         self.thumbnails = Thumbnails()
         self.welcome = Welcome(self.settings.picture_folder)
-        self.viewport = Viewport(bridge, self.desk.cels, self.space)
+        self.viewport = Viewport(bridge, self.desk.cels, self.desk.meshes, self.space)
         self.layers = LayerList(bridge, self.thumbnails)
         self.inspector = Inspector(bridge)
         self.styles = StyleList(bridge, self.settings.style_folder)
@@ -197,6 +201,8 @@ class MainWindow(QMainWindow):
         self.exporting = Exporting(self.bar)
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
+        self.set_bar = SetBar()
+        self.set_imports = SetImports(self.desk, self.set_bar, self.viewport.picking)
         self.menus = Menus(self, self.actions_of)
         self.curves = CurvesPanel(bridge, self.menus.fill_keys)
         self.keyboard = Keyboard(self, self.actions_of, self.settings, self.bar)
@@ -210,6 +216,7 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.bar)
+        column.addWidget(self.set_bar)
         column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self.setCentralWidget(middle)

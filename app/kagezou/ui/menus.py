@@ -119,7 +119,7 @@ class Menus(QObject):
         file = self._menu(bar, self.tr("F&ile"), ["new", "open"])
         file.addMenu(self.recent)
         self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures"])
-        self._fill(file, ["import_timesheet", "background"])
+        self._fill(file, ["import_set", "import_timesheet", "background"])
         self._fill(file, ["no_background", _SEPARATOR, "export", "export_timesheet", _SEPARATOR, "quit"])
         self._menu(
             bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
@@ -139,7 +139,7 @@ class Menus(QObject):
         self._fill(self.views, ["view_composite", "view_shadow", "view_outline", "view_matte"])
         self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
-        self._fill(self.view, ["handles", "match_camera", "onion_skin"])
+        self._fill(self.view, ["handles", "match_camera", "settle_set", "onion_skin"])
         self.view.addMenu(self.onion)
         self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self._fill(self.view, ["snapshot_wipe"])

@@ -36,6 +36,8 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
+    set_arrived = Signal(Path)
+    """A set from a 3-D program was dropped or chosen."""
 
     def __init__(self, desk: Desk, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()
@@ -143,6 +145,11 @@ class ProjectActions(QObject):
         if path := self.dialogs.timesheet():
             self.time_by(path)
 
+    def import_set(self) -> None:
+        """Ask for a set from a 3-D program."""
+        if path := self.dialogs.set_file():
+            self.bring([path])
+
     def export_timesheet(self) -> None:
         """Ask where to write the timesheet."""
         if path := self.dialogs.timesheet_to_save(f"{self.project_name}.xdts"):
@@ -156,6 +163,8 @@ class ProjectActions(QObject):
             self.open_recent(arrivals.project)
         elif arrivals.timesheet is not None:
             self.time_by(arrivals.timesheet)
+        elif arrivals.set_file is not None:
+            self.set_arrived.emit(arrivals.set_file)
         elif arrivals.background is not None:
             background = arrivals.background
             self._try(lambda: self._desk.put_background(background))
@@ -163,7 +172,7 @@ class ProjectActions(QObject):
             self._try(lambda: self._desk.bring(arrivals.characters))
         elif given:
             names = ", ".join(path.name for path in given[:3])
-            words = self.tr("%1: neither a project, a folder of cels nor a picture that can be read")
+            words = self.tr("%1: neither a project, a folder of cels, a set nor a picture that can be read")
             self._bar.say(_KEY, words.replace("%1", names), Severity.WARNING)
 
     def may_leave(self) -> bool:

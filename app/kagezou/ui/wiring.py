@@ -34,6 +34,7 @@ def connect_project(window: "MainWindow") -> None:
         "save_increment": project.save_increment,
         "import": project.import_folder,
         "import_pictures": project.import_pictures,
+        "import_set": project.import_set,
         "import_timesheet": project.import_timesheet,
         "export_timesheet": project.export_timesheet,
         "background": project.set_background,

@@ -11,6 +11,7 @@ from kagezou.document.model import Document
 from kagezou.errors import GraphicsProblem, Problem
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.ui.bridge import Bridge
@@ -29,8 +30,8 @@ class PictureWidget(QOpenGLWidget):
     ----------
     bridge
         The session shown.
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and sets come from.
     viewpoint
         How the canvas is looked at.
     """
@@ -43,11 +44,12 @@ class PictureWidget(QOpenGLWidget):
     started = Signal(str, bool)
     """What draws, by name, and whether it is the processor; connect queued."""
 
-    def __init__(self, bridge: Bridge, cels: CelCache, viewpoint: Viewpoint) -> None:
+    def __init__(self, bridge: Bridge, cels: CelCache, meshes: MeshCache, viewpoint: Viewpoint) -> None:
         super().__init__()
         self.viewpoint = viewpoint
         self._bridge = bridge
         self._cels = cels
+        self._meshes = meshes
         self._stage: Stage | None = None
         self._broken: tuple[Broken, ...] = ()
         self._backdrop = Backdrop.BACKGROUND
@@ -147,7 +149,7 @@ class PictureWidget(QOpenGLWidget):
         if (major, minor) < NEEDED_VERSION:
             words = self.tr("The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.")
             raise GraphicsProblem(words.replace("%1", f"{major}.{minor}"))
-        self._stage = Stage(self._cels)
+        self._stage = Stage(self._cels, self._meshes)
         self.started.emit(self._stage.device, self._stage.is_software)
 
     def _paint(self, stage: Stage) -> None:

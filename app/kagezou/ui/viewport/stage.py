@@ -1,5 +1,6 @@
 """What is on screen: the renderer of the current context, and the picture it drew last."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -7,17 +8,18 @@ from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.scene import LayerScene, Scene
+from kagezou.scene.scene import LayerScene, Scene, without_pieces
 from kagezou.ui.viewport.picture_view import PictureView, seen
 
 
 @dataclass(frozen=True, slots=True)
 class Broken:
-    """A picture file that cannot be shown, and why."""
+    """A file that cannot be shown, and why."""
 
     path: Path
     problem: Problem
@@ -30,13 +32,14 @@ class Stage:
 
     Parameters
     ----------
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and sets come from.
     """
 
-    def __init__(self, cels: CelCache) -> None:
+    def __init__(self, cels: CelCache, meshes: MeshCache) -> None:
         self._cels = cels
-        self._renderer = Renderer(cels)
+        self._meshes = meshes
+        self._renderer = Renderer(cels, meshes)
         self._evaluated: tuple[Document, int, Scene] | None = None
         self._drawn: tuple[Scene, Backdrop, PictureView, int] | None = None
         self.broken: tuple[Broken, ...] = ()
@@ -106,9 +109,9 @@ class Stage:
     def _readable(self, scene: Scene) -> Scene:
         broken: list[Broken] = []
 
-        def can_be_read(path: Path) -> bool:
+        def can_be_read(path: Path, read: Callable[[Path], object] = self._cels.cel) -> bool:
             try:
-                self._cels.cel(path)
+                read(path)
             except Problem as problem:
                 broken.append(Broken(path, problem))
                 return False
@@ -119,6 +122,12 @@ class Stage:
                 return layer
             return replace(layer, drawing=None, cast=None)
 
+        lost = {
+            piece.id
+            for piece in scene.pieces
+            if piece.mesh is not None and not can_be_read(piece.mesh.path, self._meshes.mesh)
+        }
+        scene = without_pieces(scene, lost) if lost else scene
         layers = tuple(shown(layer) for layer in scene.layers)
         background = scene.background if scene.background is None or can_be_read(scene.background) else None
         self.broken = tuple(broken)
