@@ -13,7 +13,7 @@ uniform vec3 u_map_shift;              // from the places asked about to those o
 
 const int ALL_PARTS = 0xFFFF;
 const int LIT = 0, DARK = 1, EDGE = 2;
-const float LIFT_PX = 0.1;            // what is no higher over a surface does not shade it
+const float LIFT_PX = 0.05;            // what is no higher over a surface does not shade it
 const float CLOSED_PX = 0.4;           // from here on a texel's triangle shades it, even if none is found between
 const float HIGH_PX = 1.5;             // from here on nothing has to be asked
 

@@ -27,8 +27,9 @@ from kagezou.render.mesh_view import MeshView, MeshViews
 from kagezou.render.program import Uniform, Variants
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Flags
-from kagezou.render.set_uniforms import LIGHT, TABLE_SIZES, space_uniforms
+from kagezou.render.set_uniforms import LIGHT
 from kagezou.render.targets import Target
+from kagezou.render.veil_tables import VeilTables
 from kagezou.scene.pieces import PieceScene
 from kagezou.scene.scene import ShadowCast
 
@@ -69,14 +70,13 @@ class MeshLit:
         shift[:3, 3] = self.view.on_card.origin
         return shift
 
-    def uniforms(self) -> dict[str, Uniform]:
+    def uniforms(self, tables: VeilTables) -> dict[str, Uniform]:
         """Return what ``mesh_shade.frag`` always wants, its textures bound."""
         view = self.view
         view.bind()
         centre, reach = _ball(view.blocks)
-        found = view.uniforms() | space_uniforms(
-            self._veils(), self.world_from_local, centre + view.on_card.origin, reach
-        )
+        ball = (centre + view.on_card.origin, reach)
+        found = view.uniforms() | tables.uniforms(self._veils(), self.world_from_local, ball)
         if self.light_map is not None:
             found |= light_uniforms(self.light_map, view, np.zeros(3))
         return found | {
@@ -106,6 +106,7 @@ class MeshPass:
         self._boxes = boxes
         self._meshes = meshes
         self._programs = Variants("box.vert", "mesh_shade.frag")
+        self._tables = VeilTables()
         self._views = MeshViews(boxes)
         self._maps = LightMaps()
         self._pasts = Pasts(boxes)
@@ -126,7 +127,7 @@ class MeshPass:
         """Give the memory back."""
         self.forget()
         self._programs.close()
-        for each in (self._views, self._maps, self._pasts, self._displays):
+        for each in (self._tables, self._views, self._maps, self._pasts, self._displays):
             each.close()
 
     def forget(self) -> None:
@@ -176,7 +177,7 @@ class MeshPass:
         found = (cast_in_space(cast.camera, piece, lit.light) for piece in cast.card.pieces)
         pieces = [piece for piece in found if piece is not None]
         drawn: Box | None = None
-        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(self._tables)}
         for piece in pieces:
             some, full = _shaded(lit.view, piece, matte)
             for tiles, how in ((full, _FULL), (some & ~full, _IN_PARTS)):
@@ -197,7 +198,7 @@ class MeshPass:
         tiling = lit.view.grid.tiling(target.box, lit.view.seen)
         if tiling.box is None:
             return None
-        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(self._tables)}
         self._begin(target, tiling.box)
         self._programs[self._switches(lit) | {"OWN_SHADOW"}].use(uniforms)
         self._boxes.draw(tiling.boxes)
@@ -205,7 +206,7 @@ class MeshPass:
 
     @staticmethod
     def _switches(lit: MeshLit) -> frozenset[str]:
-        return TABLE_SIZES | ({"MESHES"} if lit.light_map is not None else set())
+        return frozenset({"MESHES"} if lit.light_map is not None else ())
 
     @staticmethod
     def _begin(target: Target, box: Box) -> None:

@@ -25,7 +25,7 @@ _FINE_SIDE, _COARSE_SIDE = 4, 2
 _FINE_BYTES = 160 << 20
 """With more samples than these hold the coarse side has to do."""
 
-_FLAT_PX = 0.15
+_FLAT_PX = 0.04
 """Samples of a pixel that lie no farther from one plane are drawn as if they lay in it."""
 
 _NEAREST_W = 0.01

@@ -66,6 +66,11 @@ class Renderer:
         """How many of those shadows have been simplified."""
         return self._shadows.filters_drawn
 
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views; kept while they stay."""
+        return self._shadows.meshes_seen
+
     def shadow(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return a layer's shadow: straight alpha = covered part × opacity (spec 6), one colour unless it has a tip.
 

@@ -80,6 +80,15 @@ class SetPass:
             target.close()
         self._scratches.clear()
 
+    def forget_meshes(self) -> None:
+        """Give back the memory of meshes."""
+        self._mesh.forget()
+
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views."""
+        return self._mesh.views_drawn, self._mesh.maps_drawn
+
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
         """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
         if old is not None:
