@@ -19,6 +19,20 @@ vec3 projected(vec4 place) {
     return vec3(dot(u_texel_rows[0], place), dot(u_texel_rows[1], place), dot(u_texel_rows[2], place));
 }
 
+// The nearest limit decides; where two meet within a cell neither does more than its own part.
+float within_limits(vec4 place, mat2x3 cell_world) {
+    float nearest = 1e9;
+    vec2 direction = vec2(1.0, 0.0);
+    for (int index = 0; index < 3; ++index) {
+        vec2 slope = u_limits[index].xyz * cell_world;
+        float steep = max(length(slope), 1e-30);
+        float away = dot(u_limits[index], place) / steep;
+        direction = away < nearest ? slope / steep : direction;
+        nearest = min(nearest, away);
+    }
+    return cell_coverage(nearest, direction);
+}
+
 float cast_coverage(vec4 place, mat2x3 cell_world) {
     vec3 h = projected(place);
     if (h.z <= 0.0) {
@@ -34,8 +48,5 @@ float cast_coverage(vec4 place, mat2x3 cell_world) {
                       dot(alpha.yz, (step_y.xy - texel * step_y.z) / h.z));
     float covered = cell_coverage(alpha.x - 0.5, slope);
 #endif
-    for (int index = 0; index < 3; ++index) {
-        covered *= edge_of(dot(u_limits[index], place), u_limits[index].xyz * cell_world);
-    }
-    return covered;
+    return covered * within_limits(place, cell_world);
 }

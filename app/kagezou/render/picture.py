@@ -11,6 +11,7 @@ from kagezou.render.backdrop import Backdrop
 from kagezou.render.boxes import Boxes
 from kagezou.render.gl import GL
 from kagezou.render.look import look_uniforms, unit_rgb
+from kagezou.render.mesh_display import Display, SetPicture
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.shelf import Shelf
 from kagezou.render.targets import Format, Target, Texture
@@ -23,12 +24,16 @@ _LINE_COLOR = (0xD5 / 255, 0x5E / 255, 0.0)
 """Vermilion: seen on paper, on dark drawings and by those who see few colours."""
 
 
+_WIRE_OPACITY = 0.8
+
+
 @dataclass(frozen=True, slots=True)
 class _Base:
     """What the lowest layer of the picture was made of."""
 
     backdrop: Backdrop
     background: Path | None
+    sets: tuple[SetPicture, ...]
 
 
 class Picture:
@@ -53,9 +58,9 @@ class Picture:
         """Where the picture is."""
         return self._target
 
-    def begin(self, backdrop: Backdrop, background: Path | None) -> None:
-        """Start over from the base: the backdrop, and the background picture where it is asked for."""
-        base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None)
+    def begin(self, backdrop: Backdrop, background: Path | None, sets: tuple[SetPicture, ...] = ()) -> None:
+        """Start over from the base: the backdrop, the background picture where it is asked for, and sets."""
+        base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None, sets)
         if base != self._base:
             self._base = None
             self._make_base(base)
@@ -128,8 +133,26 @@ class Picture:
             }
         )
         self._boxes.draw_one(self._base_target.box)
+        for picture in base.sets:
+            if picture.is_under:
+                self._lay_set(picture)
         if base.background is not None:
             self._lay_cel(self._base_target, self._cels.background(base.background))
+        for picture in base.sets:
+            if not picture.is_under:
+                self._lay_set(picture)
+
+    def _lay_set(self, picture: SetPicture) -> None:
+        is_wire = picture.display is Display.WIREFRAME
+        uniforms: dict[str, Uniform] = {
+            "u_source_corner_px": (0.0, 0.0),
+            "u_is_picture": not is_wire,
+            "u_color": _NO_COLOR,
+            "u_opacity": _WIRE_OPACITY if is_wire else 1.0,
+            "u_multiply": False,
+        }
+        switches = frozenset({"CONTRASTING"} if is_wire else ())
+        self._lay(self._base_target, self._base_target.box, picture.texture, uniforms, switches)
 
     def _lay_cel(self, target: Target, cel: Cel) -> None:
         if cel.matte.box is None:

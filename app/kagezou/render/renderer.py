@@ -14,6 +14,7 @@ from kagezou.render.depth_map import DepthMapPass
 from kagezou.render.gl import GL, check
 from kagezou.render.info import read_info
 from kagezou.render.look import look_uniforms, unit_rgb
+from kagezou.render.mesh_display import Display
 from kagezou.render.picture import Picture
 from kagezou.render.presenter import Presenter, WindowView
 from kagezou.render.program import Variants
@@ -69,6 +70,11 @@ class Renderer:
     def filters_drawn(self) -> int:
         """How many of those shadows have been simplified."""
         return self._shadows.filters_drawn
+
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views; kept while they stay."""
+        return self._shadows.meshes_seen
 
     def shadow(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return a layer's shadow: straight alpha = covered part × opacity (spec 6), one colour unless it has a tip.
@@ -144,15 +150,23 @@ class Renderer:
         return coverage.target.read(scene.canvas)
 
     def draw_picture(
-        self, scene: Scene, backdrop: Backdrop = Backdrop.BACKGROUND, depth: int = 8, line_px: int = 0
+        self,
+        scene: Scene,
+        backdrop: Backdrop = Backdrop.BACKGROUND,
+        depth: int = 8,
+        line_px: int = 0,
+        *,
+        wireframes: bool = False,
     ) -> None:
         """Draw backdrop, shadows and characters; the result stays in the renderer until the next picture.
 
-        With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width.
+        With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width. With
+        ``wireframes`` imported sets show theirs, where that is asked of them.
         """
         form = Format.RGBA8 if depth == 8 else Format.RGBA16
         picture = self._picture_for(scene.canvas, form)
-        picture.begin(backdrop, scene.background)
+        displays = (Display.CLAY, Display.WIREFRAME) if wireframes else (Display.CLAY,)
+        picture.begin(backdrop, scene.background, self._shadows.set_pictures(scene, displays))
         self._lay_set_shadow(picture, scene)
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.

@@ -229,7 +229,7 @@ class Desk(QObject):
 
 
 def _is_blank(document: Document) -> bool:
-    return not document.layers and document.background is None
+    return not document.layers and not document.pieces and document.background is None
 
 
 def _names(sources: tuple[CharacterSource, ...]) -> str:

@@ -109,7 +109,8 @@ class Stage:
         whole = self._readable(scene)
         self._front = self._renderer if self.divisor == 1 else self._smaller_for(document.canvas.box).renderer
         began_s = perf_counter()
-        self._front.draw_picture(seen(whole, view), backdrop, line_px=-(-line_px // self.divisor))
+        line_px = -(-line_px // self.divisor)
+        self._front.draw_picture(seen(whole, view), backdrop, line_px=line_px, wireframes=True)
         self._front.finish()
         self.took_s = perf_counter() - began_s
         self.pictures_drawn += 1
