@@ -98,6 +98,17 @@ def test_enter_keeps_the_ground_and_the_right_button_steps_back(qtbot: QtBot, co
     assert not sheet.is_on
 
 
+def test_undo_with_the_line_in_the_hand_leaves_nothing_behind(qtbot: QtBot, cornering: MainWindow) -> None:
+    bridge = cornering.desk.bridge
+    qtbot.keyClick(cornering.viewport, Qt.Key.Key_Return)
+    stroke(qtbot, cornering, (40, 150), (200, 150), let_go=False)
+    bridge.session.undo()
+    bridge.session.undo()
+    before = bridge.document
+    qtbot.mouseRelease(cornering.viewport, LEFT, pos=QPoint(200, 200))
+    assert bridge.document is before
+
+
 def test_a_click_draws_nothing_and_asks_on(qtbot: QtBot, cornering: MainWindow) -> None:
     before = cornering.desk.bridge.document
     qtbot.mouseClick(cornering.viewport, LEFT, pos=QPoint(200, 200))

@@ -113,8 +113,11 @@ class TestList:
         self, qtbot: QtBot, standing: MainWindow
     ) -> None:
         standing.actions_of["add_box"].trigger()
-        for typed, expected in (("Desk", ["Wall", "Desk"]), ("Wall", ["Wall", "Desk"])):
-            standing.actions_of["rename_layer"].trigger()
+        for name, typed, expected in (
+            ("rename_layer", "Desk", ["Wall", "Desk"]),
+            ("rename_piece", "Wall", ["Wall", "Desk"]),
+        ):
+            standing.actions_of[name].trigger()
             editor = standing.set_list.view.findChild(QLineEdit)
             assert editor is not None
             editor.setText(typed)

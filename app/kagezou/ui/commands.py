@@ -234,6 +234,7 @@ def set_commands() -> tuple[Command, ...]:
         Command("draw_corner", translate("Commands", "Draw &Ground and Wall Line"), (), "corner"),
         Command("draw_wall", translate("Commands", "Draw Wall &Line"), (), ""),
         Command("duplicate_piece", translate("Commands", "&Duplicate Set Piece"), ("Ctrl+D",), "duplicate"),
+        Command("rename_piece", translate("Commands", "Re&name Set Piece")),
         Command("remove_piece", translate("Commands", "Re&move Set Piece"), (), "remove"),
     )
 

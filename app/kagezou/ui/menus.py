@@ -159,7 +159,9 @@ class Menus(QObject):
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
         self._menu(bar, self.tr("&Drawings"), _ON_DRAWINGS)
         self._menu(
-            bar, self.tr("&Set"), [*_ADD_TO_SET, _SEPARATOR, *_DRAW, _SEPARATOR, "duplicate_piece", "remove_piece"]
+            bar,
+            self.tr("&Set"),
+            [*_ADD_TO_SET, _SEPARATOR, *_DRAW, _SEPARATOR, "rename_piece", "duplicate_piece", "remove_piece"],
         )
         bar.addMenu(self.view)
         self._build_view()
