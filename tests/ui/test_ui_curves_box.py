@@ -10,8 +10,10 @@ from pytestqt.qtbot import QtBot
 from kagezou.document import edits
 from kagezou.document.address import Address, track_of
 from kagezou.document.key_edits import KeyRef
-from kagezou.document.model import Canvas
-from kagezou.document.properties import GROUND_DECLINATION, GROUND_ROLL
+from kagezou.document.linking import link
+from kagezou.document.model import Canvas, Cels
+from kagezou.document.properties import GROUND_DECLINATION, GROUND_ROLL, OPACITY, SIMPLIFY
+from kagezou.geometry.box import Box
 from kagezou.ui.curves.choice import GraphKind
 from kagezou.ui.curves.curve_editor import CurveEditor
 from kagezou.ui.curves.key_box import KeyBox, Part
@@ -165,6 +167,21 @@ def test_two_properties_are_scaled_each_in_its_own_units(editor: CurveEditor, de
     declination = [float(str(key.value)) for key in track_of(session.document, DECLINATION).keys]
     assert declination == pytest.approx([40, 50], abs=0.3)
     assert [key.frame for key in track_of(session.document, DECLINATION).keys] == [10, 20]
+
+
+def test_layers_that_are_chosen_together_have_their_curves_and_linked_ones_once(
+    editor: CurveEditor, desk: Desk
+) -> None:
+    session, document = desk.bridge.session, desk.bridge.document
+    for name in "AB":
+        document = edits.add_layer(document, name, Cels(), Box(0, 0, 9, 9))
+    of_layers = [Address(line, layer.id) for layer in document.layers for line in (OPACITY, SIMPLIFY)]
+    for address in of_layers:
+        document = edits.set_key(document, address, 5, 0.5)
+    session.edit("Layers", link(document, of_layers[1]))
+    session.select_layers("layer-1", frozenset({"layer-2"}))
+    shown = [(each.curve.address.property, each.curve.address.layer_id) for each in editor.graph.pictures]
+    assert shown[1:] == [(SIMPLIFY, "layer-1"), (OPACITY, "layer-1"), (OPACITY, "layer-2")]
 
 
 def test_there_is_no_frame_for_one_key_for_speeds_and_when_only_looking(editor: CurveEditor, desk: Desk) -> None:

@@ -149,7 +149,10 @@ class DrawingHand(QObject):
         end = self._scale.length + 1 if bar.is_last else cels.exposures[bar.index + 1].frame
         name = self.tr("empty") if bar.drawing is None else cels.drawings[bar.drawing].name
         words = self.tr("%1: frames %2 to %3, held %4").replace("%1", name).replace("%2", str(start))
-        return words.replace("%3", str(end - 1)).replace("%4", str(end - start))
+        hint = self.tr(
+            "Drag an end to hold it longer or shorter (Shift: what follows moves along), the middle to move it"
+        )
+        return words.replace("%3", str(end - 1)).replace("%4", str(end - start)) + f"\n{hint}"
 
     def _drag(self, grip: Grip, event: QMouseEvent) -> None:
         moves = grip.part is BarPart.MIDDLE
