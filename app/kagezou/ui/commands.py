@@ -194,7 +194,7 @@ def playback_commands() -> tuple[Command, ...]:
         Command("drawing_next", translate("Commands", "Next Dra&wing"), ("Ctrl+.",)),
         Command("work_in", translate("Commands", "Work Area &Begins Here"), ("B",)),
         Command("work_out", translate("Commands", "Work Are&a Ends Here"), ("N",)),
-        Command("read_ahead", translate("Commands", "Read the Work Area into Memor&y")),
+        Command("read_ahead", translate("Commands", "Read the Work Area &into Memory")),
         Command("work_clear", translate("Commands", "&Clear Work Area"), ("Ctrl+Alt+B",)),
         Command("work_first", translate("Commands", "First Frame of the Work Area"), ("Shift+Home",)),
         Command("work_last", translate("Commands", "Last Frame of the Work Area"), ("Shift+End",)),
