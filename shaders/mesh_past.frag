@@ -31,24 +31,20 @@ float before_face(vec4 plane, vec2 pixel) {
 out float o_past;
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
     vec2 pixel = gl_FragCoord.xy - u_origin_px;
-    uint record = texelFetch(u_pixels, at, 0).r;
-    bool several = (record & SEVERAL) != 0u;
-    int middle = int(record & ~SEVERAL);
-    int count = middle == 0 ? 0 : 16;
-    int bits = 0xFFFF;
-    vec4 plane = plane_of(max(middle, 1));
-    for (int index = 0; index < count; ++index) {
-        int triangle = middle;
-        if (several) {
-            ivec2 part = ivec2(index % 4, index / 4) * u_side / 4;
-            triangle = sample_at(at, part.y * u_side + part.x);
-        }
-        vec4 own = several ? plane_of(max(triangle, 1)) : plane;
-        // As mesh_shade.frag tells what is seen of the mesh, so that both add up.
-        if (triangle > 0 && before_face(own, pixel + sample_offset(index, 4)) > -TIE_PX) {
-            bits &= ~(1 << index);
+    uvec4 record = texelFetch(u_pixels, ivec2(gl_FragCoord.xy), 0);
+    int bits = WHOLE;
+    for (int part = 0; part < PARTS; ++part) {
+        int triangle = part_triangle(record, part);
+        int mask = part_mask(record, part);
+        vec4 plane = plane_of(max(triangle, 1));
+        int count = triangle > 0 ? FINE * FINE : 0;
+        for (int index = 0; index < count; ++index) {
+            int bit = 1 << index;
+            // As mesh_shade.frag tells what is seen of the mesh, so that both add up.
+            if ((mask & bit) != 0 && before_face(plane, pixel + sample_offset(index)) > -TIE_PX) {
+                bits &= ~bit;
+            }
         }
     }
     o_past = float(bits) / 65535.0;

@@ -3,25 +3,52 @@
 
 #include "triangles.glsl"
 
-uniform usampler2D u_pixels;           // the triangle seen in a pixel, counted from 1; with SEVERAL where there is an edge
-uniform usampler2D u_samples;          // those seen in its samples
-uniform int u_side;                    // samples of a pixel, each way
+uniform usampler2D u_pixels;           // up to three triangles of a pixel, counted from 1: see part_triangle, part_mask
 uniform vec2 u_origin_px;              // canvas px around which pixels are counted
 uniform vec3 u_origin_world;           // the same point of the drawing's plane
 uniform vec4 u_eye;                    // homogeneous
 
-const uint SEVERAL = 0x80000000u;
+const int FINE = 4;                    // into how many parts a pixel is split at an edge, each way
 const float TIE_PX = 0.02;             // a mesh that lies this near behind a face is before it
 vec4 plane_of(int triangle) {
     return triangle_part(triangle, 3);
 }
 
-int sample_at(ivec2 pixel, int index) {
-    return int(texelFetch(u_samples, pixel * u_side + ivec2(index % u_side, index / u_side), 0).r);
+// A pixel is split into 4 by 4 samples, and those that lie in one plane are a part, told by one triangle.
+const int PARTS = 3;
+const int WHOLE = 0xFFFF;
+
+int part_triangle(uvec4 record, int part) {
+    return int(record[part] & 0xFFFFFFu);
 }
 
-vec2 sample_offset(int index, int side) {
-    return (vec2(float(index % side), float(index / side)) + 0.5) / float(side) - 0.5;
+// Which samples a part holds, a bit for each.
+int part_mask(uvec4 record, int part) {
+    return int(record[part] >> 24) | int((record.w >> uint(8 * part)) & 0xFFu) << 8;
+}
+
+// In which part a sample lies, 0 to 2, or 3 for none.
+int part_with(uvec4 record, int bit) {
+    return (part_mask(record, 0) & bit) != 0 ? 0 : (part_mask(record, 1) & bit) != 0 ? 1
+         : (part_mask(record, 2) & bit) != 0 ? 2 : PARTS;
+}
+
+float count_of(int mask) {
+    mask -= (mask >> 1) & 0x5555;
+    mask = (mask & 0x3333) + ((mask >> 2) & 0x3333);
+    mask = (mask + (mask >> 4)) & 0x0F0F;
+    return float((mask + (mask >> 8)) & 0x1F);
+}
+
+vec2 sample_offset(int index) {
+    return (vec2(float(index % FINE), float(index / FINE)) + 0.5) / float(FINE) - 0.5;
+}
+
+// The middle of some samples.
+vec2 middle_of(int mask) {
+    float x = count_of(mask & 0x2222) + 2.0 * count_of(mask & 0x4444) + 3.0 * count_of(mask & 0x8888);
+    float y = count_of(mask & 0x00F0) + 2.0 * count_of(mask & 0x0F00) + 3.0 * count_of(mask & 0xF000);
+    return (vec2(x, y) / max(count_of(mask), 1.0) + 0.5) / float(FINE) - 0.5;
 }
 
 vec3 ray_start(vec2 pixel) {

@@ -15,21 +15,21 @@ void main() {
     bool filled = true;
     for (int index = 0; index < u_tile_px * u_tile_px; ++index) {
         ivec2 at = first + ivec2(index % u_tile_px, index / u_tile_px);
-        uint record = all(lessThan(at, size)) ? texelFetch(u_pixels, at, 0).r : 0u;
-        bool several = (record & SEVERAL) != 0u;
-        filled = filled && (record != 0u || !all(lessThan(at, size)));
-        int count = record == 0u ? 0 : several ? u_side * u_side : 4;
-        for (int part = 0; part < count; ++part) {
-            int triangle = several ? sample_at(at, part) : int(record);
+        bool inside = all(lessThan(at, size));
+        uvec4 record = inside ? texelFetch(u_pixels, at, 0) : uvec4(0u);
+        int mask = 0;
+        for (int part = 0; part < PARTS; ++part) {
+            mask |= part_mask(record, part);
+            int triangle = part_triangle(record, part);
             // The corners of the pixel hold all of what lies between.
-            vec2 offset = several ? sample_offset(part, u_side) : 2.0 * sample_offset(part, 2);
-            filled = filled && triangle > 0;
-            if (triangle > 0) {
-                vec3 start = ray_start(vec2(at) + 0.5 - u_origin_px + offset);
+            for (int corner = 0; triangle > 0 && corner < 4; ++corner) {
+                vec2 offset = vec2(float(corner & 1), float(corner >> 1));
+                vec3 start = ray_start(vec2(at) + offset - u_origin_px);
                 float reach = reach_of(plane_of(triangle), start, ray_along(start));
                 range = vec2(min(range.x, reach), max(range.y, reach));
             }
         }
+        filled = filled && (mask == WHOLE || !inside);
     }
     o_range = vec4(range, filled ? 1.0 : 0.0, 0.0);
 }

@@ -116,7 +116,7 @@ class Edges:
 
 
 def card_uniforms(cast: SpaceCast, matte: PlacedMatte, world_from_local: Matrix) -> dict[str, Uniform]:
-    """Return what ``card_in_space.glsl`` wants of one card piece, for a matte on unit 0 and places of a (4, 4) shift."""
+    """Return what ``card_in_space.glsl`` wants of a card piece, for a matte on unit 0 and places of a (4, 4) shift."""
     corner = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
     rows = corner @ cast.art_from_world @ world_from_local
     forms = (cast.side, cast.left_fold, cast.right_fold)

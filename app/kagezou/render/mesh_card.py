@@ -19,8 +19,10 @@ _ROW_TRIANGLES = 1024
 
 _PART_TEXELS = 4
 
-RECEIVES, CASTS = 1, 2
+RECEIVES, CASTS, UNDER = 1, 2, 16
 """Flags of a triangle."""
+
+FLAG_OF_DISPLAY = {"none": 0, "wireframe": 4, "clay": 8}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,13 +40,14 @@ class PlacedMesh:
 
     def is_like(self, other: "PlacedMesh") -> bool:
         """Whether it would be the same on the card."""
-        mine, others = self.piece, other.piece
-        return self.mesh is other.mesh and (mine.mesh, mine.receives, mine.blocks, mine.casts) == (
-            others.mesh,
-            others.receives,
-            others.blocks,
-            others.casts,
-        )
+        return self.mesh is other.mesh and self.piece == other.piece
+
+    @property
+    def flags(self) -> int:
+        """The flags of its triangles."""
+        piece = self.piece
+        switches = (RECEIVES, piece.receives), (CASTS, piece.casts), (UNDER, piece.is_under)
+        return FLAG_OF_DISPLAY[piece.display] | sum(flag for flag, is_set in switches if is_set)
 
 
 class MeshesOnCard:
@@ -68,9 +71,8 @@ class MeshesOnCard:
         counts = [len(each) for each in corners]
         self._starts = [int(start) for start in starts]
         self._firsts = [int(first) for first in np.cumsum([0, *counts])]
-        flags = [(RECEIVES if each.piece.receives else 0) | (CASTS if each.piece.casts else 0) for each in placed]
         self._triangles = np.ascontiguousarray(np.concatenate(corners), dtype=np.uint32)
-        self.texture = self._texture(np.repeat(flags, counts))
+        self.texture = self._texture(np.repeat([each.flags for each in placed], counts))
         self._upload()
 
     def is_of(self, placed: Sequence[PlacedMesh]) -> bool:
@@ -96,9 +98,12 @@ class MeshesOnCard:
         bounds = zip(self._starts, self._starts[1:], chosen, strict=False)
         return np.concatenate([self.places[start:stop] for start, stop, is_chosen in bounds if is_chosen])
 
-    def has(self, wanted: Callable[[PieceScene], bool]) -> bool:
-        """Whether any of the pieces is wanted."""
-        return any(wanted(each.piece) for each in self.placed)
+    def line_ends(self, wanted: Callable[[PieceScene], bool]) -> Matrix:
+        """Return the ends (N, 2, 3) of the lines of the meshes of the wanted pieces, world px."""
+        starts = zip(self._starts, self.placed, strict=False)
+        lines = [each.mesh.lines + start for start, each in starts if wanted(each.piece)]
+        joined = np.concatenate([np.zeros((0, 2), np.int64), *lines])
+        return np.asarray(self.places[joined] + self.origin)
 
     def close(self) -> None:
         """Give the memory back."""

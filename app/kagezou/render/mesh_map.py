@@ -15,7 +15,9 @@ from kagezou.render.set_tiles import Flags
 from kagezou.render.targets import DeepTarget, Format, Texture
 from kagezou.scene.pieces import PieceScene
 
-MAP_PX: Final = 2048
+_STEP_PX: Final = 512
+_LARGEST_PX: Final = 2048
+"""A map has as many texels a side as the canvas has px, in such steps and up to there: edges are finer than them."""
 
 _KEPT_MAPS = 4
 """As many as an overhead light has lamps."""
@@ -118,7 +120,7 @@ class LightMap:
     texture: Texture
 
     def uniforms(self, origin: Matrix) -> dict[str, Uniform]:
-        """Return what ``mesh_light.glsl`` wants, for places around a point (3,), itself told about the meshes' origin."""
+        """Return what ``mesh_light.glsl`` wants, for places around a point (3,) told around the meshes' origin."""
         window = self.window
         return {
             "u_map": MAP_UNIT,
@@ -231,7 +233,13 @@ class LightMaps:
             if kept in self._kept:
                 self._kept.remove(kept)
                 self._spare += [] if kept.target is None else [kept.target]
-        return self._spare.pop() if self._spare else DeepTarget(MAP_PX, MAP_PX, Format.FLOAT2)
+        side = min(-(-max(view.canvas.width, view.canvas.height) // _STEP_PX) * _STEP_PX, _LARGEST_PX)
+        while self._spare:
+            target = self._spare.pop()
+            if target.box.width == side:
+                return target
+            target.close()
+        return DeepTarget(side, side, Format.FLOAT2)
 
     def _draw(
         self, view: MeshView, window: LightWindow, target: DeepTarget, wanted: Callable[[PieceScene], bool]

@@ -1,6 +1,6 @@
 """The pass of meshes: the shadow on every triangle that is seen, and what meshes do to the other faces of a set."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from math import radians, sin
 
@@ -16,20 +16,26 @@ from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.geometry.veils import Veil
 from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_uniforms import card_uniforms
+from kagezou.render.cast_uniforms import TRANSLUCENT, card_uniforms
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.mesh_card import MeshesOnCard, PlacedMesh
+from kagezou.render.mesh_display import Display, MeshDisplays, SetPicture
 from kagezou.render.mesh_map import LightMap, LightMaps, Surroundings
 from kagezou.render.mesh_screen import Pasts, Screen, light_uniforms
 from kagezou.render.mesh_view import MeshView, MeshViews
 from kagezou.render.program import Uniform, Variants
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Flags
-from kagezou.render.set_uniforms import LIGHT, TABLE_SIZES, space_uniforms
+from kagezou.render.set_uniforms import LIGHT
 from kagezou.render.targets import Target
+from kagezou.render.veil_tables import VeilTables
 from kagezou.scene.pieces import PieceScene
 from kagezou.scene.scene import ShadowCast
+
+_IN_PARTS: frozenset[str] = frozenset()
+_FULL = frozenset({"FULL"})
+"""Switches for tiles in which a card piece casts in parts, or fully."""
 
 _EVERYWHERE = np.array([0.0, 0.0, 0.0, 1.0])
 
@@ -64,14 +70,13 @@ class MeshLit:
         shift[:3, 3] = self.view.on_card.origin
         return shift
 
-    def uniforms(self) -> dict[str, Uniform]:
+    def uniforms(self, tables: VeilTables) -> dict[str, Uniform]:
         """Return what ``mesh_shade.frag`` always wants, its textures bound."""
         view = self.view
         view.bind()
         centre, reach = _ball(view.blocks)
-        found = view.uniforms() | space_uniforms(
-            self._veils(), self.world_from_local, centre + view.on_card.origin, reach
-        )
+        ball = (centre + view.on_card.origin, reach)
+        found = view.uniforms() | tables.uniforms(self._veils(), self.world_from_local, ball)
         if self.light_map is not None:
             found |= light_uniforms(self.light_map, view, np.zeros(3))
         return found | {
@@ -101,9 +106,11 @@ class MeshPass:
         self._boxes = boxes
         self._meshes = meshes
         self._programs = Variants("box.vert", "mesh_shade.frag")
+        self._tables = VeilTables()
         self._views = MeshViews(boxes)
         self._maps = LightMaps()
         self._pasts = Pasts(boxes)
+        self._displays = MeshDisplays(boxes)
         self._on_card: MeshesOnCard | None = None
 
     @property
@@ -120,12 +127,12 @@ class MeshPass:
         """Give the memory back."""
         self.forget()
         self._programs.close()
-        for each in (self._views, self._maps, self._pasts):
+        for each in (self._tables, self._views, self._maps, self._pasts, self._displays):
             each.close()
 
     def forget(self) -> None:
         """Give back everything about the meshes drawn last."""
-        for each in (self._pasts, self._maps, self._views):
+        for each in (self._displays, self._pasts, self._maps, self._views):
             each.forget()
         if self._on_card is not None:
             self._on_card.close()
@@ -143,6 +150,10 @@ class MeshPass:
             self.forget()
             self._on_card = MeshesOnCard(placed)
         return self._views.view(self._on_card, stage.camera, canvas)
+
+    def pictures(self, view: MeshView, displays: Iterable[Display]) -> tuple[SetPicture, ...]:
+        """Return what is to be shown of the meshes themselves."""
+        return self._displays.pictures(view, displays)
 
     def lit(
         self,
@@ -165,27 +176,29 @@ class MeshPass:
         """Add what a character casts to ``target``; return the box that may hold it."""
         found = (cast_in_space(cast.camera, piece, lit.light) for piece in cast.card.pieces)
         pieces = [piece for piece in found if piece is not None]
-        tiles = np.zeros(len(lit.view.seen), bool)
+        drawn: Box | None = None
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(self._tables)}
         for piece in pieces:
-            tiles |= _shaded(lit.view, piece, matte)
-        tiling = lit.view.grid.tiling(target.box, tiles)
-        if tiling.box is None:
-            return None
-        switches = self._switches(lit) | ({"TRANSLUCENT"} if cast.translucent else set())
-        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
-        self._begin(target, tiling.box)
-        for piece in pieces:
-            matte.texture.bind(0)
-            self._programs[switches].use(uniforms | card_uniforms(piece, matte, lit.world_from_local))
-            self._boxes.draw(tiling.boxes)
-        return tiling.box
+            some, full = _shaded(lit.view, piece, matte)
+            for tiles, how in ((full, _FULL), (some & ~full, _IN_PARTS)):
+                tiling = lit.view.grid.tiling(target.box, tiles)
+                if tiling.box is None:
+                    continue
+                self._begin(target, tiling.box)
+                switches = self._switches(lit) | how | (TRANSLUCENT if cast.translucent and how is _IN_PARTS else how)
+                more = {} if how is _FULL else card_uniforms(piece, matte, lit.world_from_local)
+                matte.texture.bind(0)
+                self._programs[switches].use(uniforms | more)
+                self._boxes.draw(tiling.boxes)
+                drawn = tiling.box if drawn is None else drawn.union(tiling.box)
+        return drawn
 
     def draw_own(self, lit: MeshLit, target: Target) -> Box | None:
         """Add what the set takes of the light; return the box that may hold it."""
         tiling = lit.view.grid.tiling(target.box, lit.view.seen)
         if tiling.box is None:
             return None
-        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(self._tables)}
         self._begin(target, tiling.box)
         self._programs[self._switches(lit) | {"OWN_SHADOW"}].use(uniforms)
         self._boxes.draw(tiling.boxes)
@@ -193,7 +206,7 @@ class MeshPass:
 
     @staticmethod
     def _switches(lit: MeshLit) -> frozenset[str]:
-        return TABLE_SIZES | ({"MESHES"} if lit.light_map is not None else set())
+        return frozenset({"MESHES"} if lit.light_map is not None else ())
 
     @staticmethod
     def _begin(target: Target, box: Box) -> None:
@@ -202,8 +215,8 @@ class MeshPass:
         GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
 
 
-def _shaded(view: MeshView, cast: SpaceCast, matte: PlacedMatte) -> Flags:
-    """Return in which tiles of the canvas (N,) a card piece may shade a mesh."""
+def _shaded(view: MeshView, cast: SpaceCast, matte: PlacedMatte) -> tuple[Flags, Flags]:
+    """Return in which tiles of the canvas (N,) a card piece may shade a mesh, and in which it casts fully."""
     shift = np.eye(4)
     shift[:3, 3] = view.on_card.origin
     art = np.matmul(cast.art_from_world @ shift, view.hulls)
@@ -211,11 +224,14 @@ def _shaded(view: MeshView, cast: SpaceCast, matte: PlacedMatte) -> Flags:
     is_bounded = w.min(axis=0) > 1e-9 * np.abs(cast.art_from_world[2]).max()
     corner = np.array([matte.box.left, matte.box.top])[:, np.newaxis]
     texels = art[:, :2] / np.where(w > 0, w, 1.0)[:, np.newaxis] - corner
-    empty, _ = matte.occupancy.states(texels.min(axis=0).T, texels.max(axis=0).T)
-    before = np.matmul(cast.side @ shift, view.hulls).max(axis=0) < 0
-    shaded = np.zeros(len(view.seen), bool)
-    shaded[view.seen] = ~((is_bounded & empty) | before)
-    return shaded
+    empty, filled = matte.occupancy.states(texels.min(axis=0).T, texels.max(axis=0).T)
+    limits = np.array([form for form in (cast.side, cast.left_fold, cast.right_fold) if form is not None])
+    values = np.matmul(limits @ shift, view.hulls)
+    outside, inside = (values.max(axis=0) < 0).any(axis=0), (values.min(axis=0) >= 0).all(axis=0)
+    some, full = np.zeros(len(view.seen), bool), np.zeros(len(view.seen), bool)
+    some[view.seen] = ~((is_bounded & empty) | outside)
+    full[view.seen] = is_bounded & filled & inside
+    return some, full
 
 
 def _ball(points: Matrix) -> tuple[Matrix, float]:

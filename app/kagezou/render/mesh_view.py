@@ -1,6 +1,6 @@
-"""What a camera sees of the meshes: the triangle of every sample of every pixel, kept while neither has moved."""
+"""What a camera sees of the meshes: the triangles in every pixel, kept while neither has moved."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -25,7 +25,7 @@ _FINE_SIDE, _COARSE_SIDE = 4, 2
 _FINE_BYTES = 160 << 20
 """With more samples than these hold the coarse side has to do."""
 
-_FLAT_PX = 0.05
+_FLAT_PX = 0.04
 """Samples of a pixel that lie no farther from one plane are drawn as if they lay in it."""
 
 _NEAREST_W = 0.01
@@ -42,10 +42,8 @@ class MeshView:
     ----------
     on_card, camera, canvas
         What is seen, with what, and on which box.
-    side
-        Samples of a pixel, each way.
-    samples, pixels
-        The triangles of the samples, and those of the pixels, as ``mesh_surface.glsl`` wants them.
+    pixels
+        The triangles of the pixels, as ``mesh_surface.glsl`` wants them.
     ranges
         (rows, columns, 4): for each tile between which lengths of their rays meshes are met, and whether nothing else
         is seen in it.
@@ -54,10 +52,8 @@ class MeshView:
     on_card: MeshesOnCard
     camera: Camera
     canvas: Box
-    side: int
-    samples: Texture
     pixels: Texture
-    ranges: Matrix
+    ranges: Matrix = field(default_factory=lambda: np.zeros((0, 0, 4)))
 
     @cached_property
     def grid(self) -> TileGrid:
@@ -100,26 +96,16 @@ class MeshView:
 
     def uniforms(self) -> dict[str, Uniform]:
         """Return what ``mesh_surface.glsl`` wants, its textures on units of their own."""
-        origin = ((self.canvas.width // 2) + 0.5, (self.canvas.height // 2) + 0.5)
-        return {
-            "u_pixels": PIXELS_UNIT,
-            "u_samples": SAMPLES_UNIT,
-            "u_triangles": TRIANGLES_UNIT,
-            "u_side": self.side,
-            "u_origin_px": origin,
-            "u_origin_world": np.array([*origin, 0.0]) - self.on_card.origin,
-            "u_eye": self.local(np.array(self.camera.eye)),
-        }
+        return {"u_pixels": PIXELS_UNIT, **surface_uniforms(self.on_card, self.camera, self.canvas)}
 
     def bind(self) -> None:
         """Bind the textures."""
         self.pixels.bind(PIXELS_UNIT)
-        self.samples.bind(SAMPLES_UNIT)
         self.on_card.texture.bind(TRIANGLES_UNIT)
 
     def local(self, point: Matrix) -> Matrix:
         """Return a homogeneous point (4,) around the origin."""
-        return np.append(point[:3] - point[3] * self.on_card.origin, point[3])
+        return _local(self.on_card, point)
 
     def local_form(self, form: Matrix) -> Matrix:
         """Return a form (4,) over the world as one over places around the origin."""
@@ -127,7 +113,6 @@ class MeshView:
 
     def close(self) -> None:
         """Give the memory back."""
-        self.samples.close()
         self.pixels.close()
 
     def _along(self, corners: Matrix, reach: Matrix) -> Matrix:
@@ -179,20 +164,28 @@ class MeshViews:
         if rows is not None:
             self._ids.use({"u_clip_rows": rows})
             on_card.draw(self._ids, lambda _: True)
-        view = MeshView(
-            on_card, camera, canvas, side, target.texture_alone(), Texture(1, 1, Format.COUNT), np.zeros((0, 0, 4))
-        )
-        view.pixels.close()
-        view.pixels = self._gathered(view)
+        samples = target.texture_alone()
+        view = MeshView(on_card, camera, canvas, self._gathered(on_card, camera, canvas, (samples, side)))
+        samples.close()
         view.ranges = self._ranges(view)
         return view
 
-    def _gathered(self, view: MeshView) -> Texture:
-        target = Target(view.canvas.width, view.canvas.height, Format.COUNT)
+    def _gathered(self, on_card: MeshesOnCard, camera: Camera, canvas: Box, seen: tuple[Texture, int]) -> Texture:
+        """Return the pixels that samples, so many a side, are in."""
+        target = Target(canvas.width, canvas.height, Format.COUNT4)
         target.bind()
-        view.samples.bind(SAMPLES_UNIT)
-        view.on_card.texture.bind(TRIANGLES_UNIT)
-        self._pixels.use({"u_target_size_px": target.size_px, "u_flat_px": _FLAT_PX, **view.uniforms()})
+        samples, side = seen
+        samples.bind(SAMPLES_UNIT)
+        on_card.texture.bind(TRIANGLES_UNIT)
+        self._pixels.use(
+            {
+                "u_target_size_px": target.size_px,
+                "u_samples": SAMPLES_UNIT,
+                "u_side": side,
+                "u_flat_px": _FLAT_PX,
+                **surface_uniforms(on_card, camera, canvas),
+            }
+        )
         self._boxes.draw_one(target.box)
         return target.texture_alone()
 
@@ -206,6 +199,21 @@ class MeshViews:
         ranges = target.read_floats(target.box).astype(np.float64)
         target.close()
         return ranges
+
+
+def surface_uniforms(on_card: MeshesOnCard, camera: Camera, canvas: Box) -> dict[str, Uniform]:
+    """Return what ``mesh_surface.glsl`` wants but the pixels."""
+    origin = ((canvas.width // 2) + 0.5, (canvas.height // 2) + 0.5)
+    return {
+        "u_triangles": TRIANGLES_UNIT,
+        "u_origin_px": origin,
+        "u_origin_world": np.array([*origin, 0.0]) - on_card.origin,
+        "u_eye": _local(on_card, np.array(camera.eye)),
+    }
+
+
+def _local(on_card: MeshesOnCard, point: Matrix) -> Matrix:
+    return np.append(point[:3] - point[3] * on_card.origin, point[3])
 
 
 def clip_rows(camera: Camera, canvas: Box, on_card: MeshesOnCard) -> Matrix | None:

@@ -5,7 +5,7 @@ seen and lit of a face adds up to the whole picture pixel by pixel: there is no 
 """
 
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -25,6 +25,7 @@ from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Stroke, Window, strokes
 from kagezou.render.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.mattes import PlacedMatte
+from kagezou.render.mesh_display import Display, SetPicture
 from kagezou.render.mesh_pass import MeshLit, MeshPass
 from kagezou.render.mesh_screen import Screen
 from kagezou.render.set_adding import Adding, OwnShade
@@ -79,6 +80,15 @@ class SetPass:
             target.close()
         self._scratches.clear()
 
+    def forget_meshes(self) -> None:
+        """Give back the memory of meshes."""
+        self._mesh.forget()
+
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views."""
+        return self._mesh.views_drawn, self._mesh.maps_drawn
+
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
         """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
         if old is not None:
@@ -119,6 +129,14 @@ class SetPass:
                 box = _around(box, self._add_round(lit, each, dark, own))
             drawn = self._united(own, box, target, drawn)
         return drawn
+
+    def pictures(self, cast: SetCast, canvas: Box, displays: Iterable[Display]) -> tuple[SetPicture, ...]:
+        """Return what is to be shown of meshes themselves, those under the background first."""
+        ways = {display.value for display in displays}
+        if not any(piece.mesh is not None and piece.display in ways for piece in cast.pieces):
+            return ()
+        view = self._mesh.view(self._stage(cast.camera, canvas, cast.ground, cast.pieces), canvas)
+        return () if view is None else self._mesh.pictures(view, displays)
 
     def coverage(self, cast: ShadowCast, face: Face, light: Vector4, matte: PlacedMatte, target: Target) -> Box | None:
         """Draw the shadow on the plane of one face as if nothing else were there; return the box that may hold it."""
@@ -174,9 +192,7 @@ class SetPass:
         alone.clear(box)
         return drawn
 
-    def _lit(
-        self, stage: Stage, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]
-    ) -> _Lit:
+    def _lit(self, stage: Stage, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]) -> _Lit:
         view = self._mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
         meshes = None if view is None else self._mesh.lit(view, stage, light, ground, wanted)
         return _Lit(stage, light, stage.veils(light, wanted), meshes)

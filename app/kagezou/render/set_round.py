@@ -21,13 +21,15 @@ from kagezou.render.mesh_screen import Screen, light_uniforms
 from kagezou.render.program import Uniform, Variants
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Flags, region_states
-from kagezou.render.set_uniforms import LIGHT, TABLE_SIZES, space_uniforms
+from kagezou.render.set_uniforms import LIGHT
 from kagezou.render.targets import Target
 from kagezou.render.tiles import TileGrid, Tiling, whole_grid
+from kagezou.render.veil_tables import VeilTables
 from kagezou.scene.scene import ShadowCast
 
 _PATCH_MARGIN = 0.5
 """How far beyond its corners' picture a curved patch may reach, as a part of that."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RoundLit:
@@ -65,7 +67,6 @@ class RoundLit:
             "u_radius": shape.radius_px,
             "u_axis": axis,
             "u_grazing_sine": (sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG))),
-            **self._tables(),
             **self._light(),
         }
 
@@ -84,10 +85,11 @@ class RoundLit:
         shifted[:3] -= point[3] * self.face.centre
         return shifted
 
-    def _tables(self) -> dict[str, Uniform]:
+    def tables(self, tables: VeilTables) -> dict[str, Uniform]:
+        """Return what ``veils.glsl`` wants."""
         shape = self.face.shape
         reach = shape.radius_px if isinstance(shape, Ball) else float(np.hypot(shape.radius_px, shape.height_px / 2))
-        return space_uniforms(self._others(), self.world_from_local, self.face.centre, reach)
+        return tables.uniforms(self._others(), self.world_from_local, (self.face.centre, reach))
 
     def _others(self) -> Iterator[tuple[Veil, int]]:
         """Yield what other bodies hide from the eye, then what they take of the light."""
@@ -142,10 +144,12 @@ class RoundPass:
     def __init__(self, boxes: Boxes) -> None:
         self._boxes = boxes
         self._programs = Variants("box.vert", "set_round.frag")
+        self._tables = VeilTables()
 
     def close(self) -> None:
         """Give the memory back."""
         self._programs.close()
+        self._tables.close()
 
     def draw(self, lit: RoundLit, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Box | None:
         """Draw what a character casts; return the box that may hold it."""
@@ -154,9 +158,9 @@ class RoundPass:
         tiling = _shaded_tiles(lit, pieces, matte, target.box)
         if tiling.box is None:
             return None
-        switches = TABLE_SIZES | lit.switches | ({"TRANSLUCENT"} if cast.translucent else set())
+        switches = lit.switches | ({"TRANSLUCENT"} if cast.translucent else set())
         self._begin(lit, target)
-        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(), **lit.tables(self._tables)}
         for piece in pieces:
             matte.texture.bind(0)
             self._programs[switches].use(uniforms | lit.piece_uniforms(piece, matte))
@@ -165,9 +169,10 @@ class RoundPass:
 
     def draw_own(self, lit: RoundLit, target: Target, *, is_caster: bool) -> Box:
         """Draw what the set takes of the light; return the box that may hold it."""
-        switches = TABLE_SIZES | lit.switches | {"OWN_SHADOW"} | ({"DARK_WHEN_TURNED"} if is_caster else set())
+        switches = lit.switches | {"OWN_SHADOW"} | ({"DARK_WHEN_TURNED"} if is_caster else set())
         self._begin(lit, target)
-        self._programs[switches].use({"u_target_size_px": target.size_px, **lit.uniforms()})
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(), **lit.tables(self._tables)}
+        self._programs[switches].use(uniforms)
         self._boxes.draw_one(lit.face.box)
         return lit.face.box
 

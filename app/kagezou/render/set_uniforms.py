@@ -1,13 +1,11 @@
 """A mask as ``set_mask.frag`` wants it: its regions in a row, their lines and conics in tables."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from kagezou.geometry.regions import Group
 from kagezou.geometry.vectors import Matrix
-from kagezou.geometry.veils import Cone, Veil
 from kagezou.render.program import Uniform
 from kagezou.render.set_tiles import Mask
 
@@ -71,48 +69,6 @@ def mask_uniforms(mask: Mask, origin_px: tuple[float, float]) -> dict[str, Unifo
     if tables.conics:
         uniforms["u_conics"] = np.concatenate(tables.conics[:MAX_CONICS])
     return uniforms
-
-
-def space_uniforms(
-    veils: Iterable[tuple[Veil, int]], world_from_local: Matrix, centre: Matrix, reach_px: float
-) -> dict[str, Uniform]:
-    """Return what ``veils.glsl`` wants: veils with their flags, those of the eye first, in coordinates of its own.
-
-    Parameters
-    ----------
-    world_from_local
-        (4, 4), a shift.
-    centre, reach_px
-        A ball of the world, (3,) and px, that holds all that is asked about.
-    """
-    middle = np.append(centre, 1.0)
-    regions: list[tuple[float, float, float, float]] = []
-    planes: list[Matrix] = []
-    quadrics: list[Matrix] = []
-    for veil, flags in veils:
-        # No point lies in a cone that lies beyond one of its planes.
-        cones = [cone for cone in _cones(veil) if bool((cone.planes @ middle > -reach_px).all())]
-        for index, cone in enumerate(cones):
-            first = len(planes)
-            planes += list(cone.planes @ world_from_local)
-            number = -1
-            if cone.quadric is not None:
-                number = len(quadrics)
-                local = world_from_local.T @ cone.quadric @ world_from_local
-                quadrics.append(local / np.abs(local).max())
-            last = LAST if index == len(cones) - 1 else 0
-            regions.append((first, len(planes), number, flags | last | (OVERLAPS if veil.overlaps else 0)))
-    uniforms: dict[str, Uniform] = {"u_region_count": min(len(regions), MAX_REGIONS)}
-    if regions:
-        uniforms["u_regions"] = np.array(regions[:MAX_REGIONS], dtype=np.float64)
-        uniforms["u_planes"] = np.array(planes[:MAX_LINES])
-    if quadrics:
-        uniforms["u_quadrics"] = np.concatenate(quadrics[:MAX_CONICS])
-    return uniforms
-
-
-def _cones(veil: Veil) -> tuple[Cone, ...]:
-    return veil.cones if veil.inside is None else (*veil.cones, veil.inside)
 
 
 def _packed(conic: Matrix) -> Matrix:

@@ -35,6 +35,7 @@ class Format(Enum):
     FLOAT2 = (GL.GL_RG32F, GL.GL_RG, GL.GL_FLOAT)
     FLOAT4 = (GL.GL_RGBA32F, GL.GL_RGBA, GL.GL_FLOAT)
     COUNT = (GL.GL_R32UI, GL.GL_RED_INTEGER, GL.GL_UNSIGNED_INT)
+    COUNT4 = (GL.GL_RGBA32UI, GL.GL_RGBA_INTEGER, GL.GL_UNSIGNED_INT)
     RGBA8 = (GL.GL_RGBA8, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)
     RGBA16 = (GL.GL_RGBA16, GL.GL_RGBA, GL.GL_UNSIGNED_SHORT)
 
@@ -46,7 +47,7 @@ class Format(Enum):
     @property
     def components(self) -> int:
         """How many components a pixel has."""
-        return {GL.GL_RG: 2, GL.GL_RGBA: 4}.get(self.value[1], 1)
+        return {GL.GL_RG: 2, GL.GL_RGBA: 4, GL.GL_RGBA_INTEGER: 4}.get(self.value[1], 1)
 
 
 class Texture:
@@ -193,7 +194,7 @@ class Target:
 
 
 class DeepTarget(Target):
-    """A target in which the nearest counts, of numbers (COUNT) or of floats; it starts with zero, infinitely far away."""
+    """A target in which the nearest counts, of numbers (COUNT) or floats; it starts with zero, infinitely far away."""
 
     def __init__(self, width_px: int, height_px: int, form: Format) -> None:
         super().__init__(width_px, height_px, form)

@@ -45,6 +45,7 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 
 
 def _about(document: "Document") -> dict[str, Json]:
+    from kagezou.document.properties import OF_LAYER
     from kagezou.document.set_pieces import kind_of
     from kagezou.io.faults import shown
 
@@ -60,6 +61,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "set": [
             {"name": piece.name, "kind": kind_of(piece), **_about_file(document, piece)} for piece in document.pieces
         ],
+        "linked": [line for line in OF_LAYER if line in document.linked],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": [shown(path) for path in _missing(document)],
     }
@@ -120,6 +122,7 @@ def _missing(document: "Document") -> "Iterator[Path]":
 def _lines(document: "Document") -> Iterator[str]:
     from kagezou.animation.frames import format_frames
     from kagezou.document.address import path_of, track_of
+    from kagezou.document.properties import OF_LAYER
     from kagezou.document.set_pieces import kind_of
     from kagezou.io.faults import shown
 
@@ -138,6 +141,8 @@ def _lines(document: "Document") -> Iterator[str]:
         yield f"set piece   {piece.name}: {kind_of(piece)}{file}"
         for name in _camera_names(document, piece):
             yield f"  camera    {name}"
+    for name in (each for each in OF_LAYER if each in document.linked):
+        yield f"linked      layers.*.{name}"
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"
