@@ -28,6 +28,9 @@ _GLTF: Final = (".glb", ".gltf")
 _USD: Final = (".usd", ".usda", ".usdc", ".usdz")
 _FARTHEST: Final = 1e9
 
+_State = tuple[Path, int, int]
+"""A file, its size and its time of change."""
+
 
 class MeshCache:
     """Meshes read from files, bounded by memory, the least lately used going first; any thread may ask.
@@ -42,7 +45,8 @@ class MeshCache:
 
     def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
         self._limit_bytes = limit_bytes
-        self._kept: OrderedDict[tuple[Path, int, int], Mesh] = OrderedDict()
+        self._kept: OrderedDict[_State, Mesh] = OrderedDict()
+        self._reading: dict[_State, threading.Lock] = {}
         self._lock = threading.Lock()
 
     def mesh(self, path: Path) -> Mesh:
@@ -54,17 +58,35 @@ class MeshCache:
             It cannot be read.
         """
         key = (path, *_state_of(path))
-        # Two threads that want one mesh wait for one reading; there are few meshes in a project.
+        if (kept := self._found(key)) is not None:
+            return kept
+        with self._lock:
+            reading = self._reading.setdefault(key, threading.Lock())
+        # Two threads that want one mesh wait for one reading; other meshes are had meanwhile.
+        try:
+            with reading:
+                if (kept := self._found(key)) is None:
+                    kept = read_mesh(path)
+                    self._keep(key, kept)
+        finally:
+            with self._lock:
+                self._reading.pop(key, None)
+        return kept
+
+    def _found(self, key: _State) -> Mesh | None:
         with self._lock:
             kept = self._kept.get(key)
-            if kept is None:
-                for other in [each for each in self._kept if each[0] == path]:
-                    del self._kept[other]
-                kept = self._kept[key] = read_mesh(path)
-                while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
-                    self._kept.popitem(last=False)
-            self._kept.move_to_end(key)
+            if kept is not None:
+                self._kept.move_to_end(key)
             return kept
+
+    def _keep(self, key: _State, mesh: Mesh) -> None:
+        with self._lock:
+            for other in [each for each in self._kept if each[0] == key[0]]:
+                del self._kept[other]
+            self._kept[key] = mesh
+            while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
+                self._kept.popitem(last=False)
 
 
 def is_mesh(path: Path) -> bool:
