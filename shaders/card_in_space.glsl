@@ -1,23 +1,16 @@
 // The shadow of one card piece at a point of the world. Wants veils.glsl. Switches:
 //   TRANSLUCENT   alpha casts as it is; else its 0.5 level is the edge
 
-uniform sampler2D u_matte;
+uniform sampler2D u_matte;             // texels and their neighbours, with a rim of empty ones
 uniform vec4 u_texel_rows[3];          // from the world to matte texels
 uniform vec4 u_limits[3];              // the card's side and its two folds, >= 0 where the piece casts
-
-float alpha_of(ivec2 at) {
-    return texelFetch(u_matte, at, 0).r;
-}
 
 vec3 alpha_and_slope(vec2 texel) {
     vec2 place = texel - 0.5;
     vec2 corner = floor(place);
     vec2 f = place - corner;
     // The rim is empty, so clamping to it is the same as finding nothing outside.
-    ivec2 last = textureSize(u_matte, 0) - 1;
-    ivec2 low = clamp(ivec2(corner), ivec2(0), last);
-    ivec2 high = clamp(ivec2(corner) + 1, ivec2(0), last);
-    vec4 a = vec4(alpha_of(low), alpha_of(ivec2(high.x, low.y)), alpha_of(ivec2(low.x, high.y)), alpha_of(high));
+    vec4 a = texelFetch(u_matte, clamp(ivec2(corner), ivec2(0), textureSize(u_matte, 0) - 1), 0);
     vec2 rows = mix(a.xz, a.yw, f.x);
     return vec3(mix(rows.x, rows.y, f.y), mix(a.y - a.x, a.w - a.z, f.y), rows.y - rows.x);
 }

@@ -1,7 +1,7 @@
 """Cameras of set files: where they stand, what they see, and how they move."""
 
 from fractions import Fraction
-from math import cos, pi, sin
+from math import atan, cos, degrees, pi, sin
 from pathlib import Path
 
 import numpy as np
@@ -40,6 +40,16 @@ def moving(tmp_path: Path, way: str, output: NDArray[np.float64], path: str = "t
         ],
     }
     return glb(tmp_path / "a.glb", tree, data)
+
+
+def test_cameras_of_one_name_are_told_apart(tmp_path: Path) -> None:
+    tree, data = triangle_tree(
+        cameras=[PERSPECTIVE],
+        scenes=[{"nodes": [0, 1, 2]}],
+        nodes=[{"name": "shot", "camera": 0}, {"name": "shot 2", "camera": 0}, {"name": "shot", "camera": 0}],
+    )
+    found = cameras_of(glb(tmp_path / "a.glb", tree, data), RATE)
+    assert [camera.name for camera in found] == ["shot", "shot 2", "shot 3"]
 
 
 def test_every_camera_with_its_lens_and_its_parents(tmp_path: Path) -> None:
@@ -139,3 +149,18 @@ def test_cameras_of_a_stage(tmp_path: Path) -> None:
 
 def test_formats_without_cameras_have_none() -> None:
     assert cameras_of(Path("x.obj"), RATE) == ()
+
+
+def test_a_usd_camera_may_zoom(tmp_path: Path) -> None:
+    pytest.importorskip("pxr", reason="the package usd-core is not installed")
+    (tmp_path / "a.usda").write_text(
+        "#usda 1.0\n(\n startTimeCode = 0\n endTimeCode = 2\n timeCodesPerSecond = 24\n)\n"
+        'def Camera "zoom" {\n float verticalAperture = 20\n float focalLength.timeSamples = { 0: 10, 2: 20 }\n}\n'
+        'def Camera "still" {\n float verticalAperture = 20\n float focalLength = 10\n}\n'
+    )
+    zoom, still = cameras_of(tmp_path / "a.usda", RATE)
+    assert zoom.heights == pytest.approx([2 * degrees(atan(10 / focal)) for focal in (10, 15, 20)])
+    assert (len(zoom.poses), zoom.length_frames, still.length_frames) == (1, 3, 1)
+    (tmp_path / "a.usda").write_text('#usda 1.0\ndef Camera "c" {\n float focalLength = nan\n}\n')
+    with pytest.raises(InputProblem, match="makes no sense"):
+        cameras_of(tmp_path / "a.usda", RATE)

@@ -114,8 +114,6 @@ def own_shade(world: MeshWorld, lights: tuple[Vector4, ...], x: Array, y: Array)
     for light in lights:
         dark = world.is_kept_dark(seen, light)
         strength = world.strength(seen, light)
-        amount = np.where(
-            seen.body == 0, np.where(dark, 1.0, 1.0 - strength), np.where(dark, strength, 0.0)
-        )
+        amount = np.where(seen.body == 0, np.where(dark, 1.0, 1.0 - strength), np.where(dark, strength, 0.0))
         total = np.maximum(total, amount)
     return np.where(seen.body == set_raycast.NOTHING, 0.0, total)

@@ -78,7 +78,7 @@ def test_meshes_look_like_the_pieces_they_are_made_of(
     mesh_renderer: Renderer, meshes: Meshes, figure: Path, name: str
 ) -> None:
     casting = {f"set.{piece}.casts": True for piece in ROOM}
-    pieces = evaluate(in_a_set(figure, ROOM, VIEWS[name] | casting), 1)
+    pieces = evaluate(in_a_set(figure, ROOM, {**VIEWS[name], **casting}), 1)
     same = as_meshes(pieces, meshes)
     plain = cast_of(mesh_renderer, pieces)
     assert plain.sum() > 3000
@@ -287,7 +287,9 @@ def test_clay_and_wireframe_are_shown_where_they_are_asked_for(
     inside = clay[790:810, 790:810]
     assert (inside[..., 3] == 255).all()
     assert np.ptp(inside[..., :3], axis=-1).max() == 0
-    assert (np.abs(shown("clay", wireframes=False, is_under=True) - clay).max()) == 0, "there is no background to hide it"
+    assert (np.abs(shown("clay", wireframes=False, is_under=True) - clay).max()) == 0, (
+        "there is no background to hide it"
+    )
     lines = np.abs(shown("wireframe", wireframes=True) - nothing).max(axis=-1)
     drawn = (lines > 100).sum()
     assert drawn > 500

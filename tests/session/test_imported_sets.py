@@ -133,6 +133,18 @@ def test_the_light_stays_where_it_is_in_the_set(kind: str) -> None:
     assert lights[2] == pytest.approx(lights[0], abs=1e-6)
 
 
+def test_a_camera_that_zooms_is_exact_on_every_frame() -> None:
+    heights = (20.0, 30.0, 45.0, 50.0)
+    pose = looking(1.0, 2.0, 8.0, 12, 5)[None]
+    camera = SetCamera("c", is_perspective=True, height=20.0, aspect=0.0, poses=pose, heights=heights)
+    document = with_mesh(stage(), (0.0, 0.0, -1.0))
+    document = follow_camera(document, document.pieces[0].id, camera)
+    check(document)
+    assert [key.value for key in track_of(document, Address(FOV)).keys] == list(heights)
+    for frame in (1, 2, 4, 9):
+        assert seen(document, frame, (0.5, 1.0, -2.0)) == pytest.approx(camera.sees((0.5, 1.0, -2.0), frame, SIZE))
+
+
 def test_a_turn_beyond_half_a_circle_does_not_jump_back() -> None:
     poses = np.stack([looking(0, 3, 0, 30, 40.0 * frame) for frame in range(12)])
     camera = SetCamera("c", is_perspective=True, height=60.0, aspect=0.0, poses=poses)

@@ -40,7 +40,7 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def keyed(desk: Desk, cels: Path) -> Desk:
     """A cut of 48 frames: the lamp keyed on 5, 15 and 30, the declination eased from 10 to 40, the opacity on 8."""
-    desk.bring((CharacterSource("Walker", cels),))
+    desk.bring((CharacterSource("Walker", cels),)).at_once()
     session = desk.bridge.session
     document = edits.set_canvas(session.document, Canvas(240, 200, length_frames=48))
     for frame, x in ((5, 0.0), (15, 100.0), (30, 50.0)):

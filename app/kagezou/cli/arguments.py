@@ -94,6 +94,17 @@ def named_source(text: str) -> tuple[str, Path]:
     return name.strip(), Path(path)
 
 
+def positive(text: str) -> float:
+    """Return a number over 0."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = nan
+    if not (isfinite(number) and number > 0):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number over 0")
+    return number
+
+
 def point(text: str) -> tuple[float, float]:
     """Return ``X,Y`` as a point of the canvas."""
     parts = text.strip("[]").split(",")

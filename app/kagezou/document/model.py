@@ -165,6 +165,8 @@ class Document:
         In the order in which they were made.
     vanishing
         The edges of the floor in the background picture by which the camera was matched; None before that.
+    linked
+        Names of layer properties that are the same for all layers, values and keys alike.
     """
 
     canvas: Canvas
@@ -176,6 +178,7 @@ class Document:
     notes: tuple[Note, ...] = ()
     pieces: tuple[Piece, ...] = ()
     vanishing: VanishingLines | None = None
+    linked: frozenset[str] = frozenset()
 
     @property
     def played(self) -> tuple[int, int]:

@@ -146,6 +146,18 @@ def _buffer(path: Path, buffer: Tree, binary: bytes | None) -> bytes:
     return data
 
 
+def files_beside(path: Path) -> tuple[Path, ...]:
+    """Return the files that a set needs besides its own: the buffers of a ``.gltf``; none of one that is broken."""
+    if path.suffix.lower() != ".gltf":
+        return ()
+    try:
+        tree = read_gltf(path).tree
+    except InputProblem:
+        return ()
+    uris = (buffer.get("uri", "data:") for buffer in list_of(path, tree, "buffers"))
+    return tuple(path.parent / unquote(uri) for uri in uris if not uri.startswith("data:"))
+
+
 def _beside(path: Path, uri: str) -> bytes:
     """Return a file that the set refers to, which must lie in its folder or below."""
     name = unquote(uri)

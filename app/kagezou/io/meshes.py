@@ -7,18 +7,17 @@ import threading
 from collections import OrderedDict
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
 from kagezou.errors import InputProblem
 from kagezou.geometry.mesh import Mesh
+from kagezou.geometry.mesh_making import mesh_of
 from kagezou.io.faults import input_problem
 from kagezou.io.gltf_meshes import packed_gltf
+from kagezou.io.obj import bare_obj
 from kagezou.io.usd import read_usd
-
-if TYPE_CHECKING:
-    import trimesh
 
 MESH_SUFFIXES: Final = (".glb", ".gltf", ".obj", ".ply", ".stl", ".usd", ".usda", ".usdc", ".usdz")
 MAX_TRIANGLES: Final = 5_000_000
@@ -27,7 +26,6 @@ DEFAULT_LIMIT_BYTES: Final = 512 << 20
 
 _GLTF: Final = (".glb", ".gltf")
 _USD: Final = (".usd", ".usda", ".usdc", ".usdz")
-_CREASE_DEG: Final = 30.0
 _FARTHEST: Final = 1e9
 
 
@@ -111,8 +109,9 @@ def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
     try:
         # Degenerate triangles are divided by nothing in there.
         with np.errstate(all="ignore"):
+            data = bare_obj(data) if kind == "obj" else data
             scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True, process=False)
-            found: trimesh.Trimesh = scene.to_mesh()
+            found = scene.to_mesh()
     except MemoryError as error:
         raise input_problem(path, "there is not enough memory for this set") from error
     # What a decoder raises for a broken file is of any kind.
@@ -133,38 +132,17 @@ def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
         raise too_many(path, len(corners), MAX_TRIANGLES)
     if corners.min() < 0 or corners.max() >= len(points):
         raise input_problem(path, "it is damaged: a triangle names a corner that is not there")
-    if not np.isfinite(points[np.unique(corners)]).all():
+    is_used = np.zeros(len(points), bool)
+    is_used[corners] = True
+    used = points[is_used]
+    if not np.isfinite(used).all():
         raise input_problem(path, "it is damaged: a corner is not a number")
-    if np.abs(points[np.unique(corners)]).max() > _FARTHEST:
+    if np.abs(used).max() > _FARTHEST:
         raise input_problem(path, f"a corner lies more than {_FARTHEST:g} units away")
-    mesh = _joined(points, corners)
+    mesh = mesh_of(points, corners)
     if not len(mesh.triangles):
         raise input_problem(path, "there are no triangles in it but some without an area")
     return mesh
-
-
-def _joined(points: Any, corners: Any) -> Mesh:
-    import trimesh
-
-    with np.errstate(all="ignore"):
-        mesh = trimesh.Trimesh(points, corners, process=False)
-        mesh.merge_vertices(merge_tex=True, merge_norm=True)
-        mesh.update_faces(mesh.nondegenerate_faces())
-        mesh.remove_unreferenced_vertices()
-        lines = _lines(mesh)
-    return Mesh(
-        np.ascontiguousarray(mesh.vertices, np.float64),
-        np.ascontiguousarray(mesh.faces, np.int32),
-        np.ascontiguousarray(lines, np.int32),
-    )
-
-
-def _lines(mesh: "trimesh.Trimesh") -> Any:
-    from trimesh.grouping import group_rows
-
-    creased = mesh.face_adjacency_angles > np.radians(_CREASE_DEG)
-    borders = mesh.edges_sorted[group_rows(mesh.edges_sorted, require_count=1)]
-    return np.concatenate([mesh.face_adjacency_edges[creased], borders]).reshape(-1, 2)
 
 
 def too_many(path: Path, count: int, most: int) -> InputProblem:

@@ -50,6 +50,8 @@ PROJECT: Final[Fields] = MappingProxyType({
     "vanishing": Field("list of four [[x, y], [x, y]]",
                        "Edges of the floor in the background picture by which the camera was matched, canvas px: two "
                        "that run one way, and two square to them.", optional=True),
+    "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
+                    "none. Every layer has them in its own tracks too.", optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({

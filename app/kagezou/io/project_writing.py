@@ -35,6 +35,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
         # Left out where there is none, so that a cut without a set reads as it always did.
         **({"set": [_piece(piece, folder) for piece in document.pieces]} if document.pieces else {}),
         **({"vanishing": [Row(line) for line in document.vanishing.all]} if document.vanishing else {}),
+        **({"linked": Row([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
     }
 
 

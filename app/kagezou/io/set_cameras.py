@@ -1,5 +1,6 @@
 """What a set's file says of cameras and of its axes, whatever its format."""
 
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Final
@@ -23,8 +24,20 @@ def cameras_of(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
     """
     suffix = path.suffix.lower()
     if suffix in _GLTF:
-        return gltf_cameras(path, frame_rate)
-    return usd_cameras(path, frame_rate) if suffix in _USD else ()
+        return _told_apart(gltf_cameras(path, frame_rate))
+    return _told_apart(usd_cameras(path, frame_rate)) if suffix in _USD else ()
+
+
+def _told_apart(cameras: tuple[SetCamera, ...]) -> tuple[SetCamera, ...]:
+    """Return cameras of which no two have one name: a number stands behind that of the second."""
+    taken: set[str] = set()
+    made = []
+    for camera in cameras:
+        tries = (camera.name, *(f"{camera.name} {number}" for number in range(2, len(cameras) + 2)))
+        name = next(each for each in tries if each not in taken)
+        taken.add(name)
+        made.append(replace(camera, name=name))
+    return tuple(made)
 
 
 def up_axis_of(path: Path) -> str:

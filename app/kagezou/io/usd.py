@@ -79,5 +79,6 @@ def open_stage(path: Path) -> Any:
 def _fans(counts: Any, indices: Any) -> Any:
     """Return polygons, given by the lengths and corners of all, as triangles around their first corners."""
     starts = np.repeat(np.cumsum(counts) - counts, counts - 2)
-    steps = np.concatenate([np.arange(1, each - 1) for each in counts])
+    fans = counts - 2
+    steps = np.arange(1, fans.sum() + 1) - np.repeat(np.cumsum(fans) - fans, fans)
     return np.stack([indices[starts], indices[starts + steps], indices[starts + steps + 1]], axis=1)

@@ -38,21 +38,41 @@ def usd_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
         camera = UsdGeom.Camera(prim)
         if camera:
             poses = np.stack([_pose(UsdGeom.XformCache(time), prim) for time in times])
-            still = bool(np.abs(poses - poses[0]).max() < _STILL)
-            found.append(_camera(prim.GetName(), camera.GetCamera(times[0]), poses[:1] if still else poses))
+            made = _camera(prim.GetName(), [camera.GetCamera(time) for time in times], poses)
+            most = 180.0 if made.is_perspective else np.inf
+            sizes = np.array([made.height, *made.heights])
+            if not np.isfinite(poses).all() or not (
+                np.isfinite(sizes).all() and (sizes > 0).all() and max(sizes) < most
+            ):
+                raise input_problem(path, f"the camera {made.name!r} in it makes no sense")
+            found.append(made)
     return tuple(found)
 
 
-def _camera(name: str, lens: Any, poses: Any) -> SetCamera:
-    is_perspective = lens.projection == lens.Perspective
-    height = lens.GetFieldOfView(lens.FOVVertical) if is_perspective else lens.verticalAperture * _APERTURE_UNIT
-    return SetCamera(name, is_perspective, float(height), float(lens.aspectRatio), poses)
+def _camera(name: str, lenses: list[Any], poses: Any) -> SetCamera:
+    first = lenses[0]
+    is_perspective = first.projection == first.Perspective
+    heights = [
+        float(lens.GetFieldOfView(lens.FOVVertical) if is_perspective else lens.verticalAperture * _APERTURE_UNIT)
+        for lens in lenses
+    ]
+    stands = bool(np.abs(poses - poses[0]).max() < _STILL)
+    zooms = max(heights) - min(heights) > _STILL
+    return SetCamera(
+        name,
+        is_perspective,
+        heights[0],
+        float(first.aspectRatio),
+        poses[:1] if stands else poses,
+        tuple(heights) if zooms else (),
+    )
 
 
 def _pose(placed: Any, prim: Any) -> Any:
     # USD's matrices act on rows.
     matrix = np.asarray(placed.GetLocalToWorldTransform(prim)).T
     made = np.eye(4)
-    made[:3, :3] = matrix[:3, :3] / np.linalg.norm(matrix[:3, :3], axis=0)
+    with np.errstate(all="ignore"):
+        made[:3, :3] = matrix[:3, :3] / np.linalg.norm(matrix[:3, :3], axis=0)
     made[:3, 3] = matrix[:3, 3]
     return made

@@ -4,7 +4,7 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
+from kagezou.io.cels import CelSource
 from kagezou.io.encode import ShadowImage
 from kagezou.io.images import Steps
 from kagezou.io.meshes import MeshCache
@@ -22,10 +22,12 @@ from kagezou.render.shadow_layers import Coverage, ShadowLayers
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
-MATTE_BUDGET_BYTES = 128 << 20
-COLOR_BUDGET_BYTES = 256 << 20
+MATTE_BUDGET_BYTES = 256 << 20
+_SQUARE_PX = 16
+"""The checkered backdrop's, canvas px."""
 
 _DEPTHS = {8: np.uint8, 16: np.uint16}
+_MOST_COVERED = 65535
 
 
 class Renderer:
@@ -38,6 +40,8 @@ class Renderer:
     ----------
     cels, meshes
         Where decoded drawings and meshes come from.
+    divisor
+        How many px of the cut's own canvas are one of the scenes that are drawn, for previews.
 
     Raises
     ------
@@ -45,9 +49,10 @@ class Renderer:
         If the context is older than OpenGL 3.3 or the driver fails.
     """
 
-    def __init__(self, cels: CelCache, meshes: MeshCache | None = None) -> None:
+    def __init__(self, cels: CelSource, meshes: MeshCache | None = None, divisor: int = 1) -> None:
         self.info = read_info()
         self._cels = cels
+        self._divisor = divisor
         self._boxes = Boxes()
         self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
         self._shade_programs = Variants("box.vert", "shade.frag")
@@ -98,6 +103,10 @@ class Renderer:
             )
         box = coverage.box
         switches, uniforms = look_uniforms(cast, look, box)
+        if not switches:
+            covered = coverage.target.read(box)
+            check("drawing a shadow")
+            return ShadowImage(canvas.width, canvas.height, look.color, _alpha_of(covered, look.opacity, depth), box)
         forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
         target = self._shaded_target(canvas, forms[depth != 8])
         if look.tip:
@@ -221,7 +230,7 @@ class Renderer:
             old.close()
             self._picture = None
         if self._picture is None:
-            self._picture = Picture(self._boxes, canvas, form, COLOR_BUDGET_BYTES)
+            self._picture = Picture(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
         return self._picture
 
     def _shaded_target(self, canvas: Box, form: Format) -> Target:
@@ -232,3 +241,10 @@ class Renderer:
         if target is None:
             target = self._shaded[form] = Target(canvas.width, canvas.height, form)
         return target
+
+
+def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
+    """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
+    most = (1 << depth) - 1
+    alpha: Steps = np.rint(covered * np.float32(opacity * most / _MOST_COVERED)).astype(_DEPTHS[depth])
+    return alpha

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.mesh import Mesh
-from kagezou.io.cels import CelCache
+from kagezou.io.cels import CelSource
 from kagezou.io.images import Matte
 from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
@@ -33,7 +33,7 @@ class Coverage:
 class ShadowLayers:
     """Casts a layer's shadow unless the last one of the same cast is still there."""
 
-    def __init__(self, boxes: Boxes, cels: CelCache, meshes: MeshCache, matte_budget_bytes: int) -> None:
+    def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, matte_budget_bytes: int) -> None:
         self._cels = cels
         self._mattes = Mattes(boxes, matte_budget_bytes)
         self._cast = CastPass(boxes)

@@ -182,8 +182,8 @@ def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> Iterab
             f"the camera {camera.name!r} is for a picture of {camera.aspect:.3f} to 1, the canvas is {aspect:.3f} "
             "to 1: the height was kept, the sides differ"
         )
-    if camera.is_animated and len(camera.poses) != canvas.length_frames:
-        yield f"the camera {camera.name!r} moves for {len(camera.poses)} frames, the cut has {canvas.length_frames}"
+    if camera.is_animated and camera.length_frames != canvas.length_frames:
+        yield f"the camera {camera.name!r} moves for {camera.length_frames} frames, the cut has {canvas.length_frames}"
 
 
 def _camera_named(document: Document, wanted: SetImport) -> SetCamera:

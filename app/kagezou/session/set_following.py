@@ -8,7 +8,7 @@ import numpy as np
 from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
 from kagezou.document.address import Address, track_of, value_of
-from kagezou.document.edits import set_constant, set_track
+from kagezou.document.edits import set_track
 from kagezou.document.model import Document
 from kagezou.document.properties import (
     FOV,
@@ -41,10 +41,12 @@ def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Docum
     piece = document.piece(piece_id)
     anchor = place_of(value_of(document, of_piece(lines.PIECE_ANCHOR, piece_id), 1))
     up = str(value_of(document, of_piece(lines.PIECE_UP, piece_id), 1))
-    last = min(len(camera.poses), document.canvas.length_frames)
+    last = min(camera.length_frames, document.canvas.length_frames)
     sights = [_sight(document, camera, frame, anchor, up) for frame in range(1, last + 1)]
     angles = np.degrees(np.unwrap(np.radians([sight.angle for sight in sights])))
+    fovs: list[Value] = [camera.height_at(frame) if camera.is_perspective else 0.0 for frame in range(1, last + 1)]
     columns: list[tuple[Address, list[Value]]] = [
+        (Address(FOV), fovs),
         (Address(GROUND_POSITION), [sight.position for sight in sights]),
         (Address(GROUND_ROLL), [sight.roll for sight in sights]),
         (Address(GROUND_DECLINATION), [sight.declination for sight in sights]),
@@ -52,7 +54,6 @@ def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Docum
         (of_piece(lines.PIECE_ANGLE, piece.id), [float(angle) for angle in angles]),
         (of_piece(lines.PIECE_SCALE, piece.id), [sight.scale for sight in sights]),
     ]
-    document = set_constant(document, Address(FOV), camera.height if camera.is_perspective else 0.0)
     for address, values in columns:
         document = set_track(document, address, track_through(address.property, enumerate(values, start=1)))
     return _light_kept_in_place(document, piece_id, [float(angle) for angle in angles])
@@ -109,6 +110,7 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
     if camera.is_perspective and depth <= 0:
         raise UsageProblem(f"the place to stand on is behind the camera {camera.name!r} on frame {frame}")
     width, height = float(document.canvas.width_px), float(document.canvas.height_px)
-    focal = (height / 2) / tan(radians(camera.height) / 2) if camera.is_perspective else 0.0
-    scale = focal / depth if camera.is_perspective else height / camera.height
+    own = camera.height_at(frame)
+    focal = (height / 2) / tan(radians(own) / 2) if camera.is_perspective else 0.0
+    scale = focal / depth if camera.is_perspective else height / own
     return _Sight(camera.sees(anchor, frame, (width, height)), roll, declination, angle, scale)

@@ -1,6 +1,7 @@
 """What files dropped on the window or picked in a dialog are meant to be."""
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -73,9 +74,6 @@ def whole_sequence(path: Path) -> Path:
 def _sequences(pictures: list[Path]) -> list[Path]:
     """Return a pattern for pictures that differ only in their number, and the others as they are."""
     patterns = [whole_sequence(path) for path in pictures]
-    found: list[Path] = []
-    for path, pattern in zip(pictures, patterns, strict=True):
-        source = pattern if patterns.count(pattern) > 1 else path
-        if source not in found:
-            found.append(source)
-    return found
+    counts = Counter(patterns)
+    sources = (pattern if counts[pattern] > 1 else path for path, pattern in zip(pictures, patterns, strict=True))
+    return list(dict.fromkeys(sources))

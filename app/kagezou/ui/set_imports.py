@@ -119,7 +119,7 @@ class SetImports(QObject):
         cameras = self._cameras(path)
         base = self._desk.bridge.document
         if self._desk.is_blank and cameras:
-            longest = max(len(camera.poses) for camera in cameras)
+            longest = max(camera.length_frames for camera in cameras)
             base = set_canvas(base, replace(base.canvas, length_frames=max(base.canvas.length_frames, longest)))
         if not base.layers:
             stand = (base.canvas.width_px / 2, _FOOT_OF_HEIGHT * base.canvas.height_px)

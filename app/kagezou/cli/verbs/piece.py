@@ -4,7 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kagezou.cli.arguments import Parser, did_you_mean, point, project_path
+from kagezou.cli.arguments import Parser, did_you_mean, point, positive, project_path
 from kagezou.cli.doors import Doors
 from kagezou.cli.terminal import give, note
 from kagezou.errors import UsageProblem
@@ -48,6 +48,12 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "--stand", type=point, metavar="X,Y", help="where a character stands on it, canvas px (the ground's position)"
     )
+    parser.add_argument(
+        "--scale",
+        type=positive,
+        metavar="PX",
+        help="canvas px for one unit of the file where it stands; a camera that is followed settles it",
+    )
     parser.add_argument("--up", choices=("y", "z"), help="the axis of the file that points up (what the file says)")
 
 
@@ -61,11 +67,11 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
         return 0
     if options.name is None:
         raise UsageProblem(f"which piece is to {options.action}? (see kagezou piece --help)")
-    of_mesh = (options.file, options.camera, options.stand, options.up)
+    of_mesh = (options.file, options.camera, options.stand, options.up, options.scale)
     if options.action == "add" and options.words[:1] == ["mesh"]:
         after = _imported(before, options)
     elif any(each is not None for each in of_mesh):
-        raise UsageProblem("--file, --camera, --stand and --up belong to: add NAME mesh")
+        raise UsageProblem("--file, --camera, --stand, --up and --scale belong to: add NAME mesh")
     else:
         after = _changed(before, options.action, options.name, options.words)
     if after is not before:
@@ -97,8 +103,11 @@ def _imported(document: "Document", options: Namespace) -> "Document":
 
     if options.file is None:
         raise UsageProblem("which file is the mesh to be read from? --file SET.glb")
+    if options.camera is not None and options.scale is not None:
+        raise UsageProblem("--camera settles the size of the set: leave out --scale, or the camera")
     values = _values(options.words[1:])
-    wanted = SetImport(options.file.absolute(), options.name, options.camera, options.stand, options.up)
+    how = (options.camera, options.stand, options.up, options.scale)
+    wanted = SetImport(options.file.absolute(), options.name, *how)
     imported = import_set(document, wanted, MeshCache())
     for sentence in imported.notes:
         note(sentence)

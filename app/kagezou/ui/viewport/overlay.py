@@ -67,6 +67,8 @@ class Overlay(QWidget):
         for guide in handles.guides:
             if is_wanted(guide.kind, (active, self._hand.selected_id)):
                 paint_guide(painter, guide, view, area)
+        for guide in () if self._hand.is_busy else self._hand.pieces.guides:
+            paint_guide(painter, guide, view, area)
         for handle in handles.handles:
             at, off = place_in_view(handle, view, size)
             selected = handle.id == self._hand.selected_id

@@ -239,7 +239,8 @@ class Viewport(PictureWidget):
         elif self.picking.is_on:
             self.setCursor(Qt.CursorShape.CrossCursor)
         else:
-            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else _CURSORS[over.cursor])
+            on_piece = Qt.CursorShape.SizeAllCursor if self.hand.pieces.hovered_id else Qt.CursorShape.ArrowCursor
+            self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
 
 
 def _is_typing(event: QKeyEvent) -> bool:
