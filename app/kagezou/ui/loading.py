@@ -133,7 +133,7 @@ class Loading(QWidget):
         job = self._job = _Job(load)
         job.start()
         job.join(PATIENCE_S)
-        if not job.is_alive() and self._may_put():
+        if self._is_done(job):
             return self._finish(job)
         self._show_progress(*job.progress)
         self.show()
@@ -146,8 +146,11 @@ class Loading(QWidget):
             return
         self._show_progress(*job.progress)
         self.progressed.emit()
-        if not job.is_alive() and self._may_put():
+        if self._is_done(job):
             self._finish(job)
+
+    def _is_done(self, job: _Job) -> bool:
+        return not job.is_alive() and (job.problem is not None or self._may_put())
 
     def _finish(self, job: _Job) -> bool:
         """Put what was read, or say why it could not be, and go on with what waits."""

@@ -225,7 +225,9 @@ class ProjectActions(QObject):
 
     def _is_free(self) -> bool:
         """Whether the desk can take something: nobody drags, and no question is open about what lies on it."""
-        return not self._desk.bridge.session.is_in_gesture and QApplication.activeModalWidget() is None
+        question = QApplication.activeModalWidget()
+        is_ours = question is not None and question.parentWidget() is self.loading.window()
+        return not self._desk.bridge.session.is_in_gesture and not is_ours
 
     def _try(self, do: Callable[[], object]) -> bool:
         QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
