@@ -141,11 +141,14 @@ class Piece:
         Unique in the set; part of property paths.
     tracks
         By set piece property name; its shape is one of them.
+    source
+        The file of an imported set, for a piece of that shape.
     """
 
     id: str
     name: str
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    source: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,6 +165,8 @@ class Document:
         In the order in which they were made.
     vanishing
         The edges of the floor in the background picture by which the camera was matched; None before that.
+    linked
+        Names of layer properties that are the same for all layers, values and keys alike.
     """
 
     canvas: Canvas
@@ -173,6 +178,7 @@ class Document:
     notes: tuple[Note, ...] = ()
     pieces: tuple[Piece, ...] = ()
     vanishing: VanishingLines | None = None
+    linked: frozenset[str] = frozenset()
 
     @property
     def played(self) -> tuple[int, int]:

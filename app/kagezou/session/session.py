@@ -29,6 +29,8 @@ class State:
         Selected keys; every one of them is there.
     piece_id
         The set piece worked on.
+    others
+        The layers that are chosen beside ``layer_id`` and edited with it.
     """
 
     document: Document
@@ -37,6 +39,7 @@ class State:
     selection: tuple[Address, ...] = ()
     keys: Refs = frozenset()
     piece_id: str | None = None
+    others: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +80,11 @@ class Session:
     def is_saved(self) -> bool:
         """Whether the document now is the one last saved."""
         return self._state.document is self._saved
+
+    @property
+    def is_in_gesture(self) -> bool:
+        """Whether something is under way that will be one step, such as a drag."""
+        return self._gesture is not None
 
     @property
     def steps_made(self) -> int:
@@ -159,11 +167,15 @@ class Session:
 
     def select(self, layer_id: str | None, selection: tuple[Address, ...] = ()) -> None:
         """Work on a layer and select properties."""
-        self._show(replace(self._state, layer_id=layer_id, selection=selection, piece_id=None))
+        self._show(replace(self._state, layer_id=layer_id, selection=selection, piece_id=None, others=frozenset()))
+
+    def select_layers(self, layer_id: str, others: frozenset[str]) -> None:
+        """Work on a layer, and edit others with it."""
+        self._show(replace(self._state, layer_id=layer_id, selection=(), piece_id=None, others=others))
 
     def select_piece(self, piece_id: str, selection: tuple[Address, ...] = ()) -> None:
         """Work on a set piece instead of a layer and select properties."""
-        self._show(replace(self._state, layer_id=None, selection=selection, piece_id=piece_id))
+        self._show(replace(self._state, layer_id=None, selection=selection, piece_id=piece_id, others=frozenset()))
 
     def select_keys(self, keys: Refs) -> None:
         """Select keys; those that are not there are left out."""
@@ -235,7 +247,7 @@ def _same(a: State, b: State) -> bool:
 
 
 def _looked_at(state: State) -> tuple[object, ...]:
-    return state.frame, state.layer_id, state.selection, state.keys, state.piece_id
+    return state.frame, state.layer_id, state.selection, state.keys, state.piece_id, state.others
 
 
 def _within(state: State) -> State:
@@ -252,4 +264,5 @@ def _within(state: State) -> State:
         if address.layer_id in (None, *ids) and address.piece_id in (None, *pieces)
     )
     frame = min(max(state.frame, 1), document.canvas.length_frames)
-    return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id)
+    others = frozenset() if layer_id is None else state.others & (ids - {layer_id})
+    return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id, others)

@@ -53,6 +53,13 @@ class Bridge(QObject):
         """The set piece worked on."""
         return self._session.state.piece_id
 
+    @property
+    def layer_ids(self) -> tuple[str, ...]:
+        """Every layer that is chosen: the one worked on, then those edited with it as they lie; none with a piece."""
+        state = self._session.state
+        others = tuple(layer.id for layer in state.document.layers if layer.id in state.others)
+        return () if state.layer_id is None else (state.layer_id, *others)
+
     def open(self, session: Session) -> None:
         """Put another session in the place of this one and say that everything changed."""
         self._session = session
@@ -95,4 +102,4 @@ class Bridge(QObject):
 
 
 def _chosen(state: State) -> tuple[object, ...]:
-    return state.layer_id, state.piece_id, state.selection
+    return state.layer_id, state.piece_id, state.selection, state.others

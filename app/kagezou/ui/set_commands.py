@@ -12,9 +12,6 @@ from kagezou.tools.placing import add_placed
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.words import choice_word
 
-KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
-"""The pieces that are made of nothing but measures, as the menu lists them."""
-
 _COPY_AWAY = 0.04
 """How far aside a copy stands, as a part of the canvas' width."""
 

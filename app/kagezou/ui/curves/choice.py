@@ -42,7 +42,8 @@ class Choice(QObject):
     @property
     def all(self) -> tuple[Curve, ...]:
         """Every curve there is."""
-        return curves_of(self._bridge.document, self._bridge.layer_id, self._bridge.piece_id)
+        bridge = self._bridge
+        return curves_of(bridge.document, bridge.layer_id, bridge.piece_id, bridge.layer_ids[1:])
 
     @property
     def shown(self) -> tuple[Curve, ...]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from kagezou.animation.curve import component_count
 from kagezou.animation.track import Track
 from kagezou.document.address import Address, track_of
+from kagezou.document.linking import is_linked
 from kagezou.document.model import Document, Layer, Piece
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind
@@ -41,10 +42,22 @@ class Curve:
         return COLORS[self.number % len(COLORS)]
 
 
-def curves_of(document: Document, layer_id: str | None, piece_id: str | None = None) -> tuple[Curve, ...]:
-    """Return the curves of the scene's keyed properties and of a layer's or a set piece's, in table order."""
+def curves_of(
+    document: Document, layer_id: str | None, piece_id: str | None = None, others: tuple[str, ...] = ()
+) -> tuple[Curve, ...]:
+    """Return the curves of the scene's keyed properties and of a layer's or a set piece's, in table order.
+
+    Parameters
+    ----------
+    document, layer_id, piece_id
+        What is worked on.
+    others
+        The layers that are chosen beside it; a property that is linked has its curves once.
+    """
     curves: list[Curve] = []
-    for address in _addresses(layer_id, piece_id):
+    more = (Address(line, other) for other in others for line in OF_LAYER.values())
+    apart = (address for address in more if not is_linked(document, address))
+    for address in (*_addresses(layer_id, piece_id), *apart):
         track = track_of(document, address)
         if not track.is_keyed or address.property.holds_only:
             continue

@@ -15,6 +15,7 @@ from kagezou.tools.handles import drag_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.viewport.handle_source import HandleSource
 from kagezou.ui.viewport.piece_touch import PieceTouch
 from kagezou.ui.viewport.pointer_report import PointerReport
@@ -200,7 +201,7 @@ class Hand(QObject):
         try:
             document = add_grounding(self._bridge.document, layer_id, self._bridge.frame, canvas_px)
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return False
         self._edit(QCoreApplication.translate("Hand", "Add grounding point"), document)
         points = [handle.id for handle in self.handles.handles if handle.index is not None]
