@@ -43,8 +43,8 @@ def sets(draw: DrawFn, *kinds: str, lowest: float = 20.0) -> Document:
     assume(place_on(camera_at(document, 1), ground_at(document, 1), position) is not None)
     return with_piece(
         document, draw(st.sampled_from(kinds or s.BUILT_KINDS)), position=list(position),
-        angle=draw(st.floats(-400, 400)), lean=draw(st.floats(-60, 60)), width=draw(st.floats(20, 700)), height=draw(st.floats(20, 700)),
-        depth=draw(st.floats(20, 500)),
+        angle=draw(st.floats(-400, 400)), lean=draw(st.floats(-60, 60)), width=draw(st.floats(20, 700)),
+        height=draw(st.floats(20, 700)), depth=draw(st.floats(20, 500)),
     )  # fmt: skip
 
 
