@@ -85,13 +85,13 @@ def _drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[
 
 def _decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
     """Bring the drawings of a job into memory; in colour at once where a composite will want them so."""
-    for path in job.cels:
-        cels.cel(path)
-    for path in job.mattes:
+    for source in job.cels:
+        cels.cel(source)
+    for source in job.mattes:
         if in_color:
-            cels.cel(path)
+            cels.cel(source)
         else:
-            cels.matte(path)
+            cels.matte(source)
 
 
 def _drawn(renderer: Renderer, depth: int, job: Job) -> Image:

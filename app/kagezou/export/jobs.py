@@ -9,7 +9,7 @@ from typing import Final
 from kagezou.animation.track import Track
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.model import Document, Drawing, Layer
+from kagezou.document.model import Document, Drawing, Layer, PictureSource, file_of
 from kagezou.document.property import Property
 from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
@@ -35,7 +35,7 @@ class ShadowContent:
 class CompositeContent:
     """All that decides a composite but its size and format: the background and each layer, from the bottom."""
 
-    background: Path | None
+    background: PictureSource | None
     layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook], ...]
     set_shadow: SetShadow | None = None
 
@@ -72,24 +72,25 @@ class Job:
     targets: tuple[Target, ...]
 
     @property
-    def mattes(self) -> tuple[Path, ...]:
+    def mattes(self) -> tuple[PictureSource, ...]:
         """The drawings whose alpha it needs."""
         if isinstance(self.content, CompositeContent):
             return ()
-        return (self.content.cast.drawing.path,) if isinstance(self.content.cast, ShadowCast) else ()
+        return (self.content.cast.drawing.source,) if isinstance(self.content.cast, ShadowCast) else ()
 
     @property
-    def cels(self) -> tuple[Path, ...]:
+    def cels(self) -> tuple[PictureSource, ...]:
         """The drawings it needs in colour."""
         if isinstance(self.content, ShadowContent):
             return ()
-        return tuple(drawing.path for drawing, _, _ in self.content.layers if drawing is not None)
+        return tuple(drawing.source for drawing, _, _ in self.content.layers if drawing is not None)
 
     @property
     def sources(self) -> tuple[Path, ...]:
         """Every file it is made of."""
         background = self.content.background if isinstance(self.content, CompositeContent) else None
-        return (*self.mattes, *self.cels, *([background] if background is not None else []))
+        sources = (*self.mattes, *self.cels, *([background] if background is not None else []))
+        return tuple(map(file_of, sources))
 
     def only(self, targets: tuple[Target, ...]) -> "Job":
         """Return the job with some of its targets."""

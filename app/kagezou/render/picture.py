@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
+from kagezou.document.model import PictureSource
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images import Cel, read_cel
 from kagezou.render.backdrop import Backdrop
@@ -25,7 +25,7 @@ class _Base:
     """What the lowest layer of the picture was made of."""
 
     backdrop: Backdrop
-    background: Path | None
+    background: PictureSource | None
 
 
 class Picture:
@@ -48,7 +48,7 @@ class Picture:
         """Where the picture is."""
         return self._target
 
-    def begin(self, backdrop: Backdrop, background: Path | None) -> None:
+    def begin(self, backdrop: Backdrop, background: PictureSource | None) -> None:
         """Start over from the base: the backdrop, and the background picture where it is asked for."""
         base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None)
         if base != self._base:

@@ -146,7 +146,7 @@ class Renderer:
         self._lay_set_shadow(picture, scene)
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
-        cels = [self._cels.cel(layer.drawing.path) for layer in scene.layers if layer.drawing is not None]
+        cels = [self._cels.cel(layer.drawing.source) for layer in scene.layers if layer.drawing is not None]
         outlines: list[tuple[Texture, Box]] = []
         for layer in scene.layers:
             coverage = self._shadows.coverage(scene, layer)

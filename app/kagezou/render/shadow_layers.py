@@ -43,7 +43,7 @@ class ShadowLayers:
     def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
         """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
         return (
-            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.path), scene.canvas)
+            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.source), scene.canvas)
         )
 
     def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
@@ -51,7 +51,7 @@ class ShadowLayers:
         if layer.cast is None:
             return None
         kept = self._kept(scene.canvas, layer.id)
-        matte = self._cels.matte(layer.cast.drawing.path)
+        matte = self._cels.matte(layer.cast.drawing.source)
         if kept.cast != layer.cast or kept.matte is not matte:
             placed = self._mattes.placed(matte, scene.canvas)
             # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.

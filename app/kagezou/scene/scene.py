@@ -1,9 +1,8 @@
 """The frozen record of one frame."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
-from kagezou.document.model import Drawing
+from kagezou.document.model import Drawing, PictureSource
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
@@ -187,7 +186,7 @@ class Scene:
     canvas: Box
     camera: Camera
     ground: Plane
-    background: Path | None
+    background: PictureSource | None
     layers: tuple[LayerScene, ...]
     pieces: tuple[PieceScene, ...] = ()
     set_shadow: SetShadow | None = None

@@ -9,15 +9,16 @@ import numpy as np
 
 from kagezou.document.address import Address
 from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
-from kagezou.document.model import Canvas, Document
+from kagezou.document.model import Canvas, Document, Part, PictureSource
 from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
+from kagezou.io.faults import shown
 from kagezou.io.images import probe
 from kagezou.io.project_paths import absolute
 from kagezou.io.xdts import read_timesheet
 from kagezou.scene.evaluate import camera_at, ground_at
-from kagezou.session.exposing import CharacterSource, NewCels, cels_of
+from kagezou.session.exposing import CharacterSource, NewCels, brought_by
 from kagezou.session.figures import Figure, Look, look_at
 from kagezou.session.first_light import first_light
 from kagezou.session.timing import timed
@@ -76,10 +77,11 @@ def new_document(
     UsageProblem
         A name is no name for a layer.
     """
-    arrivals, notes = _arrivals(sources)
-    width, height = size or _natural_size(background, arrivals)
+    arrivals, notes, backgrounds = _arrivals(sources)
+    own = None if background is None else absolute(background)
+    width, height = size or _natural_size(own or next(iter(backgrounds), None), arrivals)
     document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
-    document = set_background(document, None if background is None else absolute(background))
+    document = _with_background(set_background(document, own), backgrounds, notes)
     return _settled(document, arrivals, notes)
 
 
@@ -91,8 +93,8 @@ def with_characters(document: Document, sources: Sequence[CharacterSource]) -> S
     InputProblem, UsageProblem
         As for :func:`new_document`.
     """
-    arrivals, notes = _arrivals(sources)
-    return _settled(document, arrivals, notes)
+    arrivals, notes, backgrounds = _arrivals(sources)
+    return _settled(_with_background(document, backgrounds, notes), arrivals, notes)
 
 
 def with_timesheet(document: Document, path: Path) -> Staged:
@@ -108,17 +110,30 @@ def with_timesheet(document: Document, path: Path) -> Staged:
     return Staged(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
 
 
-def _arrivals(sources: Sequence[CharacterSource]) -> tuple[list[NewCels], list[str]]:
+def _arrivals(sources: Sequence[CharacterSource]) -> tuple[list[NewCels], list[str], list[Part]]:
+    """Return the layers that come, notes, and what could be the background."""
     arrivals: list[NewCels] = []
     notes: list[str] = []
+    backgrounds: list[Part] = []
     for source in sources:
-        layers, about_source = cels_of(source)
-        arrivals += layers
-        notes += about_source
-    return arrivals, notes
+        brought = brought_by(source)
+        arrivals += brought.layers
+        notes += brought.notes
+        backgrounds += brought.backgrounds
+    return arrivals, notes, backgrounds
 
 
-def _natural_size(background: Path | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
+def _with_background(document: Document, found: Sequence[Part], notes: list[str]) -> Document:
+    """Put the first of what was found under everything, unless there is a background; the others are told."""
+    taken = found[:1] if document.background is None else ()
+    notes += [
+        f"{shown(each.path)}: the layer {each.address!r} was left out, as there is a background already"
+        for each in found[len(taken) :]
+    ]
+    return set_background(document, taken[0]) if taken else document
+
+
+def _natural_size(background: PictureSource | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
     if background is not None:
         info = probe(background)
         size = (info.width_px, info.height_px)

@@ -11,7 +11,7 @@ from kagezou.io.cels import CelCache
 from kagezou.io.keepsake import Keepsake
 from kagezou.io.xdts import write_xdts
 from kagezou.session.session import Session
-from kagezou.session.sheet_project import document_of_sheet
+from kagezou.session.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.session.staging import CharacterSource, new_document, with_characters, with_timesheet
 from kagezou.session.timing import sheet_of
 from kagezou.ui.arrivals import PROJECT_SUFFIX
@@ -59,7 +59,7 @@ class Desk(QObject):
 
     def new(self, sources: tuple[CharacterSource, ...]) -> None:
         """Begin a project with characters; it has no file yet and counts as unsaved."""
-        staged = new_document(sources)
+        staged = timed_from_beside(new_document(sources), sources)
         session = Session(blank_document())
         session.edit(self.tr("New from cels"), staged.document)
         self._put(session, None)
@@ -96,7 +96,10 @@ class Desk(QObject):
     def bring(self, sources: tuple[CharacterSource, ...]) -> None:
         """Add characters as one step; into nothing they come with a canvas, a ground and a lamp of their own."""
         session = self.bridge.session
-        staged = new_document(sources) if self.is_blank else with_characters(session.document, sources)
+        if self.is_blank:
+            staged = timed_from_beside(new_document(sources), sources)
+        else:
+            staged = with_characters(session.document, sources)
         session.edit(self.tr("Import character"), staged.document)
         if staged.layer_ids:
             session.select(staged.layer_ids[-1])

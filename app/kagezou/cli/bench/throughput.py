@@ -7,7 +7,7 @@ from pathlib import Path
 from statistics import median
 from typing import Final
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource
 from kagezou.export.frames import export_frames
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.box import Box
@@ -45,7 +45,7 @@ def measured(
     export_frames(document, request, open_context, _unwatched, _never)
     outputs = sorted(next((folder / "frames").glob("*_shadow")).glob("*.png"))
     pairs = [
-        (drawing.path, _shadow_in(output))
+        (drawing.source, _shadow_in(output))
         for drawing, output in zip(sources, outputs, strict=True)
         if drawing is not None
     ]
@@ -60,7 +60,7 @@ def measured(
     return Throughput(len(outputs) / median(exports), len(pairs) / median(floors))
 
 
-def _floor_seconds(pairs: list[tuple[Path, ShadowImage]], folder: Path, workers: int) -> float:
+def _floor_seconds(pairs: list[tuple[PictureSource, ShadowImage]], folder: Path, workers: int) -> float:
     """Return how long it takes to decode each drawing and to encode and write each shadow."""
 
     def job(index: int) -> None:

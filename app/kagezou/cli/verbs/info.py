@@ -55,7 +55,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "frame_rate": str(canvas.frame_rate),
         "first_frame": 1,
         "last_frame": canvas.length_frames,
-        "background": None if document.background is None else shown(document.background),
+        "background": _background(document),
         "layers": [_about_layer(layer) for layer in document.layers],
         "set": [{"name": piece.name, "kind": kind_of(piece)} for piece in document.pieces],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
@@ -86,10 +86,19 @@ def _keyed(document: "Document", address: "Address") -> dict[str, Json]:
     return {"path": path_of(document, address), "frames": [key.frame for key in track_of(document, address).keys]}
 
 
+def _background(document: "Document") -> str | None:
+    from kagezou.document.model import file_of
+    from kagezou.io.faults import shown
+
+    return None if document.background is None else shown(file_of(document.background))
+
+
 def _missing(document: "Document") -> "Iterator[Path]":
+    from kagezou.document.model import file_of
+
     paths = [drawing.path for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
-        paths.append(document.background)
+        paths.append(file_of(document.background))
     return (path for path in dict.fromkeys(paths) if not path.is_file())
 
 
@@ -104,7 +113,7 @@ def _lines(document: "Document") -> Iterator[str]:
     rate = f"{float(canvas.frame_rate):g}"
     yield f"canvas      {canvas.width_px} x {canvas.height_px} px"
     yield f"frames      1-{canvas.length_frames} at {rate} frames/s ({seconds:.2f} s)"
-    yield f"background  {shown(document.background) if document.background else 'none'}"
+    yield f"background  {_background(document) or 'none'}"
     for layer in document.layers:
         count = len(layer.cels.drawings)
         box = layer.figure

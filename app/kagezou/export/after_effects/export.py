@@ -19,6 +19,7 @@ from kagezou.io.atomic import write_bytes
 from kagezou.io.encode import write_rgba
 from kagezou.io.faults import output_problem
 from kagezou.io.images import read_cel
+from kagezou.io.signatures import is_psd
 from kagezou.render.context import OpenContext
 
 _AE_LONGEST_S: Final = 10800
@@ -175,11 +176,11 @@ class _Run:
 
     def background(self) -> Path | None:
         """Copy the background, or refer to it."""
-        path = self._document.background
-        if path is None or not self._request.copies:
-            return path
+        source = self._document.background
+        if source is None or (isinstance(source, Path) and not is_psd(source) and not self._request.copies):
+            return source
         target = _made(self._request.folder / "background") / "background.png"
-        write_rgba(target, read_cel(path, white_is_clear=False).rgba)
+        write_rgba(target, read_cel(source, white_is_clear=False).rgba)
         return target
 
     def _frames_of(self, kind: str) -> ExportRequest:

@@ -1,9 +1,8 @@
 """What is on screen: the renderer of the current context, and the picture it drew last."""
 
 from dataclasses import dataclass, replace
-from pathlib import Path
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource
 from kagezou.errors import Problem
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Steps
@@ -17,9 +16,9 @@ from kagezou.ui.viewport.picture_view import PictureView, seen
 
 @dataclass(frozen=True, slots=True)
 class Broken:
-    """A picture file that cannot be shown, and why."""
+    """A picture that cannot be shown, and why."""
 
-    path: Path
+    source: PictureSource
     problem: Problem
 
 
@@ -106,16 +105,16 @@ class Stage:
     def _readable(self, scene: Scene) -> Scene:
         broken: list[Broken] = []
 
-        def can_be_read(path: Path) -> bool:
+        def can_be_read(source: PictureSource) -> bool:
             try:
-                self._cels.cel(path)
+                self._cels.cel(source)
             except Problem as problem:
-                broken.append(Broken(path, problem))
+                broken.append(Broken(source, problem))
                 return False
             return True
 
         def shown(layer: LayerScene) -> LayerScene:
-            if layer.drawing is None or can_be_read(layer.drawing.path):
+            if layer.drawing is None or can_be_read(layer.drawing.source):
                 return layer
             return replace(layer, drawing=None, cast=None)
 
