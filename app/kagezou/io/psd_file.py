@@ -22,7 +22,7 @@ from kagezou.io.psd_tree import DEEPEST, PsdNode, PsdTree, addressed, psd_header
 _KEPT_BYTES: Final = 256 << 20
 """So large may the files be together that are held open; the last one is always."""
 
-_LARGEST_ARRAY_BYTES: Final = 1 << 30
+_LARGEST_ARRAY_BYTES: Final = 3 << 29
 _MOST_NODES: Final = 20000
 _State = tuple[Path, int, int]
 
@@ -168,6 +168,8 @@ def _parsed(path: Path, size: int) -> Any:
 def _damaged(path: Path, error: Exception, address: str | None = None) -> InputProblem:
     place = f" at the layer {address!r}" if address else ""
     cause = str(error).strip().partition("\n")[0][:120]
+    if "over the configured budget" in str(error) or isinstance(error, MemoryError):
+        return input_problem(path, f"it is larger than can be read{place}")
     return input_problem(path, f"the file is damaged{place} or of an unknown kind ({cause or type(error).__name__})")
 
 

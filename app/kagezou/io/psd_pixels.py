@@ -4,6 +4,8 @@ A layer without masks, clipping layers, effects and opacity is taken as it is st
 is put together by psd-tools.
 """
 
+# ruff: noqa: SLF001 - psd-tools gives away stored pixels, and the file of a layer, by its inner names only
+
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -16,8 +18,14 @@ from kagezou.io.colour import coded_from_light, steps_from_unit
 
 _GRAY: Final = 1
 _RGB: Final = 3
-_INDEXED: Final = 2
+_PLACES: Final = {
+    _GRAY: {0: slice(0, 3), -1: slice(3, 4)},
+    _RGB: {0: slice(0, 1), 1: slice(1, 2), 2: slice(2, 3), -1: slice(3, 4)},
+}
+"""By colour space: number of a stored channel → where it goes in RGBA."""
+
 _DRAWN_EFFECTS: Final = frozenset({"coloroverlay", "gradientoverlay", "patternoverlay", "stroke"})
+_MOST_STORED_PX: Final = 1 << 28
 _MOST_PIXELS: Final = 2_000_000_000
 """So many pixels may the layers of a group have together."""
 
@@ -35,35 +43,53 @@ class PsdPixels:
 def merged_pixels(image: Any) -> PsdPixels:
     """Return what a whole file shows: the picture saved with it, or where there is none its layers put together."""
     from psd_tools.api.utils import has_transparency
-    from psd_tools.composite import composite
 
     whole: Box = (0, 0, image.width, image.height)
     if len(image) and not image.has_preview():
         return PsdPixels(_composed(image, whole, whole), has_alpha=True)
-    if image.color_mode.value not in {_GRAY, _RGB, _INDEXED} or image.depth == 1:
-        return _by_pillow(image.topil(), whole, whole)
-    if not len(image):
-        colour, _, alpha = composite(image)
-    else:
-        colour, alpha = image.numpy("color"), image.numpy("shape")
-    known = bool(has_transparency(image))
-    return PsdPixels(_placed(image.depth, colour, alpha if known else None, whole, whole), known)
+    is_coded_alike = image.color_mode.value in {_GRAY, _RGB}
+    if not is_coded_alike or image.depth <= 8:
+        return _by_pillow(image.topil(apply_icc=not is_coded_alike), whole, whole)
+    alpha = image.numpy("shape") if has_transparency(image) else None
+    return PsdPixels(_placed(image.depth, image.numpy("color"), alpha, whole, whole), alpha is not None)
 
 
 def part_pixels(layer: Any) -> PsdPixels:
     """Return a layer or a group alone on the canvas of its file, as if it and all around it were switched on."""
-    image = layer._psd  # noqa: SLF001 - psd-tools has no other way up
+    image = layer._psd
     whole: Box = (0, 0, image.width, image.height)
     if _is_plain(layer):
-        return PsdPixels(
-            _placed(image.depth, layer.numpy("color"), layer.numpy("shape"), layer.bbox, whole), has_alpha=True
-        )
+        return PsdPixels(_as_stored(layer, whole), has_alpha=True)
     with _switched_on(layer):
         parts = [layer, *(layer.descendants() if layer.is_group() else ())]
         if sum(max(each.width, 0) * max(each.height, 0) for each in parts if not each.is_group()) > _MOST_PIXELS:
             raise ValueError("its layers are larger than can be read")
         reach = whole if any(each.has_effects() for each in parts) else _common(layer.bbox, whole)
         return PsdPixels(_composed(layer, reach, whole), has_alpha=True)
+
+
+def _as_stored(layer: Any, whole: Box) -> NDArray[Any]:
+    """Return a plain layer by its stored channels, one at a time; floats of all of them would take eight times as much.
+
+    psd-tools gives them away only as floats, so its inner records are read.
+    """
+    image, box = layer._psd, layer.bbox
+    width, height, depth = layer.width, layer.height, image.depth
+    if width * height > _MOST_STORED_PX:
+        raise ValueError("its pixels are more than can be read")
+    made = np.zeros((whole[3], whole[2], 4), np.uint8 if depth == 8 else np.uint16)
+    left, top, right, bottom = _common(box, whole)
+    if left >= right or top >= bottom:
+        return made
+    target = made[top:bottom, left:right]
+    target[..., 3] = _full(made)
+    places = _PLACES[image.color_mode.value]
+    for info, stored in zip(layer._record.channel_info, layer._channels, strict=True):
+        if info.id in places and stored.data:
+            data = stored.get_data(width, height, depth, image.version)
+            plane = np.frombuffer(data, np.uint8 if depth == 8 else ">u2").reshape(height, width, 1)
+            target[..., places[info.id]] = plane[top - box[1] : bottom - box[1], left - box[0] : right - box[0]]
+    return made
 
 
 def undrawn_effects(layer: Any) -> tuple[str, ...]:
@@ -75,7 +101,7 @@ def undrawn_effects(layer: Any) -> tuple[str, ...]:
 
 
 def _is_plain(layer: Any) -> bool:
-    image = layer._psd  # noqa: SLF001 - as above
+    image = layer._psd
     return (
         layer.kind in {"pixel", "type", "smartobject"}
         and image.color_mode.value in {_GRAY, _RGB}

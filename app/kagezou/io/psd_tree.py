@@ -13,7 +13,9 @@ from kagezou.io.signatures import LARGEST_SIDE_PX, checked_format
 LARGEST_FILE_BYTES: Final = 2 << 30
 """The largest PSD file that is read; it is held in memory while its layers are wanted."""
 
-LARGEST_CANVAS_BYTES: Final = 1 << 30
+LARGEST_CANVAS_PX: Final = 64 << 20
+"""So many pixels may a canvas have; layers are put together in floats of several times that size."""
+
 DEEPEST: Final = 60
 """So deep may groups be nested."""
 
@@ -106,8 +108,7 @@ def psd_header(path: Path) -> PsdHeader:
         raise input_problem(path, "the file is damaged (an impossible header)")
     if not min(width, height):
         raise input_problem(path, "it has no pixels")
-    bytes_per_pixel = 4 * max(depth // 8, 1)
-    if max(width, height) > LARGEST_SIDE_PX or width * height * bytes_per_pixel > LARGEST_CANVAS_BYTES:
+    if max(width, height) > LARGEST_SIDE_PX or width * height > LARGEST_CANVAS_PX:
         raise input_problem(path, f"{width} × {height} px is larger than can be read")
     if size > LARGEST_FILE_BYTES:
         raise input_problem(path, f"with {size >> 20} MB it is larger than can be read")
