@@ -265,7 +265,7 @@ def test_a_layer_that_claims_too_much_is_a_sentence(tmp_path: Path) -> None:
     layer._record.bottom = layer._record.top + 200_000
     with (tmp_path / "a.psd").open("wb") as stream:
         image._record.write(stream)
-    with pytest.raises(InputProblem, match="damaged at the layer '1'|larger than can be read"):
+    with pytest.raises(InputProblem, match=r"damaged at the layer '1'|larger than can be read"):
         read_cel(Part(tmp_path / "a.psd", "1"))
 
 
