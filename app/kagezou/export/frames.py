@@ -9,7 +9,7 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
-from kagezou.export.jobs import CompositeContent, Content, Job, Plan, planned
+from kagezou.export.jobs import CompositeContent, Content, Job, Plan, ReceivedContent, planned
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.pipeline import Draw, Image, Outcome, Stages, flow, window_for
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
@@ -98,6 +98,9 @@ def _drawn(renderer: Renderer, depth: int, job: Job) -> Image:
     if isinstance(job.content, CompositeContent):
         renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
         return renderer.read_picture()
+    if isinstance(job.content, ReceivedContent):
+        assert job.layer is not None, job
+        return renderer.received(job.scene, job.layer, depth)
     if isinstance(job.content.cast, SetCast) and job.scene.set_shadow is not None:
         return renderer.set_shadow(job.scene, job.scene.set_shadow, depth)
     if job.layer is None:

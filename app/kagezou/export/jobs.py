@@ -14,10 +14,10 @@ from kagezou.document.property import Property
 from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.names import digits_for, safe_names
-from kagezou.export.request import SUFFIXES, ExportRequest
+from kagezou.export.request import RECEIVED, SHADOWS, SUFFIXES, ExportRequest
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.pieces import SetCast
-from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
+from kagezou.scene.scene import LayerScene, Received, Scene, SetShadow, ShadowCast, ShadowLook
 
 COMPOSITE: Final = "composite"
 """The folder and the first part of the files of composites."""
@@ -32,15 +32,26 @@ class ShadowContent:
 
 
 @dataclass(frozen=True, slots=True)
+class ReceivedContent:
+    """All that decides a picture of what others cast on a character, but its size and format."""
+
+    received: Received
+
+
+@dataclass(frozen=True, slots=True)
 class CompositeContent:
     """All that decides a composite but its size and format: the background and each layer, from the bottom."""
 
     background: PictureSource | None
-    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook], ...]
+    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
     set_shadow: SetShadow | None = None
 
 
-Content = ShadowContent | CompositeContent
+Content = ShadowContent | ReceivedContent | CompositeContent
+
+
+_Picture = tuple[str, Content, LayerScene | None]
+"""Its folder's name, what it shows, and the layer it is drawn from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,14 +87,18 @@ class Job:
         """The drawings whose alpha it needs."""
         if isinstance(self.content, CompositeContent):
             return ()
+        if isinstance(self.content, ReceivedContent):
+            received = self.content.received
+            casting = (cast.drawing.source for shade in received.shades for cast in shade.casts)
+            return tuple(dict.fromkeys((received.drawing.source, *casting)))
         return (self.content.cast.drawing.source,) if isinstance(self.content.cast, ShadowCast) else ()
 
     @property
     def cels(self) -> tuple[PictureSource, ...]:
         """The drawings it needs in colour."""
-        if isinstance(self.content, ShadowContent):
+        if not isinstance(self.content, CompositeContent):
             return ()
-        return tuple(drawing.source for drawing, _, _ in self.content.layers if drawing is not None)
+        return tuple(drawing.source for drawing, *_ in self.content.layers if drawing is not None)
 
     @property
     def sources(self) -> tuple[Path, ...]:
@@ -122,8 +137,12 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     frames = _frames(document, request)
     layers = _layers(document, request)
     names = safe_names(layer.name for layer in document.layers)
+    receiving = [layer for layer in layers if ever_receives(layer)] if request.only != SHADOWS else []
+    layers = layers if request.only != RECEIVED else ()
     folders = [request.folder / f"{names[layer.name]}_shadow" for layer in layers]
-    set_label = _set_label(document, names) if request.layers is None and _set_ever_casts(document) else None
+    folders += [request.folder / f"{names[layer.name]}_received" for layer in receiving]
+    has_set = request.layers is None and request.only != RECEIVED and _set_ever_casts(document)
+    set_label = _set_label(document, names) if has_set else None
     if set_label is not None:
         folders.append(request.folder / set_label)
     if request.composite:
@@ -135,9 +154,9 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     targets: dict[Content, list[Target]] = {}
     for frame in frames:
         scene = evaluate(document, frame)
-        pictures: list[tuple[str, Content, LayerScene | None]] = [
-            (f"{names[layer.name]}_shadow", *_shadow(document, layer, scene, frame)) for layer in layers
-        ]
+        pictures: list[_Picture] = []
+        pictures += [(f"{names[each.name]}_shadow", *_shadow(document, each, scene, frame)) for each in layers]
+        pictures += [(f"{names[each.name]}_received", *_received(document, each, scene, frame)) for each in receiving]
         if set_label is not None:
             pictures.append((set_label, _set_shadow(scene), None))
         if request.composite:
@@ -149,7 +168,7 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
     if request.once:
         jobs = tuple(_each_once(jobs, digits))
-    return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in layers})
+    return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in (*layers, *receiving)})
 
 
 def pictures_of(plan: Plan, folder: Path) -> tuple[int, ...]:
@@ -180,15 +199,29 @@ def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple
     """Return a layer's shadow on a frame; an empty cel and a hidden layer give an empty one."""
     seen = next((each for each in scene.layers if each.id == layer.id), None)
     if seen is None or seen.cast is None:
-        text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
-        red, green, blue = bytes.fromhex(text.removeprefix("#"))
-        return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True)), None
+        return _nothing(document, layer, frame), None
     # How it is laid on what is under it does not change the layer itself.
     return ShadowContent(seen.cast, replace(seen.look, multiply=True)), seen
 
 
+def _received(
+    document: Document, layer: Layer, scene: Scene, frame: int
+) -> tuple[ShadowContent | ReceivedContent, LayerScene | None]:
+    """Return what falls on a layer on a frame; an empty picture where nothing can."""
+    seen = next((each for each in scene.layers if each.id == layer.id), None)
+    if seen is None or seen.received is None or not seen.received.shades:
+        return _nothing(document, layer, frame), None
+    return ReceivedContent(seen.received), seen
+
+
+def _nothing(document: Document, layer: Layer, frame: int) -> ShadowContent:
+    text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
+    red, green, blue = bytes.fromhex(text.removeprefix("#"))
+    return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True))
+
+
 def _composite(scene: Scene) -> CompositeContent:
-    layers = tuple((each.drawing, each.cast, each.look) for each in scene.layers)
+    layers = tuple((each.drawing, each.cast, each.look, each.received) for each in scene.layers)
     return CompositeContent(scene.background, layers, scene.set_shadow)
 
 
@@ -237,6 +270,11 @@ def _layers(document: Document, request: ExportRequest) -> tuple[Layer, ...]:
 
 def _is_ever_visible(layer: Layer) -> bool:
     return _is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
+
+
+def ever_receives(layer: Layer) -> bool:
+    """Return whether a layer receives the shadows of others at any time."""
+    return _is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)
 
 
 def _is_ever(track: Track | None, line: Property) -> bool:

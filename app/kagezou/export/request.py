@@ -15,6 +15,10 @@ DEPTHS: Final = {"png": (8, 16), "tga": (8,), "tiff": (8, 16), "exr": (16,)}
 
 MAX_WORKERS: Final = 64
 
+SHADOWS: Final = "shadows"
+RECEIVED: Final = "received"
+"""What may be asked for alone: shadows on the ground and the set, or what characters cast on each other."""
+
 
 @dataclass(frozen=True, slots=True)
 class ExportRequest:
@@ -41,6 +45,8 @@ class ExportRequest:
     once
         Whether each different picture of a layer is written once, numbered from 1 in the order in which they appear,
         instead of a file for every frame.
+    only
+        `SHADOWS` or `RECEIVED`; None for both.
     """
 
     folder: Path
@@ -53,6 +59,7 @@ class ExportRequest:
     workers: int = 2
     keep_going: bool = False
     once: bool = False
+    only: str | None = None
 
     def __post_init__(self) -> None:
         if self.format not in SUFFIXES:

@@ -8,6 +8,7 @@ from kagezou.io.images import Matte
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
+from kagezou.render.received import ReceivedCoverage, ReceivedLayers
 from kagezou.render.set_pass import SetPass
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Format, Target
@@ -34,6 +35,7 @@ class ShadowLayers:
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
         self._set = SetPass(boxes, self._cast, self._shape)
+        self._received = ReceivedLayers(boxes, self._cast, cels, self._mattes)
         self._of_set: Coverage | None = None
         self._set_cast: SetCast | None = None
         self._by_layer: dict[str, Coverage] = {}
@@ -64,6 +66,10 @@ class ShadowLayers:
             self.filters_drawn += layer.cast.is_filtered
         return kept if kept.box is not None else None
 
+    def received(self, scene: Scene, layer: LayerScene) -> tuple[ReceivedCoverage, ...]:
+        """Return the covered parts of a character, on which others cast, by the looks of their shadows."""
+        return self._received.coverages(scene, layer)
+
     def set_coverage(self, scene: Scene) -> Coverage | None:
         """Return the covered parts of the shadow of the set itself, or None where it has none."""
         if scene.set_shadow is None:
@@ -82,6 +88,7 @@ class ShadowLayers:
         alive = {layer.id for layer in scene.layers}
         for layer_id in [each for each in self._by_layer if each not in alive]:
             self._by_layer.pop(layer_id).target.close()
+        self._received.forget_except(alive)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -90,6 +97,7 @@ class ShadowLayers:
         self._by_layer.clear()
         if self._of_set is not None:
             self._of_set.target.close()
+        self._received.close()
         self._set.close()
         self._shape.close()
         self._cast.close()

@@ -10,6 +10,7 @@ from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import LayerScene, Scene
 from kagezou.ui.viewport.picture_view import PictureView, seen
 
@@ -84,7 +85,9 @@ class Stage:
         """Return a layer alone on nothing, (H, W, 4); what is on screen is drawn anew next time."""
         scene = self._readable(evaluate(document, frame))
         layers = tuple(
-            layer if with_shadow else replace(layer, cast=None) for layer in scene.layers if layer.id == layer_id
+            layer if with_shadow else replace(layer, cast=None, received=None)
+            for layer in scene.layers
+            if layer.id == layer_id
         )
         self._renderer.draw_picture(replace(scene, background=None, layers=layers), Backdrop.TRANSPARENT)
         self._drawn = None
@@ -116,9 +119,11 @@ class Stage:
         def shown(layer: LayerScene) -> LayerScene:
             if layer.drawing is None or can_be_read(layer.drawing.source):
                 return layer
-            return replace(layer, drawing=None, cast=None)
+            return replace(layer, drawing=None, cast=None, received=None)
 
         layers = tuple(shown(layer) for layer in scene.layers)
+        lost = {each.source for each in broken}
+        layers = tuple(without_drawings(layer, lost) for layer in layers)
         background = scene.background if scene.background is None or can_be_read(scene.background) else None
         self.broken = tuple(broken)
         return replace(scene, layers=layers, background=background) if broken else scene
