@@ -12,12 +12,17 @@ from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, La
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
+from kagezou.geometry.vanishing import VanishingLines
 
 FOLDER = Path("/cuts/c012")
 
 coordinates = st.floats(-1e6, 1e6, allow_subnormal=False)
 points = st.tuples(coordinates, coordinates)
 names = st.text(st.characters(codec="utf-8", exclude_categories=("C", "Z")), min_size=1, max_size=12)
+
+
+lines = st.tuples(points, points)
+vanishing_lines = st.builds(VanishingLines, st.tuples(lines, lines), st.tuples(lines, lines))
 
 
 def values(line: Property) -> st.SearchStrategy[Value]:
@@ -129,4 +134,5 @@ def documents(draw: st.DrawFn) -> Document:
         tuple(Marker(frame, draw(said), draw(st.integers(0, 50))) for frame in marked),
         tuple(draw(st.lists(notes([layer.id for layer in drawn]), max_size=2))),
         tuple(draw(pieces(number, name)) for number, name in enumerate(set_names, start=1)),
+        draw(st.one_of(st.none(), vanishing_lines)),
     )

@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from kagezou.animation.track import Track
 from kagezou.geometry.box import Box
+from kagezou.geometry.vanishing import VanishingLines
 
 Tracks = Mapping[str, Track]
 """Property name → track; a property that is missing has its default as its constant."""
@@ -193,6 +194,8 @@ class Document:
         In order, one a frame.
     notes
         In the order in which they were made.
+    vanishing
+        The edges of the floor in the background picture by which the camera was matched; None before that.
     """
 
     canvas: Canvas
@@ -203,6 +206,7 @@ class Document:
     markers: tuple[Marker, ...] = ()
     notes: tuple[Note, ...] = ()
     pieces: tuple[Piece, ...] = ()
+    vanishing: VanishingLines | None = None
 
     @property
     def played(self) -> tuple[int, int]:

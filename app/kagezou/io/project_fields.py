@@ -47,6 +47,9 @@ PROJECT: Final[Fields] = MappingProxyType({
     "notes": Field("list of objects", "What is said about properties.", optional=True),
     "set": Field(f"list of at most {MAX_PIECES} objects", "The set pieces; missing where there are none.",
                  optional=True),
+    "vanishing": Field("list of four [[x, y], [x, y]]",
+                       "Edges of the floor in the background picture by which the camera was matched, canvas px: two "
+                       "that run one way, and two square to them.", optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({

@@ -16,6 +16,7 @@ from kagezou.document.property import Property
 from kagezou.document.set_pieces import MAX_PIECES
 from kagezou.errors import ProjectProblem, UsageProblem
 from kagezou.geometry.box import Box
+from kagezou.geometry.vanishing import Line, VanishingLines
 from kagezou.io import project_fields as fields
 from kagezou.io.project_json import Reader
 from kagezou.io.project_paths import MAX_PATH_CHARACTERS, local_path
@@ -48,6 +49,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         markers=review.markers,
         notes=review.notes,
         pieces=tuple(_piece(each) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
+        vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
     )
     if _row_count(document) > fields.MAX_ROWS:
         raise project.problem(f"more than {fields.MAX_ROWS} drawings, exposures and keys")
@@ -99,6 +101,17 @@ def _layer(reader: Reader, folder: Path) -> Layer:
 def _piece(reader: Reader) -> Piece:
     found = _record(reader, fields.PIECE)
     return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE))
+
+
+def _vanishing(reader: Reader) -> VanishingLines:
+    first, second, third, fourth = (_line(each) for each in reader.items(4, least=4))
+    return VanishingLines((first, second), (third, fourth))
+
+
+def _line(reader: Reader) -> Line:
+    start, end = (each.items(2, least=2) for each in reader.items(2, least=2))
+    (ax, ay), (bx, by) = ((x.number(-_MAX_PX, _MAX_PX), y.number(-_MAX_PX, _MAX_PX)) for x, y in (start, end))
+    return ((ax, ay), (bx, by))
 
 
 def _name(reader: Reader) -> str:

@@ -34,6 +34,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
         **review_tree(document),
         # Left out where there is none, so that a cut without a set reads as it always did.
         **({"set": [_piece(piece) for piece in document.pieces]} if document.pieces else {}),
+        **({"vanishing": [Row(line) for line in document.vanishing.all]} if document.vanishing else {}),
     }
 
 

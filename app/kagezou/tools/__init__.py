@@ -15,8 +15,8 @@ What the window uses
 ``hit(handles, view, view_px, radius, view_size)``, ``place_in_view(handle, view, view_size)`` for drawing,
 ``clamped``, ``OffView``, ``HIT_RADIUS_PX``, ``PEN_HIT_RADIUS_PX``.
 
-``handles``: ``handles_of(document, frame, layer_id, view)``, ``drag_of(handle, document, frame, view)``,
-``nudge(handle, document, frame, dx, dy, view)``.
+``handles``: ``handles_of(document, frame, layer_id, view)``, ``matching_handles_of(document, frame, view)``,
+``drag_of(handle, document, frame, view)``, ``nudge(handle, document, frame, dx, dy, view)``.
 
 ``grounding``: ``add_grounding(document, layer_id, frame, canvas_px)``, and
 ``remove_grounding(document, layer_id, frame, index)`` with ``handle.index``.

@@ -61,7 +61,8 @@ class Handle:
     id
         Stable while the same thing is edited: ``light.lamp``, ``light.foot``, ``light.sun``, ``ground.position``,
         ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``filter.distance``, ``filter.wave1``,
-        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …
+        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …, ``match.horizon``, ``match.horizon_end``,
+        ``match.end.0`` …
     shape
         Its look, of constant size on screen.
     canvas_px
@@ -121,6 +122,13 @@ class GuideKind(StrEnum):
     """Across the shadow, where simplifying is at its full strength."""
     WAVE = "wave"
     """From crest to crest."""
+    FLOOR_FIRST = "floor-first"
+    """An edge of the floor in the background picture."""
+    FLOOR_SECOND = "floor-second"
+    """One square to it."""
+    FLOOR_RAY = "floor-ray"
+    """From an edge to where it vanishes."""
+    HORIZON = "horizon"
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,6 +146,8 @@ class HandleSet:
 
     handles: tuple[Handle, ...] = ()
     guides: tuple[Guide, ...] = ()
+    note: Words | None = None
+    """What keeps the handles from having an effect now."""
 
     def find(self, handle_id: str | None) -> Handle | None:
         """Return the handle with this id, None where it is not shown now."""

@@ -3,7 +3,7 @@
 from types import MappingProxyType
 
 from kagezou.document.model import Document
-from kagezou.tools import filters, ground, grounding, light, shadow, sun, tilt
+from kagezou.tools import filters, ground, grounding, light, matching, shadow, sun, tilt
 from kagezou.tools.drag import Drag, Move, dragging
 from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.pointer import Modifiers, Pointer
@@ -27,6 +27,9 @@ _MOVES: MappingProxyType[str, Move] = MappingProxyType(
         light.FOOT: light.move_foot,
         light.LAMP: light.move_lamp,
         sun.SUN: sun.move_sun,
+        matching.END: matching.move_end,
+        matching.HORIZON: matching.move_horizon,
+        matching.HORIZON_END: matching.move_horizon_end,
     }
 )
 
@@ -42,6 +45,12 @@ def handles_of(document: Document, frame: int, layer_id: str | None, view: View)
         tuple(handle for room in _ROOMS for handle in room.handles(setting)),
         tuple(guide for room in _ROOMS for guide in room.guides(setting)),
     )
+
+
+def matching_handles_of(document: Document, frame: int, view: View) -> HandleSet:
+    """Return what lies over the picture while the camera is matched to it."""
+    setting = Setting.of(document, frame, None, view)
+    return HandleSet(matching.handles(setting), matching.guides(setting), matching.note_of(setting))
 
 
 def drag_of(handle: Handle, document: Document, frame: int, view: View) -> Drag:

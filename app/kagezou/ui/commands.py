@@ -132,6 +132,7 @@ def view_commands() -> tuple[Command, ...]:
         Command("view_outline", translate("Commands", "View O&utline"), ("Alt+3",), checkable=True),
         Command("view_matte", translate("Commands", "View &Matte"), ("Alt+4",), checkable=True),
         Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
+        Command("match_camera", translate("Commands", "Match Ca&mera to Picture"), ("Ctrl+Alt+M",), checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
         Command("field_guide", translate("Commands", "Field &Guide"), ("Ctrl+'", "Ctrl+Shift+G"), checkable=True),

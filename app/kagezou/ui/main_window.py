@@ -17,6 +17,7 @@ from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
 from kagezou.ui.look_wiring import connect_sheets, connect_views
+from kagezou.ui.match_wiring import connect_match
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
 from kagezou.ui.panel_layout import PanelLayout
@@ -46,6 +47,7 @@ _DOCKS = 4
 
 _DOCK_LETTERS = 38
 _LAYERS_SHARE = 36
+_TIMELINE_SHARE = 27
 """Of 100 parts of the height."""
 
 
@@ -80,6 +82,7 @@ class MainWindow(QMainWindow):
         connect_view(self)
         connect_views(self)
         connect_sheets(self)
+        connect_match(self)
         connect_playback(self)
         connect_jumps(self)
         connect_keys(self)
@@ -243,7 +246,7 @@ class MainWindow(QMainWindow):
         # In letters, so that it holds at any font size.
         letter = self.fontMetrics().horizontalAdvance("0")
         self.resizeDocks([layers, inspector], [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)
-        self.resizeDocks([timeline], [11 * self.timeline.rows.row_px], Qt.Orientation.Vertical)
+        self.resizeDocks([timeline], [self.height() * _TIMELINE_SHARE // 100], Qt.Orientation.Vertical)
         self.resizeDocks([layers, inspector], [_LAYERS_SHARE, 100 - _LAYERS_SHARE], Qt.Orientation.Vertical)
 
     def _restore_layout(self) -> None:

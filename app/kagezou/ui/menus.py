@@ -139,7 +139,7 @@ class Menus(QObject):
         self._fill(self.views, ["view_composite", "view_shadow", "view_outline", "view_matte"])
         self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
-        self._fill(self.view, ["handles", "onion_skin"])
+        self._fill(self.view, ["handles", "match_camera", "onion_skin"])
         self.view.addMenu(self.onion)
         self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self._fill(self.view, ["snapshot_wipe"])

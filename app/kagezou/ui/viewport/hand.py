@@ -11,7 +11,7 @@ from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
 from kagezou.tools.grounding import add_grounding, remove_grounding
 from kagezou.tools.handle import Handle, HandleSet, hit
-from kagezou.tools.handles import drag_of, handles_of, nudge
+from kagezou.tools.handles import drag_of, handles_of, matching_handles_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.viewport.pointer_report import PointerReport
@@ -50,6 +50,8 @@ class Hand(QObject):
     changed = Signal()
     refused = Signal(str)
     """What was asked for cannot be done, with the sentence that says why."""
+    laid_down = Signal()
+    """Escape while nothing was held: what the hand was given for a while may be put away."""
 
     def __init__(self, bridge: Bridge, viewpoint: Viewpoint) -> None:
         super().__init__()
@@ -62,6 +64,7 @@ class Hand(QObject):
         self.selected_id: str | None = None
         self.place_px: Point2 | None = None
         self.typed = ""
+        self._is_matching = False
         bridge.session_replaced.connect(self._drop)
         bridge.selection_changed.connect(self._keep_to_what_is_there)
 
@@ -80,8 +83,17 @@ class Hand(QObject):
         """The handles of the frame, worked out anew only where something they depend on changed."""
         made_of = (self._bridge.document, self._bridge.frame, self._bridge.layer_id, self._viewpoint.view)
         if self._seen is None or not _same(self._seen.made_of, made_of):
-            self._seen = _Seen(made_of, handles_of(*made_of))
+            document, frame, _, view = made_of
+            found = matching_handles_of(document, frame, view) if self._is_matching else handles_of(*made_of)
+            self._seen = _Seen(made_of, found)
         return self._seen.handles
+
+    def match_camera(self, *, on: bool) -> None:
+        """Take up the lines and the horizon by which the camera is matched, instead of everything else; or lay down."""
+        self._let_go(keep=False)
+        self._is_matching, self._seen = on, None
+        self.hovered_id = self.selected_id = None
+        self.changed.emit()
 
     @property
     def words(self) -> str:
@@ -91,6 +103,8 @@ class Hand(QObject):
             if self.typed:
                 return f"{said(held.handle.label)}  {self.typed}"
             language = "ja" if is_japanese() else "en"
+            if self.handles.note is not None:
+                return said(self.handles.note)
             return readout(held.handle, held.gesture.start, self._bridge.document, held.frame, language)
         hovered = self.handles.find(self.hovered_id)
         return "" if hovered is None else said(hovered.label)
@@ -140,13 +154,19 @@ class Hand(QObject):
         self._let_go(keep=True)
 
     def cancel(self) -> bool:
-        """Let go and restore what was; without a drag let go of the selected handle. False where there was neither."""
+        """Let go and restore what was; without a drag let go of the selected handle, then of the lines of a match.
+
+        False where there was none of it.
+        """
         if self._held is not None:
             self._let_go(keep=False)
             return True
         if self.selected_id is not None:
             self.selected_id = None
             self.changed.emit()
+            return True
+        if self._is_matching:
+            self.laid_down.emit()
             return True
         return False
 
@@ -180,7 +200,7 @@ class Hand(QObject):
     def add_point(self, report: PointerReport) -> bool:
         """Add a grounding point under the pointer and select it; false without a layer or on a handle."""
         layer_id = self._bridge.layer_id
-        if layer_id is None or self._hit(report) is not None:
+        if layer_id is None or self._is_matching or self._hit(report) is not None:
             return False
         canvas_px = self._viewpoint.view.canvas_from_view(report.view_px)
         try:

@@ -18,7 +18,7 @@ _FILL = QColor("#ffffff")
 _DARK = QColor(20, 20, 20, 235)
 _OUTER = QColor(255, 255, 255, 150)
 _SHADE = QColor(0, 0, 0, 100)
-_FAINT, _CLEAR, _STRONG = 90, 165, 220
+_FAINT, _CLEAR, _STRONG, _OPAQUE = 90, 165, 220, 255
 
 _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.GROUND_LINE: (_CLEAR, Qt.PenStyle.SolidLine),
@@ -34,7 +34,14 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.SHADOW_RAY: (_FAINT, Qt.PenStyle.DotLine),
     GuideKind.FILTER_DISTANCE: (_CLEAR, Qt.PenStyle.DashLine),
     GuideKind.WAVE: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.FLOOR_FIRST: (_OPAQUE, Qt.PenStyle.SolidLine),
+    GuideKind.FLOOR_SECOND: (_OPAQUE, Qt.PenStyle.DashLine),
+    GuideKind.FLOOR_RAY: (_FAINT, Qt.PenStyle.DotLine),
+    GuideKind.HORIZON: (_STRONG, Qt.PenStyle.DashDotLine),
 }
+
+_TONES = {GuideKind.FLOOR_FIRST: QColor("#E69F00"), GuideKind.FLOOR_SECOND: QColor("#56B4E9")}
+"""Guides that come in kinds are told apart by their dashes and by these; all others are white."""
 
 
 _EXPLAINING: dict[GuideKind, tuple[str, ...]] = {
@@ -112,12 +119,14 @@ def paint_off_view_arrow(painter: QPainter, off: OffView, *, selected: bool) -> 
 def paint_guide(painter: QPainter, guide: Guide, view: View, area: QRectF) -> None:
     """Paint a guide where it is seen; ``area`` is the viewport, logical px."""
     alpha, style = _GUIDES[guide.kind]
+    tone, width = QColor(_TONES.get(guide.kind, _FILL)), 2.0 if guide.kind in _TONES else 1.0
+    tone.setAlpha(alpha)
     points = [view.view_from_canvas(point) for point in guide.points]
     ends = [*points[1:], points[0]] if guide.closed else points[1:]
     room = area.adjusted(-8, -8, 8, 8)
     # Guides may run far beyond the screen, where dashing them would take for ever.
     lines = [line for a, b in zip(points, ends, strict=False) if (line := clipped(a, b, room))]
-    for pen in (QPen(_SHADE, 2.6), QPen(QColor(255, 255, 255, alpha), 1.0, style)):
+    for pen in (QPen(_SHADE, width + 1.6), QPen(tone, width, style)):
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         painter.setPen(pen)
         for a, b in lines:
