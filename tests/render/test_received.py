@@ -59,14 +59,14 @@ def drawn(renderer: Renderer, document: Document) -> tuple[NDArray[np.float64], 
 def random_case(seed: int) -> dict[str, object]:
     rng = np.random.default_rng(seed)
     grounds = [[[250.0, 450.0]], [[215.0, 455.0], [285.0, 440.0]], [[215.3, 450.0], [250.4, 435.0], [283.7, 452.0]]]
-    casting = [[[210.0, 495.0]], [[180.0, 492.0], [240.0, 497.0]]]
+    casting = [[[210.0, 495.0]], [[180.0, 492.0], [240.0, 497.0]], [[180.0, 494.0], [209.6, 488.0], [240.0, 497.0]]]
     farther = float(rng.uniform(2.5, 9))
     return {
         "ground.declination": float(rng.uniform(35, 75)),
         "ground.roll": float(rng.uniform(-8, 8)),
         "camera.fov": float(rng.choice([0, 0, 25, 50])),
         "layers.A.grounding": grounds[int(rng.integers(3))],
-        "layers.B.grounding": casting[int(rng.integers(2))],
+        "layers.B.grounding": casting[int(rng.integers(3))],
         "layers.B.tilt": float(rng.uniform(-25, 25)),
         "layers.B.shadow.matte": "translucent" if rng.random() < 0.15 else "solid",
         # From A's chest past B's head.

@@ -24,6 +24,9 @@ _KEPT_BYTES: Final = 256 << 20
 
 _LARGEST_ARRAY_BYTES: Final = 3 << 29
 _MOST_NODES: Final = 20000
+_LONGEST_ADDRESS: Final = 4096
+"""Longer ones could not be kept in a project."""
+
 _State = tuple[Path, int, int]
 
 
@@ -67,6 +70,8 @@ class _Opened:
             self._layers[address] = layer
             if len(self._layers) > _MOST_NODES:
                 raise input_problem(self._path, f"more than {_MOST_NODES} layers are in it")
+            if len(address) > _LONGEST_ADDRESS:
+                raise input_problem(self._path, f"the names of the groups around {name[:20]!r} are too long")
             children = self._nodes(layer, address, depth + 1) if layer.is_group() else None
             nodes.append(
                 PsdNode(
