@@ -99,10 +99,10 @@ def test_a_file_in_which_nothing_is_to_be_seen_is_a_sentence(tmp_path: Path) -> 
 def test_effects_that_are_not_drawn_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from kagezou.io import psd_file
 
-    monkeypatch.setattr(psd_file, "undrawn_effects", lambda layer: ("DropShadow",) if layer.name == "1" else ())
+    monkeypatch.setattr(psd_file, "undrawn_in", lambda layer: ("DropShadow",) if layer.name == "1" else ())
     path = write_psd(tmp_path / "a.psd", [Folder("A", cels("1", "2"))])
     notes = new_document([CharacterSource(None, path)]).notes
-    assert "A: these layer effects are not drawn: DropShadow" in notes
+    assert "A: these are not drawn: DropShadow" in notes
 
 
 def test_a_timesheet_beside_it_finds_the_groups(cut: Path) -> None:

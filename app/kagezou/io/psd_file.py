@@ -16,8 +16,9 @@ from typing import Any, Final
 from kagezou.document.model import PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
-from kagezou.io.psd_pixels import PsdPixels, merged_pixels, part_pixels, undrawn_effects
+from kagezou.io.psd_pixels import PsdPixels, merged_pixels, part_pixels
 from kagezou.io.psd_tree import DEEPEST, PsdNode, PsdTree, addressed, psd_header
+from kagezou.io.psd_undrawn import undrawn_in
 
 _KEPT_BYTES: Final = 256 << 20
 """So large may the files be together that are held open; the last one is always."""
@@ -81,7 +82,7 @@ class _Opened:
                     children=children,
                     is_clipped=layer.clipping,
                     is_empty=_is_empty(layer) if children is None else all(child.is_empty for child in children),
-                    undrawn=undrawn_effects(layer),
+                    undrawn=undrawn_in(layer),
                 )
             )
         return tuple(nodes)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.io.colour import coded_from_light, steps_from_unit
+from kagezou.io.psd_undrawn import without_undrawn
 
 _GRAY: Final = 1
 _RGB: Final = 3
@@ -24,7 +25,6 @@ _PLACES: Final = {
 }
 """By colour space: number of a stored channel → where it goes in RGBA."""
 
-_DRAWN_EFFECTS: Final = frozenset({"coloroverlay", "gradientoverlay", "patternoverlay", "stroke"})
 _MOST_STORED_PX: Final = 1 << 28
 _MOST_PIXELS: Final = 2_000_000_000
 """So many pixels may the layers of a group have together."""
@@ -46,7 +46,8 @@ def merged_pixels(image: Any) -> PsdPixels:
 
     whole: Box = (0, 0, image.width, image.height)
     if len(image) and not image.has_preview():
-        return PsdPixels(_composed(image, whole, whole), has_alpha=True)
+        with without_undrawn(list(image.descendants())):
+            return PsdPixels(_composed(image, whole, whole), has_alpha=True)
     is_coded_alike = image.color_mode.value in {_GRAY, _RGB}
     if not is_coded_alike or image.depth <= 8:
         return _by_pillow(image.topil(apply_icc=not is_coded_alike), whole, whole)
@@ -61,11 +62,14 @@ def part_pixels(layer: Any) -> PsdPixels:
     if _is_plain(layer):
         return PsdPixels(_as_stored(layer, whole), has_alpha=True)
     with _switched_on(layer):
-        parts = [layer, *(layer.descendants() if layer.is_group() else ())]
+        parts = [layer, *layer.clip_layers, *(layer.descendants() if layer.is_group() else ())]
         if sum(max(each.width, 0) * max(each.height, 0) for each in parts if not each.is_group()) > _MOST_PIXELS:
             raise ValueError("its layers are larger than can be read")
         reach = whole if any(each.has_effects() for each in parts) else _common(layer.bbox, whole)
-        return PsdPixels(_composed(layer, reach, whole), has_alpha=True)
+        # Were the layer itself hidden, nothing would be left to be told about.
+        with without_undrawn(parts):
+            layer.visible = True
+            return PsdPixels(_composed(layer, reach, whole), has_alpha=True)
 
 
 def _as_stored(layer: Any, whole: Box) -> NDArray[Any]:
@@ -90,14 +94,6 @@ def _as_stored(layer: Any, whole: Box) -> NDArray[Any]:
             plane = np.frombuffer(data, np.uint8 if depth == 8 else ">u2").reshape(height, width, 1)
             target[..., places[info.id]] = plane[top - box[1] : bottom - box[1], left - box[0] : right - box[0]]
     return made
-
-
-def undrawn_effects(layer: Any) -> tuple[str, ...]:
-    """Return the names of a layer's own effects that psd-tools does not draw."""
-    if not layer.has_effects():
-        return ()
-    names = (type(effect).__name__ for effect in layer.effects if effect.enabled)
-    return tuple(dict.fromkeys(name for name in names if name.lower() not in _DRAWN_EFFECTS))
 
 
 def _is_plain(layer: Any) -> bool:

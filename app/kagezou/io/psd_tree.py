@@ -59,7 +59,7 @@ class PsdNode:
     is_empty
         Whether there are no pixels in it.
     undrawn
-        Layer effects in it that will not be seen, by their names.
+        Effects and fills of its own that will not be seen, by their names.
     """
 
     name: str

@@ -124,7 +124,7 @@ def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, i
     cels = Cels(drawings, tuple(Exposure(index + 1, index) for index in range(len(drawings))))
     nodes = (each for cel in character.cels for each in (cel.node, *cel.node.below()))
     undrawn = dict.fromkeys(effect for node in nodes for effect in node.undrawn)
-    notes = (f"{name}: these layer effects are not drawn: {', '.join(undrawn)}",) if undrawn else ()
+    notes = (f"{name}: these are not drawn: {', '.join(undrawn)}",) if undrawn else ()
     return NewCels(name, cels, size, len(drawings), notes)
 
 
