@@ -26,6 +26,18 @@ def test_a_character_is_the_cels_of_a_file(shell: Shell, tmp_path: Path, psd: Pa
     assert shell.json("info", tmp_path / "p.kage", "--json")["background"] == str(psd)
 
 
+def test_layers_that_are_gone_are_told(shell: Shell, tmp_path: Path, psd: Path) -> None:
+    shell.ok("new", tmp_path / "p.kage", "--psd", psd)
+    assert shell.json("info", tmp_path / "p.kage", "--json")["missing"] == []
+    write_psd(psd, [Leaf("BG", block(*SIZE)), Folder("A", [Leaf("1", block(12, 24))])])
+    missing = shell.json("info", tmp_path / "p.kage", "--json")["missing"]
+    assert missing == [f"{psd} (A/2)", f"{psd} (A/3)"]
+    assert "missing     " in shell.ok("info", tmp_path / "p.kage")
+    assert "2 drawings are missing" in shell.fails(3, "render", tmp_path / "p.kage", "-o", tmp_path / "out")
+    psd.unlink()
+    assert shell.json("info", tmp_path / "p.kage", "--json")["missing"] == [str(psd)]
+
+
 def test_a_whole_file_is_timed_by_the_sheet_of_its_name(shell: Shell, tmp_path: Path, psd: Path) -> None:
     write_xdts(psd.with_suffix(".xdts"), Timesheet("", 20, (SheetTrack("A", ((0, "1"), (9, "3"))),)))
     assert shell("new", tmp_path / "p.kage", "--psd", psd) == 0

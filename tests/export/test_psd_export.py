@@ -54,8 +54,13 @@ def test_an_edited_file_is_drawn_again_and_an_unchanged_one_is_not(tmp_path: Pat
 
 def test_a_layer_that_is_gone_is_a_sentence(tmp_path: Path, layered: Document) -> None:
     write_psd(tmp_path / "cut.psd", [BACK, Folder("A", CELS[:2])])
-    with pytest.raises(InputProblem, match="there is no layer 'A/3' in it"):
+    with pytest.raises(InputProblem, match=r"cut.psd \(A/3\): the drawing is missing"):
         export(layered, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+    write_psd(tmp_path / "cut.psd", [BACK, Folder("A", CELS[:1])])
+    with pytest.raises(InputProblem, match=r"2 drawings are missing: .*cut.psd \(A/2\), .*cut.psd \(A/3\)"):
+        export(layered, tmp_path / "out")
+    assert export(layered, tmp_path / "out", keep_going=True).written == 1
     (tmp_path / "cut.psd").unlink()
     with pytest.raises(InputProblem, match="the drawing is missing"):
         export(layered, tmp_path / "out")

@@ -101,11 +101,15 @@ class Job:
         return tuple(drawing.source for drawing, *_ in self.content.layers if drawing is not None)
 
     @property
+    def pictures(self) -> tuple[PictureSource, ...]:
+        """All that it is made of."""
+        background = self.content.background if isinstance(self.content, CompositeContent) else None
+        return (*self.mattes, *self.cels, *([background] if background is not None else []))
+
+    @property
     def sources(self) -> tuple[Path, ...]:
         """Every file it is made of."""
-        background = self.content.background if isinstance(self.content, CompositeContent) else None
-        sources = (*self.mattes, *self.cels, *([background] if background is not None else []))
-        return tuple(map(file_of, sources))
+        return tuple(map(file_of, self.pictures))
 
     def only(self, targets: tuple[Target, ...]) -> "Job":
         """Return the job with some of its targets."""

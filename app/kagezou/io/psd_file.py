@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Final
 
-from kagezou.document.model import PictureSource, file_of
+from kagezou.document.model import Part, PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
 from kagezou.io.psd_pixels import PsdPixels, merged_pixels, part_pixels
@@ -48,6 +48,10 @@ class _Opened:
         except Exception as error:  # a stranger's file may trip psd-tools in any way
             raise _damaged(path, error) from error
         self.tree = PsdTree(header.width_px, header.height_px, nodes)
+
+    def has(self, address: str) -> bool:
+        """Return whether there is a layer or a group of this address."""
+        return address in self._layers
 
     def pixels(self, address: str | None) -> PsdPixels:
         """Return a layer or a group, or what the whole file shows."""
@@ -127,6 +131,17 @@ def psd_tree(path: Path) -> PsdTree:
         It cannot be read; one sentence with name and cause.
     """
     return _SHELF.opened(path).tree
+
+
+def has_part(part: Part) -> bool:
+    """Return whether a layer is in its file.
+
+    Raises
+    ------
+    InputProblem
+        As for `psd_tree`.
+    """
+    return _SHELF.opened(part.path).has(part.address)
 
 
 def psd_pixels(source: PictureSource) -> PsdPixels:

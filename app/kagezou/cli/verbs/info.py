@@ -2,6 +2,7 @@
 
 from argparse import Namespace
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
@@ -9,8 +10,6 @@ from kagezou.cli.doors import Doors
 from kagezou.cli.terminal import Json, give, give_json, one_line
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from kagezou.document.address import Address
     from kagezou.document.model import Document, Layer
 
@@ -46,7 +45,6 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 
 def _about(document: "Document") -> dict[str, Json]:
     from kagezou.document.set_pieces import kind_of
-    from kagezou.io.faults import shown
 
     canvas = document.canvas
     return {
@@ -59,7 +57,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "layers": [_about_layer(layer) for layer in document.layers],
         "set": [{"name": piece.name, "kind": kind_of(piece)} for piece in document.pieces],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
-        "missing": [shown(path) for path in _missing(document)],
+        "missing": list(_missing(document)),
     }
 
 
@@ -93,20 +91,28 @@ def _background(document: "Document") -> str | None:
     return None if document.background is None else shown(file_of(document.background))
 
 
-def _missing(document: "Document") -> "Iterator[Path]":
-    from kagezou.document.model import file_of
+def _missing(document: "Document") -> Iterator[str]:
+    """Yield the files that are not there, and the layers that are not in their files."""
+    from kagezou.document.model import Part, file_of
+    from kagezou.errors import InputProblem
+    from kagezou.io.faults import shown
+    from kagezou.io.psd_file import has_part
 
-    paths = [drawing.path for layer in document.layers for drawing in layer.cels.drawings]
+    sources = [drawing.source for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
-        paths.append(file_of(document.background))
-    return (path for path in dict.fromkeys(paths) if not path.is_file())
+        sources.append(document.background)
+    files = dict.fromkeys(map(file_of, sources))
+    yield from (shown(path) for path in files if not path.is_file())
+    for part in dict.fromkeys(source for source in sources if isinstance(source, Part) and source.path.is_file()):
+        with suppress(InputProblem):  # a broken file is not missing
+            if not has_part(part):
+                yield f"{shown(part.path)} ({part.address})"
 
 
 def _lines(document: "Document") -> Iterator[str]:
     from kagezou.animation.frames import format_frames
     from kagezou.document.address import path_of, track_of
     from kagezou.document.set_pieces import kind_of
-    from kagezou.io.faults import shown
 
     canvas = document.canvas
     seconds = float(canvas.length_frames / canvas.frame_rate)
@@ -123,8 +129,8 @@ def _lines(document: "Document") -> Iterator[str]:
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"
-    for path in _missing(document):
-        yield f"missing     {shown(path)}"
+    for name in _missing(document):
+        yield f"missing     {name}"
 
 
 def _property_table(document: "Document") -> Json:
