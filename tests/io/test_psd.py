@@ -16,7 +16,7 @@ from psd_tools import PSDImage
 from psd_tools.constants import BlendMode, Tag
 from psd_tools.psd.descriptor import Bool, Descriptor, DescriptorBlock2
 
-from kagezou.document.model import Part, PictureSource
+from kagezou.document.model import PicturePart, PictureSource
 from kagezou.errors import InputProblem
 from kagezou.io import psd_file, psd_undrawn
 from kagezou.io.cels import CelCache
@@ -34,10 +34,10 @@ def test_a_layer_is_the_same_as_a_png_of_it(tmp_path: Path, offset: tuple[int, i
     leaf = Leaf("1", figure(1), offset)
     path = write_psd(tmp_path / "a.psd", [Folder("A", [leaf, Leaf("2", figure(2), is_visible=False)])])
     write_rgba(tmp_path / "a.png", on_canvas(leaf))
-    ours, other = read_cel(Part(path, "A/1")), read_cel(tmp_path / "a.png")
+    ours, other = read_cel(PicturePart(path, "A/1")), read_cel(tmp_path / "a.png")
     assert np.array_equal(ours.rgba, other.rgba)
     assert ours.matte.box == other.matte.box
-    assert np.array_equal(read_matte(Part(path, "A/1")).alpha, other.matte.alpha)
+    assert np.array_equal(read_matte(PicturePart(path, "A/1")).alpha, other.matte.alpha)
 
 
 def test_hidden_layers_in_hidden_groups_are_drawn_when_they_are_asked_for(tmp_path: Path) -> None:
@@ -45,8 +45,8 @@ def test_hidden_layers_in_hidden_groups_are_drawn_when_they_are_asked_for(tmp_pa
     inner = Folder("1", [low, high], is_visible=False)
     path = write_psd(tmp_path / "a.psd", [Folder("A", [inner], is_visible=False)])
     wanted = np.maximum(on_canvas(low), on_canvas(high))
-    assert np.array_equal(read_cel(Part(path, "A/1")).rgba[..., 3], wanted[..., 3])
-    assert np.array_equal(read_cel(Part(path, "A/1/high")).rgba, on_canvas(high))
+    assert np.array_equal(read_cel(PicturePart(path, "A/1")).rgba[..., 3], wanted[..., 3])
+    assert np.array_equal(read_cel(PicturePart(path, "A/1/high")).rgba, on_canvas(high))
     tree = psd_tree(path)
     assert not tree.layers[0].is_visible
     assert not (tree.layers[0].children or ())[0].is_visible
@@ -58,11 +58,11 @@ def test_opacity_and_clipping_and_blending_within_a_group_are_seen(tmp_path: Pat
     path = write_psd(
         tmp_path / "a.psd", [Folder("A", [base, shade], opacity=128), Leaf("one", block(8, 8), opacity=51)]
     )
-    group = read_cel(Part(path, "A")).rgba
+    group = read_cel(PicturePart(path, "A")).rgba
     assert set(np.unique(group[10:30, 10:30, 3])) == {128}
     assert group[..., 3].sum() == 128 * 400
     assert np.abs(group[20, 20, :3].astype(int) - [100, 50, 25]).max() <= 1
-    assert read_cel(Part(path, "one")).rgba[4, 4].tolist() == [200, 120, 40, 51]
+    assert read_cel(PicturePart(path, "one")).rgba[4, 4].tolist() == [200, 120, 40, 51]
 
 
 def test_a_layer_mask_cuts(tmp_path: Path) -> None:
@@ -72,7 +72,7 @@ def test_a_layer_mask_cuts(tmp_path: Path) -> None:
     mask[10:20, 10:20] = 255
     layer.create_mask(Image.fromarray(mask, "L"))
     image.save(tmp_path / "a.psd")
-    box = read_cel(Part(tmp_path / "a.psd", "1")).matte.box
+    box = read_cel(PicturePart(tmp_path / "a.psd", "1")).matte.box
     assert box is not None
     assert (box.left, box.top, box.right, box.bottom) == (10, 10, 20, 20)
 
@@ -85,7 +85,7 @@ def test_names_are_told_apart_and_found_again(tmp_path: Path) -> None:
     assert [node.name for node in found] == names
     assert len({node.address for node in found}) == len(names)
     for node, leaf in zip(found, leaves, strict=True):
-        assert np.array_equal(read_cel(Part(path, node.address)).rgba, on_canvas(leaf))
+        assert np.array_equal(read_cel(PicturePart(path, node.address)).rgba, on_canvas(leaf))
 
 
 def test_an_old_japanese_name_without_unicode_is_read(tmp_path: Path) -> None:
@@ -139,7 +139,7 @@ def test_layers_of_other_depths_and_colour_spaces(tmp_path: Path, depth: int, mo
     )
     layer.visible = True
     image.save(tmp_path / "a.psd")
-    cel = read_cel(Part(tmp_path / "a.psd", "1"))
+    cel = read_cel(PicturePart(tmp_path / "a.psd", "1"))
     assert cel.rgba.dtype == (np.uint8 if depth == 8 else np.uint16)
     box = cel.matte.box
     assert box is not None
@@ -164,14 +164,14 @@ def test_many_cels_open_their_file_once_and_an_edited_file_again(
     monkeypatch.setattr(psd_file, "_parsed", counted)
     cache = CelCache()
     with ThreadPoolExecutor(4) as pool:
-        cels = list(pool.map(lambda leaf: cache.cel(Part(path, leaf.name)), leaves))
+        cels = list(pool.map(lambda leaf: cache.cel(PicturePart(path, leaf.name)), leaves))
     assert [np.array_equal(cel.rgba, on_canvas(leaf)) for cel, leaf in zip(cels, leaves, strict=True)] == [True] * 6
     assert opened == [path]
     write_psd(path, [Leaf("1", figure(9))])
-    assert np.array_equal(cache.cel(Part(path, "1")).rgba, on_canvas(Leaf("1", figure(9))))
+    assert np.array_equal(cache.cel(PicturePart(path, "1")).rgba, on_canvas(Leaf("1", figure(9))))
     assert opened == [path, path]
     with pytest.raises(InputProblem, match="there is no layer '2' in it"):
-        cache.cel(Part(path, "2"))
+        cache.cel(PicturePart(path, "2"))
 
 
 def test_files_held_open_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -188,7 +188,7 @@ def _damaged(path: Path, data: bytes) -> None:
     if tree is None:
         return
     nodes = [node for top in tree.layers for node in (top, *top.below())]
-    sources: list[PictureSource] = [path, *(Part(path, node.address) for node in nodes)]
+    sources: list[PictureSource] = [path, *(PicturePart(path, node.address) for node in nodes)]
     for source in sources:
         cel = _tried(partial(read_cel, source))
         assert cel is None or cel.rgba.shape == (tree.height_px, tree.width_px, 4)
@@ -267,7 +267,7 @@ def test_a_layer_that_claims_too_much_is_a_sentence(tmp_path: Path) -> None:
     with (tmp_path / "a.psd").open("wb") as stream:
         image._record.write(stream)
     with pytest.raises(InputProblem, match=r"damaged at the layer '1'|larger than can be read"):
-        read_cel(Part(tmp_path / "a.psd", "1"))
+        read_cel(PicturePart(tmp_path / "a.psd", "1"))
 
 
 def test_groups_nested_too_deep_are_a_sentence(tmp_path: Path) -> None:
@@ -302,7 +302,7 @@ def test_the_real_cels(samples: Path) -> None:
     # They are every tenth frame of the animation they were made of.
     for number, node in zip(range(1, 61, 10), cels, strict=True):
         drawn = read_cel(samples / "synfig_prologue_kid" / "A" / f"frame_{number:04d}.png").rgba
-        layer = read_cel(Part(path, node.address)).rgba
+        layer = read_cel(PicturePart(path, node.address)).rgba
         assert np.array_equal(layer[..., 3], drawn[..., 3])
         assert np.array_equal(layer[drawn[..., 3] > 0], drawn[drawn[..., 3] > 0])
 
@@ -332,7 +332,7 @@ def test_effects_that_cannot_be_drawn_are_told_and_leave_the_layer_as_it_is(
     tree = psd_tree(tmp_path / "a.psd")
     assert [node.undrawn for node in tree.layers] == [("Stroke",), ("DropShadow",), ()]
     for node in tree.layers:
-        drawn = read_cel(Part(tmp_path / "a.psd", node.address)).rgba
+        drawn = read_cel(PicturePart(tmp_path / "a.psd", node.address)).rgba
         assert np.array_equal(drawn[..., 3], on_canvas(leaf)[..., 3])
     # What was switched off for drawing is on again.
     assert [node.undrawn for node in psd_tree(tmp_path / "a.psd").layers] == [("Stroke",), ("DropShadow",), ()]

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from documents import documents
 from kagezou.document import edits
 from kagezou.document.address import Address
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Part
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, PicturePart
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
@@ -187,9 +187,9 @@ def test_what_cannot_be_read_casts_on_nobody() -> None:
         document = edits.add_layer(document, name, cels, Box(0, 0, 9, 9))
     layer = evaluate(document, 1).layers[0]
     assert without_drawings(layer, set()) is layer
-    kept = without_drawings(layer, {Part(Path("/c/2.psd"), "A/1")}).received
+    kept = without_drawings(layer, {PicturePart(Path("/c/2.psd"), "A/1")}).received
     assert kept is not None
     assert [cast.drawing for shade in kept.shades for cast in shade.casts] == [CELS.drawings[0]]
-    nothing = without_drawings(layer, {Part(Path("/c/2.psd"), "A/1"), Path("/c/1.png")}).received
+    nothing = without_drawings(layer, {PicturePart(Path("/c/2.psd"), "A/1"), Path("/c/1.png")}).received
     assert nothing is not None
     assert nothing.shades == ()

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 from psd_tools import PSDImage
 
-from kagezou.document.model import Drawing, Exposure, Part
+from kagezou.document.model import Drawing, Exposure, PicturePart
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io import project_file
 from kagezou.io.path_mapping import Rule, with_mapped_paths
@@ -42,7 +42,7 @@ def test_a_cut_comes_with_characters_background_and_length(cut: Path) -> None:
     staged = new_document([CharacterSource(None, cut)])
     document = staged.document
     assert (document.canvas.width_px, document.canvas.height_px, document.canvas.length_frames) == (*SIZE, 3)
-    assert document.background == Part(cut, "BG")
+    assert document.background == PicturePart(cut, "BG")
     a, b = document.layers
     assert (a.name, b.name) == ("A", "B")
     assert a.cels.drawings == tuple(Drawing(name, cut, f"A/{name}") for name in "123")
@@ -63,7 +63,7 @@ def test_a_second_background_is_left_out_and_told(tmp_path: Path, cut: Path) -> 
     assert staged.document.background == tmp_path / "sky.png"
     assert f"{cut}: the layer 'BG' was left out, as there is a background already" in staged.notes
     again = with_characters(new_document([CharacterSource(None, cut)]).document, [CharacterSource(None, cut)])
-    assert again.document.background == Part(cut, "BG")
+    assert again.document.background == PicturePart(cut, "BG")
     assert [layer.name for layer in again.document.layers] == ["A", "B", "A 2", "B 2"]
 
 
@@ -79,7 +79,7 @@ def test_a_psd_as_background_is_its_composite(tmp_path: Path, cut: Path) -> None
     assert document.background == cut
     assert not document.layers
     only = write_psd(tmp_path / "bg.psd", [Leaf("背景", block(*SIZE))])
-    assert new_document([CharacterSource(None, only)]).document.background == Part(only, "背景")
+    assert new_document([CharacterSource(None, only)]).document.background == PicturePart(only, "背景")
 
 
 def test_a_flattened_file_is_one_drawing(tmp_path: Path) -> None:
@@ -146,7 +146,7 @@ def test_parts_follow_path_mapping(cut: Path) -> None:
     document = with_mapped_paths(
         new_document([CharacterSource(None, cut)]).document, (Rule(type(Path())(cut.parent), Path("/farm")),)
     )
-    assert document.background == Part(Path("/farm/c012.psd"), "BG")
+    assert document.background == PicturePart(Path("/farm/c012.psd"), "BG")
     assert document.layers[0].cels.drawings[0] == Drawing("1", Path("/farm/c012.psd"), "A/1")
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from kagezou.document.model import Part
+from kagezou.document.model import PicturePart
 from kagezou.ui.arrivals import arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.main_window import MainWindow
@@ -43,7 +43,7 @@ def test_dropped_on_a_project_it_comes_as_layers_in_one_step(plain: MainWindow, 
     document = plain.desk.bridge.document
     assert document.layers[0] is before.layers[0]
     assert document.layers[1].name == "Hero"
-    assert document.background == Part(psd, "BG")
+    assert document.background == PicturePart(psd, "BG")
     plain.desk.bridge.session.undo()
     assert plain.desk.bridge.document is before
     plain.close_unasked()

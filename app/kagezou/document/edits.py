@@ -17,7 +17,7 @@ from kagezou.geometry.box import Box
 
 
 def set_track(document: Document, address: Address, track: Track) -> Document:
-    """Put a whole track at an address."""
+    """Put a whole track at an address; of a linked property all layers get it."""
     if track == track_of(document, address):
         return document
     name = address.property.name
@@ -25,6 +25,9 @@ def set_track(document: Document, address: Address, track: Track) -> Document:
         return _with_piece_track(document, address.piece_id, name, track)
     if address.layer_id is None:
         return replace(document, tracks=_with(document.tracks, name, track))
+    if name in document.linked:
+        layers = (replace(layer, tracks=_with(layer.tracks, name, track)) for layer in document.layers)
+        return replace(document, layers=tuple(layers))
     layer = document.layer(address.layer_id)
     return _with_layer(document, replace(layer, tracks=_with(layer.tracks, name, track)))
 
@@ -74,8 +77,14 @@ def remove_key(document: Document, address: Address, frame: int) -> Document:
 
 
 def add_layer(document: Document, name: str, cels: Cels, figure: Box, tracks: Tracks | None = None) -> Document:
-    """Put a character layer on top, under a free name near ``name``; the cut grows to its last exposure."""
-    layer = Layer(_free_id(document), free_name(document, name), cels, figure, _frozen(tracks or {}))
+    """Put a character layer on top, under a free name near ``name``; the cut grows to its last exposure.
+
+    Linked properties are those of the layers there are.
+    """
+    others = document.layers[0].tracks if document.layers else {}
+    own = {each: track for each, track in (tracks or {}).items() if not (others and each in document.linked)}
+    shared = {each: track for each, track in others.items() if each in document.linked}
+    layer = Layer(_free_id(document), free_name(document, name), cels, figure, _frozen({**own, **shared}))
     last = max((exposure.frame for exposure in cels.exposures), default=1)
     canvas = replace(document.canvas, length_frames=max(document.canvas.length_frames, last))
     return replace(document, canvas=canvas, layers=(*document.layers, layer))

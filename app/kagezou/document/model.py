@@ -33,7 +33,7 @@ class Canvas:
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class PicturePart:
     """A layer or a group within a picture file.
 
     Parameters
@@ -48,13 +48,13 @@ class Part:
     address: str
 
 
-PictureSource = Path | Part
+PictureSource = Path | PicturePart
 """What pixels come from: a whole file, or a part of one."""
 
 
 def file_of(source: PictureSource) -> Path:
     """Return the file that a picture comes from."""
-    return source.path if isinstance(source, Part) else source
+    return source.path if isinstance(source, PicturePart) else source
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +71,7 @@ class Drawing:
     @property
     def source(self) -> PictureSource:
         """What its pixels come from."""
-        return self.path if self.part is None else Part(self.path, self.part)
+        return self.path if self.part is None else PicturePart(self.path, self.part)
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,11 +175,14 @@ class Piece:
         Unique in the set; part of property paths.
     tracks
         By set piece property name; its shape is one of them.
+    source
+        The file of an imported set, for a piece of that shape.
     """
 
     id: str
     name: str
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    source: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,6 +199,8 @@ class Document:
         In the order in which they were made.
     vanishing
         The edges of the floor in the background picture by which the camera was matched; None before that.
+    linked
+        Names of layer properties that are the same for all layers, values and keys alike.
     """
 
     canvas: Canvas
@@ -207,6 +212,7 @@ class Document:
     notes: tuple[Note, ...] = ()
     pieces: tuple[Piece, ...] = ()
     vanishing: VanishingLines | None = None
+    linked: frozenset[str] = frozenset()
 
     @property
     def played(self) -> tuple[int, int]:

@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import Part, PictureSource, file_of
+from kagezou.document.model import PicturePart, PictureSource, file_of
 from kagezou.geometry.box import Box
 from kagezou.io.colour import coded_from_light, steps_from_unit, straight_from_associated
 from kagezou.io.oiio_guard import Header, Picture
@@ -107,9 +107,9 @@ def probe(source: PictureSource) -> ImageInfo:
 
 def _probe_psd(source: PictureSource) -> ImageInfo:
     header = psd_header(file_of(source))
-    if isinstance(source, Part):
+    if isinstance(source, PicturePart):
         psd_tree(source.path)
-    has_alpha = isinstance(source, Part) or header.has_spare_channel
+    has_alpha = isinstance(source, PicturePart) or header.has_spare_channel
     return ImageInfo(header.width_px, header.height_px, header.channels, has_alpha, header.bit_depth)
 
 

@@ -50,6 +50,8 @@ PROJECT: Final[Fields] = MappingProxyType({
     "vanishing": Field("list of four [[x, y], [x, y]]",
                        "Edges of the floor in the background picture by which the camera was matched, canvas px: two "
                        "that run one way, and two square to them.", optional=True),
+    "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
+                    "none. Every layer has them in its own tracks too.", optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({
@@ -74,6 +76,7 @@ PIECE: Final[Fields] = MappingProxyType({
     "id": Field("text", "Unique and unchanging; never shown."),
     "name": Field("text", "Unique in the set; part of property paths."),
     "tracks": Field("object", "Property name → track, for the properties of the piece."),
+    "source": Field("path", "The file of an imported set.", optional=True),
 })  # fmt: skip
 
 TRACK: Final[Fields] = MappingProxyType({

@@ -10,7 +10,19 @@ from typing import Final
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Part, PictureSource, Piece, Tracks
+from kagezou.document.linking import LINKABLE
+from kagezou.document.model import (
+    Canvas,
+    Cels,
+    Document,
+    Drawing,
+    Exposure,
+    Layer,
+    PicturePart,
+    PictureSource,
+    Piece,
+    Tracks,
+)
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import MAX_PIECES
@@ -48,8 +60,9 @@ def document_of(project: Reader, folder: Path) -> Document:
         work_area=review.work_area,
         markers=review.markers,
         notes=review.notes,
-        pieces=tuple(_piece(each) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
+        pieces=tuple(_piece(each, folder) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
         vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
+        linked=_linked(found["linked"]) if "linked" in found else frozenset(),
     )
     if _row_count(document) > fields.MAX_ROWS:
         raise project.problem(f"more than {fields.MAX_ROWS} drawings, exposures and keys")
@@ -98,9 +111,14 @@ def _layer(reader: Reader, folder: Path) -> Layer:
     )
 
 
-def _piece(reader: Reader) -> Piece:
+def _linked(reader: Reader) -> frozenset[str]:
+    return frozenset(each.word(list(LINKABLE)) for each in reader.items(len(LINKABLE)))
+
+
+def _piece(reader: Reader, folder: Path) -> Piece:
     found = _record(reader, fields.PIECE)
-    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE))
+    source = _path(found["source"], folder) if "source" in found else None
+    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE), source)
 
 
 def _vanishing(reader: Reader) -> VanishingLines:
@@ -143,7 +161,7 @@ def _drawing(reader: Reader, folder: Path) -> Drawing:
 def _background(reader: Reader, folder: Path) -> PictureSource | None:
     if isinstance(reader.value, list):
         path, part = reader.items(2, least=2)
-        return Part(_path(path, folder), part.text(MAX_PATH_CHARACTERS))
+        return PicturePart(_path(path, folder), part.text(MAX_PATH_CHARACTERS))
     return None if reader.value is None else _path(reader, folder)
 
 

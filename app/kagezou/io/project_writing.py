@@ -6,7 +6,7 @@ from pathlib import Path
 from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
-from kagezou.document.model import Document, Drawing, Layer, Part, PictureSource, Piece, Tracks
+from kagezou.document.model import Document, Drawing, Layer, PicturePart, PictureSource, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.io.project_json import Row
@@ -33,13 +33,14 @@ def tree_of(document: Document, folder: Path) -> Tree:
         "layers": [_layer(layer, folder) for layer in document.layers],
         **review_tree(document),
         # Left out where there is none, so that a cut without a set reads as it always did.
-        **({"set": [_piece(piece) for piece in document.pieces]} if document.pieces else {}),
+        **({"set": [_piece(piece, folder) for piece in document.pieces]} if document.pieces else {}),
         **({"vanishing": [Row(line) for line in document.vanishing.all]} if document.vanishing else {}),
+        **({"linked": Row([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
     }
 
 
 def _background(source: PictureSource, folder: Path) -> object:
-    if isinstance(source, Part):
+    if isinstance(source, PicturePart):
         return Row([stored_path(source.path, folder), source.address])
     return stored_path(source, folder)
 
@@ -49,8 +50,9 @@ def _drawing(drawing: Drawing, folder: Path) -> list[str]:
     return [drawing.name, stored_path(drawing.path, folder), *([] if drawing.part is None else [drawing.part])]
 
 
-def _piece(piece: Piece) -> dict[str, object]:
-    return {"id": piece.id, "name": piece.name, "tracks": _tracks(piece.tracks, OF_PIECE)}
+def _piece(piece: Piece, folder: Path) -> dict[str, object]:
+    made: dict[str, object] = {"id": piece.id, "name": piece.name, "tracks": _tracks(piece.tracks, OF_PIECE)}
+    return made if piece.source is None else {**made, "source": stored_path(piece.source, folder)}
 
 
 def _layer(layer: Layer, folder: Path) -> dict[str, object]:

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Final
 
-from kagezou.document.model import Part, PictureSource, file_of
+from kagezou.document.model import PicturePart, PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
 from kagezou.io.psd_pixels import PsdPixels, merged_pixels, part_pixels
@@ -133,7 +133,7 @@ def psd_tree(path: Path) -> PsdTree:
     return _SHELF.opened(path).tree
 
 
-def has_part(part: Part) -> bool:
+def has_part(part: PicturePart) -> bool:
     """Return whether a layer is in its file.
 
     Raises

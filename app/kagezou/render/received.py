@@ -6,7 +6,7 @@ from math import ceil, floor
 
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.card import CardPiece, receiver_of
-from kagezou.io.cels import CelCache
+from kagezou.io.cels import CelSource
 from kagezou.io.images import Matte
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Window
@@ -42,7 +42,7 @@ class ReceivedLayers:
         Where drawings come from, in memory and on the graphics card.
     """
 
-    def __init__(self, boxes: Boxes, caster: CastPass, cels: CelCache, mattes: Mattes) -> None:
+    def __init__(self, boxes: Boxes, caster: CastPass, cels: CelSource, mattes: Mattes) -> None:
         self._boxes, self._caster, self._cels, self._mattes = boxes, caster, cels, mattes
         self._cut = Program("box.vert", "received.frag")
         self._alphas: Shelf[Texture] = Shelf(_ALPHA_BUDGET_BYTES)

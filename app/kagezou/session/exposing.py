@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Cels, Drawing, Exposure, Part
+from kagezou.document.model import Cels, Drawing, Exposure, PicturePart
 from kagezou.errors import InputProblem
 from kagezou.io.faults import shown
 from kagezou.io.images import ImageInfo, probe, read_matte
@@ -18,6 +18,7 @@ from kagezou.io.psd_tree import PsdNode
 from kagezou.io.sequences import NumberedFile, Sequence, find_sequences
 from kagezou.io.signatures import is_psd
 from kagezou.session.psd_cast import PsdCast, PsdCel, PsdCharacter, cast_of
+from kagezou.session.watching import Part, Watch, unwatched
 
 MAX_NAME_CHARACTERS = 200
 _SHOWN_NAMES = 3
@@ -57,8 +58,8 @@ class NewCels:
 
 
 @dataclass(frozen=True, slots=True)
-class Brought:
-    """What a source brings.
+class Held:
+    """What a source holds.
 
     Parameters
     ----------
@@ -72,10 +73,10 @@ class Brought:
 
     layers: list[NewCels]
     notes: list[str]
-    backgrounds: tuple[Part, ...] = ()
+    backgrounds: tuple[PicturePart, ...] = ()
 
 
-def brought_by(source: CharacterSource) -> Brought:
+def held_by(source: CharacterSource, watch: Watch = unwatched) -> Held:
     """Return the layers that a source holds, and notes about the source as a whole.
 
     Raises
@@ -84,27 +85,28 @@ def brought_by(source: CharacterSource) -> Brought:
         There is nothing to be found, or none of the drawings of a layer can be opened.
     """
     path = absolute(source.path)
+    watch(Part.FINDING, 0, 0)
     if is_psd(path) and path.is_file():
-        return _brought_by_psd(source, path)
+        return _held_by_psd(source, path, watch)
     found = find_sequences(path)
     notes = [_left_out(path, found.left_out)] if found.left_out else []
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return Brought([_new_cels(source.name or printable(own), only)], notes)
+        return Held([_new_cels(source.name or printable(own), only, watch)], notes)
     head = f"{source.name} " if source.name else ""
-    return Brought([_new_cels(head + printable(each.name), each) for each in found.sequences], notes)
+    return Held([_new_cels(head + printable(each.name), each, watch) for each in found.sequences], notes)
 
 
-def _brought_by_psd(source: CharacterSource, path: Path) -> Brought:
+def _held_by_psd(source: CharacterSource, path: Path, watch: Watch) -> Held:
     tree = psd_tree(path)
     if not tree.layers:
         name = source.name or printable(path.stem)
         cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
-        size, about = _measured(name, cels.drawings)
-        return Brought([NewCels(name, cels, size, 1, tuple(about))], [])
+        size, about = _measured(name, cels.drawings, watch)
+        return Held([NewCels(name, cels, size, 1, tuple(about))], [])
     cast = cast_of(tree, path.stem)
-    backgrounds = [node for node in cast.backgrounds if _is_opaque(Part(path, node.address))]
+    backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
     drawn = [node for node in cast.backgrounds if node not in backgrounds]
     characters = (*(PsdCharacter(each.name, (PsdCel(each.name, each),)) for each in drawn), *cast.characters)
     if not characters and not backgrounds:
@@ -115,7 +117,7 @@ def _brought_by_psd(source: CharacterSource, path: Path) -> Brought:
     if source.name and len(names) == 1:
         names = [source.name]
     layers = [_psd_cels(name, each, path, size) for name, each in zip(names, characters, strict=True)]
-    return Brought(layers, _left_out_of(path, cast), tuple(Part(path, node.address) for node in backgrounds))
+    return Held(layers, _left_out_of(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
 
 
 def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, int]) -> NewCels:
@@ -128,7 +130,7 @@ def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, i
     return NewCels(name, cels, size, len(drawings), notes)
 
 
-def _is_opaque(part: Part) -> bool:
+def _is_opaque(part: PicturePart) -> bool:
     alpha = read_matte(part).alpha
     return bool(alpha.min() == np.iinfo(alpha.dtype).max)
 
@@ -157,9 +159,9 @@ def _some(names: Iterable[str]) -> str:
     return ", ".join(known[:_SHOWN_NAMES]) + (", …" if len(known) > _SHOWN_NAMES else "")
 
 
-def _new_cels(name: str, sequence: Sequence) -> NewCels:
+def _new_cels(name: str, sequence: Sequence, watch: Watch) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
-    size, notes = _measured(name, cels.drawings)
+    size, notes = _measured(name, cels.drawings, watch)
     if sequence.gaps:
         notes.insert(0, f"{name}: missing {format_frames(sequence.gaps)}; the drawing before is held")
     last = cels.exposures[-1].frame
@@ -187,11 +189,12 @@ def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:
     return tuple(exposures)
 
 
-def _measured(name: str, drawings: Iterable[Drawing]) -> tuple[tuple[int, int], list[str]]:
+def _measured(name: str, drawings: tuple[Drawing, ...], watch: Watch) -> tuple[tuple[int, int], list[str]]:
     """Return the largest width and height, and notes about drawings that differ or cannot be opened."""
     infos: list[tuple[Drawing, ImageInfo]] = []
     problems: list[InputProblem] = []
-    for drawing in drawings:
+    for index, drawing in enumerate(drawings):
+        watch(Part.OPENING, index, len(drawings))
         try:
             infos.append((drawing, probe(drawing.path)))
         except InputProblem as problem:

@@ -17,13 +17,14 @@ from kagezou.session.exposing import CharacterSource
 from kagezou.session.psd_cast import cast_of
 from kagezou.session.staging import Staged, new_document
 from kagezou.session.timing import timed
+from kagezou.session.watching import Watch, unwatched
 
 TIMESHEET_SUFFIXES = (".xdts", ".tdts", ".sts")
 _RATE = Fraction(24)
 """Sheets say nothing of it; all of them count 24 frames a second."""
 
 
-def document_of_sheet(path: Path) -> Staged:
+def document_of_sheet(path: Path, watch: Watch = unwatched) -> Staged:
     """Return a new document of a timesheet and the drawings beside it.
 
     For a column A these are the pictures in a folder A (in whatever case), else ``A_0001.png``, ``A1.png``,
@@ -43,7 +44,7 @@ def document_of_sheet(path: Path) -> Staged:
             f"{shown(path)}: beside it there are no drawings of its columns ({names}): "
             "neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups"
         )
-    staged = new_document(sources, frame_rate=_RATE)
+    staged = new_document(sources, frame_rate=_RATE, watch=watch)
     document, notes = timed(staged.document, sheet)
     return Staged(document, (*staged.notes, *notes), tuple(layer.id for layer in document.layers))
 

@@ -11,7 +11,7 @@ from kagezou.cli.terminal import Json, give, give_json, one_line
 
 if TYPE_CHECKING:
     from kagezou.document.address import Address
-    from kagezou.document.model import Document, Layer
+    from kagezou.document.model import Document, Layer, Piece
 
 DESCRIPTION = "Say what is in a project: canvas, layers, drawings, missing files, and which properties have keys."
 EXAMPLES = """\
@@ -44,6 +44,7 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 
 
 def _about(document: "Document") -> dict[str, Json]:
+    from kagezou.document.properties import OF_LAYER
     from kagezou.document.set_pieces import kind_of
 
     canvas = document.canvas
@@ -55,7 +56,10 @@ def _about(document: "Document") -> dict[str, Json]:
         "last_frame": canvas.length_frames,
         "background": _background(document),
         "layers": [_about_layer(layer) for layer in document.layers],
-        "set": [{"name": piece.name, "kind": kind_of(piece)} for piece in document.pieces],
+        "set": [
+            {"name": piece.name, "kind": kind_of(piece), **_about_file(document, piece)} for piece in document.pieces
+        ],
+        "linked": [line for line in OF_LAYER if line in document.linked],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": list(_missing(document)),
     }
@@ -70,6 +74,27 @@ def _about_layer(layer: "Layer") -> Json:
         "first_exposure": exposed[0].frame if exposed else None,
         "figure_px": [layer.figure.left, layer.figure.top, layer.figure.right, layer.figure.bottom],
     }
+
+
+def _about_file(document: "Document", piece: "Piece") -> dict[str, Json]:
+    from kagezou.io.faults import shown
+
+    if piece.source is None:
+        return {}
+    return {"file": shown(piece.source), "cameras": list(_camera_names(document, piece))}
+
+
+def _camera_names(document: "Document", piece: "Piece") -> tuple[str, ...]:
+    """Return the cameras of an imported set; none of a file that cannot be read, which rendering will tell."""
+    from kagezou.errors import InputProblem
+    from kagezou.io.set_cameras import cameras_of
+
+    if piece.source is None:
+        return ()
+    try:
+        return tuple(camera.name for camera in cameras_of(piece.source, document.canvas.frame_rate))
+    except InputProblem:
+        return ()
 
 
 def _keyed_addresses(document: "Document") -> "Iterator[Address]":
@@ -93,7 +118,7 @@ def _background(document: "Document") -> str | None:
 
 def _missing(document: "Document") -> Iterator[str]:
     """Yield the files that are not there, and the layers that are not in their files."""
-    from kagezou.document.model import Part, file_of
+    from kagezou.document.model import PicturePart, file_of
     from kagezou.errors import InputProblem
     from kagezou.io.faults import shown
     from kagezou.io.psd_file import has_part
@@ -101,9 +126,9 @@ def _missing(document: "Document") -> Iterator[str]:
     sources = [drawing.source for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
         sources.append(document.background)
-    files = dict.fromkeys(map(file_of, sources))
-    yield from (shown(path) for path in files if not path.is_file())
-    for part in dict.fromkeys(source for source in sources if isinstance(source, Part) and source.path.is_file()):
+    files = [*map(file_of, sources), *(piece.source for piece in document.pieces if piece.source is not None)]
+    yield from (shown(path) for path in dict.fromkeys(files) if not path.is_file())
+    for part in dict.fromkeys(each for each in sources if isinstance(each, PicturePart) and each.path.is_file()):
         with suppress(InputProblem):  # a broken file is not missing
             if not has_part(part):
                 yield f"{shown(part.path)} ({part.address})"
@@ -112,7 +137,9 @@ def _missing(document: "Document") -> Iterator[str]:
 def _lines(document: "Document") -> Iterator[str]:
     from kagezou.animation.frames import format_frames
     from kagezou.document.address import path_of, track_of
+    from kagezou.document.properties import OF_LAYER
     from kagezou.document.set_pieces import kind_of
+    from kagezou.io.faults import shown
 
     canvas = document.canvas
     seconds = float(canvas.length_frames / canvas.frame_rate)
@@ -125,7 +152,12 @@ def _lines(document: "Document") -> Iterator[str]:
         box = layer.figure
         yield f"layer       {layer.name}: {count} drawing{'s' * (count != 1)}, figure {box.width} x {box.height} px"
     for piece in document.pieces:
-        yield f"set piece   {piece.name}: {kind_of(piece)}"
+        file = "" if piece.source is None else f" of {shown(piece.source)}"
+        yield f"set piece   {piece.name}: {kind_of(piece)}{file}"
+        for name in _camera_names(document, piece):
+            yield f"  camera    {name}"
+    for name in (each for each in OF_LAYER if each in document.linked):
+        yield f"linked      layers.*.{name}"
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"
