@@ -116,7 +116,7 @@ def notes(draw: st.DrawFn, layer_ids: list[str]) -> Note:
 
 @st.composite
 def pieces(draw: st.DrawFn, number: int, name: str) -> Piece:
-    return Piece(f"piece-{number}", name, draw(track_tables(dict(OF_PIECE))))
+    return Piece(f"piece-{number}", name, draw(track_tables(dict(OF_PIECE))), draw(st.one_of(st.none(), paths)))
 
 
 @st.composite

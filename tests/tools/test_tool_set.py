@@ -164,6 +164,15 @@ def test_a_side_that_is_seen_end_on_is_drawn_out_by_the_way_down() -> None:
     assert number(Hand(above, "piece.height").to(0, 30), s.PIECE_HEIGHT) == pytest.approx(130)
 
 
+def test_a_constrained_side_keeps_the_proportions() -> None:
+    document = with_piece(document_with(), "box", position=[300, 860], width=100, height=50, depth=80)
+    after = Hand(document, "piece.width").to(25, 0, Modifiers(constrain=True))
+    assert [number(after, line) for line in (s.PIECE_WIDTH, s.PIECE_HEIGHT, s.PIECE_DEPTH)] == [150, 75, 120]
+    flat = with_piece(document_with(), "wall", position=[300, 860], width=100, height=50, depth=80)
+    after = Hand(flat, "piece.width").to(25, 0, Modifiers(constrain=True))
+    assert [number(after, line) for line in (s.PIECE_WIDTH, s.PIECE_HEIGHT, s.PIECE_DEPTH)] == [150, 75, 80]
+
+
 def test_arrows_move_a_piece_and_a_drag_says_its_values() -> None:
     document = with_piece(document_with(), "box", position=[300, 860], width=100)
     moved = nudge(handle(document, "piece.position"), document, 1, 10, 0, View())

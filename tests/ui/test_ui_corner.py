@@ -1,7 +1,9 @@
 """Drawing a corner in the window: two drags, two steps, and every way out."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties as p
@@ -96,6 +98,17 @@ def test_enter_keeps_the_ground_and_the_right_button_steps_back(qtbot: QtBot, co
     assert not sheet.is_on
 
 
+def test_undo_with_the_line_in_the_hand_leaves_nothing_behind(qtbot: QtBot, cornering: MainWindow) -> None:
+    bridge = cornering.desk.bridge
+    qtbot.keyClick(cornering.viewport, Qt.Key.Key_Return)
+    stroke(qtbot, cornering, (40, 150), (200, 150), let_go=False)
+    bridge.session.undo()
+    bridge.session.undo()
+    before = bridge.document
+    qtbot.mouseRelease(cornering.viewport, LEFT, pos=QPoint(200, 200))
+    assert bridge.document is before
+
+
 def test_a_click_draws_nothing_and_asks_on(qtbot: QtBot, cornering: MainWindow) -> None:
     before = cornering.desk.bridge.document
     qtbot.mouseClick(cornering.viewport, LEFT, pos=QPoint(200, 200))
@@ -125,3 +138,28 @@ def test_the_picture_can_be_panned_meanwhile_and_another_project_ends_it(qtbot: 
     viewport.grab()
     cornering.desk.clear()
     assert not cornering.corner_sheet.is_on
+
+
+def test_a_pen_draws_as_the_mouse_does(cornering: MainWindow) -> None:
+    viewport, before = cornering.viewport, cornering.desk.bridge.document
+    pen = QPointingDevice(
+        "pen",
+        7,
+        QInputDevice.DeviceType.Stylus,
+        QPointingDevice.PointerType.Pen,
+        QInputDevice.Capability.Position,
+        1,
+        2,
+    )
+    places = [QPointF(*viewport.viewpoint.view.view_from_canvas(at)) for at in ((30, 160), (120, 165), (210, 170))]
+    kinds = (QEvent.Type.TabletPress, QEvent.Type.TabletMove, QEvent.Type.TabletMove, QEvent.Type.TabletRelease)
+    for kind, at in zip(kinds, (*places, places[-1]), strict=True):
+        held = Qt.MouseButton.NoButton if kind is QEvent.Type.TabletRelease else LEFT
+        event = QTabletEvent(
+            kind, pen, at, viewport.mapToGlobal(at), 0.5, 0, 0, 0.0, 0.0, 0.0,
+            Qt.KeyboardModifier.NoModifier, LEFT, held,
+        )  # fmt: skip
+        QApplication.sendEvent(viewport, event)
+        assert event.isAccepted(), "Qt would send the mouse events too"
+    assert cornering.desk.bridge.document is not before
+    assert cornering.corner_sheet.stroke is Stroke.WALL

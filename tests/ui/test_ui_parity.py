@@ -26,7 +26,7 @@ def test_the_same_frame_by_window_and_by_command_line_is_the_same_bytes(walking:
     ramp[..., 3] = 255
     write_rgba(tmp_path / "ramp.png", ramp)
     desk = walking.desk
-    desk.put_background(tmp_path / "ramp.png")
+    desk.put_background(tmp_path / "ramp.png").at_once()
     document = desk.bridge.document
     for point in ((108.0, 169.0), (132.0, 166.0)):
         document = add_grounding(document, document.layers[0].id, 1, point)

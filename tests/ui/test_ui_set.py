@@ -113,8 +113,11 @@ class TestList:
         self, qtbot: QtBot, standing: MainWindow
     ) -> None:
         standing.actions_of["add_box"].trigger()
-        for typed, expected in (("Desk", ["Wall", "Desk"]), ("Wall", ["Wall", "Desk"])):
-            standing.actions_of["rename_layer"].trigger()
+        for name, typed, expected in (
+            ("rename_layer", "Desk", ["Wall", "Desk"]),
+            ("rename_piece", "Wall", ["Wall", "Desk"]),
+        ):
+            standing.actions_of[name].trigger()
             editor = standing.set_list.view.findChild(QLineEdit)
             assert editor is not None
             editor.setText(typed)
@@ -134,6 +137,14 @@ class TestList:
     def test_the_kind_is_told_to_the_painter(self, standing: MainWindow) -> None:
         index = standing.set_list.model.index(0)
         assert (index.data(PieceRole.KIND), index.data(PieceRole.IS_PRESENT)) == ("wall", True)
+
+
+def test_no_style_is_offered_while_there_is_no_character_to_put_it_on(standing: MainWindow) -> None:
+    states = [standing.styles.isEnabled()]
+    standing.desk.bridge.session.select("layer-1")
+    states.append(standing.styles.isEnabled())
+    standing.desk.clear()
+    assert [*states, standing.styles.isEnabled()] == [False, True, False]
 
 
 class TestInspector:
@@ -187,7 +198,7 @@ def test_the_timeline_works_on_the_piece_whose_row_is_clicked(standing: MainWind
     row = next(row for row in standing.timeline.rows.rows if row.piece_id is not None)
     standing.timeline.names._choose(row)
     assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)
-    assert row.is_about(bridge.layer_id, bridge.piece_id)
+    assert row.is_about(bridge.layer_ids, bridge.piece_id)
     standing.actions_of["key_next"].trigger()
     assert bridge.frame == 3
     curves = curves_of(bridge.document, bridge.layer_id, bridge.piece_id)

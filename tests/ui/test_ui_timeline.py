@@ -40,7 +40,7 @@ NO_KEYS: Refs = frozenset()
 @pytest.fixture
 def keyed(desk: Desk, cels: Path) -> Desk:
     """A cut of 48 frames: the lamp keyed on 5, 10 and 20, the declination on 10, the opacity on 8."""
-    desk.bring((CharacterSource("Walker", cels),))
+    desk.bring((CharacterSource("Walker", cels),)).at_once()
     session = desk.bridge.session
     document = edits.set_canvas(session.document, Canvas(240, 200, length_frames=48))
     for frame in (5, 10, 20):
@@ -420,7 +420,7 @@ def test_arrows_step_while_the_lanes_have_the_keyboard(timeline: Timeline, keyed
 
 
 def test_an_empty_sheet_says_how_to_begin(qtbot: QtBot, desk: Desk, cels: Path) -> None:
-    desk.bring((CharacterSource("Walker", cels),))
+    desk.bring((CharacterSource("Walker", cels),)).at_once()
     made = Timeline(desk.bridge)
     qtbot.addWidget(made)
     made.resize(1000, 300)

@@ -141,11 +141,14 @@ class Piece:
         Unique in the set; part of property paths.
     tracks
         By set piece property name; its shape is one of them.
+    source
+        The file of an imported set, for a piece of that shape.
     """
 
     id: str
     name: str
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    source: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from kagezou.export.jobs import CompositeContent, Job, Plan
 from kagezou.export.request import ExportRequest
 from kagezou.io.atomic import write_bytes
 from kagezou.io.faults import output_problem, shown
+from kagezou.io.meshes import is_mesh
 
 LISTED: Final = 50
 """So many missing files are named in full; of more, the number is."""
@@ -20,7 +21,7 @@ _PAINTED_PART: Final = 50
 
 
 def missing_files(jobs: Iterable[Job]) -> tuple[Path, ...]:
-    """Return the drawings and backgrounds that are needed and are not there, each once, in order of need."""
+    """Return the drawings, backgrounds and sets that are needed and are not there, each once, in order of need."""
     needed = dict.fromkeys(path for job in jobs for path in job.sources)
     return tuple(path for path in needed if not _is_file(path))
 
@@ -31,7 +32,8 @@ def check_sources(jobs: Iterable[Job]) -> None:
     if not missing:
         return
     if len(missing) == 1:
-        raise InputProblem(f"{shown(missing[0])}: the drawing is missing")
+        kind = "set" if is_mesh(missing[0]) else "drawing"
+        raise InputProblem(f"{shown(missing[0])}: the {kind} is missing")
     rest = f" and {len(missing) - LISTED} more" if len(missing) > LISTED else ""
     raise InputProblem(f"{len(missing)} drawings are missing: {', '.join(map(shown, missing[:LISTED]))}{rest}")
 

@@ -53,7 +53,7 @@ class Wire:
 
 
 def wires_of(stand: Plane, measures: Measures, eye: Vector4) -> tuple[Wire, ...]:
-    """Return the edges of a piece, those of an unknown kind as those of the box around it.
+    """Return the edges of a piece; none where its kind is not made of measures.
 
     Parameters
     ----------
@@ -86,9 +86,11 @@ def wires_of(stand: Plane, measures: Measures, eye: Vector4) -> tuple[Wire, ...]
         case "ramp":
             edges = _drawn_out(stand, w, [(d / 2, 0.0), (-d / 2, h), (-d / 2, 0.0)], 1)
             return _split(edges, shapes.ramp(stand, w, d, h), eye, w + h + d)
-        case _:
+        case "box":
             edges = _drawn_out(stand, w, [(d / 2, 0.0), (d / 2, h), (-d / 2, h), (-d / 2, 0.0)], 1)
             return _split(edges, shapes.box(stand, w, d, h), eye, w + h + d)
+        case _:
+            return ()
 
 
 def _steps_profile(depth: float, height: float, count: int) -> list[tuple[float, float]]:

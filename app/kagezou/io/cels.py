@@ -6,13 +6,14 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, Literal
+from typing import Final, Literal, Protocol
 
+from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
 from kagezou.io.images import Cel, Matte, read_cel, read_matte
 
 DEFAULT_LIMIT_BYTES: Final = 512 << 20
-_Kind = Literal["cel", "matte"]
+_Kind = Literal["cel", "matte", "background"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +28,22 @@ class _Key:
     def of(self, kind: _Kind) -> "_Key":
         """Return the key of the same state of the file as another kind."""
         return _Key(kind, self.path, self.size, self.mtime_ns)
+
+
+class CelSource(Protocol):
+    """Where whoever draws gets drawings from; each may raise an InputProblem."""
+
+    def cel(self, path: Path) -> Cel:
+        """Return a drawing."""
+        ...
+
+    def matte(self, path: Path) -> Matte:
+        """Return the matte of a drawing."""
+        ...
+
+    def background(self, path: Path) -> Cel:
+        """Return a picture that is opaque where it has no alpha of its own."""
+        ...
 
 
 class CelCache:
@@ -80,6 +97,32 @@ class CelCache:
             has_cel = whole in self._kept or whole in self._running
         found = self._get(whole, lambda: read_cel(path)) if has_cel else self._get(key, lambda: read_matte(path))
         return found.matte if isinstance(found, Cel) else found
+
+    def background(self, path: Path) -> Cel:
+        """Return the picture at ``path`` with its white opaque.
+
+        Raises
+        ------
+        InputProblem
+            It cannot be read.
+        """
+        found = self._get(_key("background", path), lambda: read_cel(path, white_is_clear=False))
+        assert isinstance(found, Cel)
+        return found
+
+    @property
+    def limit_bytes(self) -> int:
+        """The memory that kept drawings may take together."""
+        return self._limit_bytes
+
+    def is_kept(self, path: Path) -> bool:
+        """Whether the picture at ``path``, as it is now, is kept whole."""
+        try:
+            key = _key("cel", path)
+        except InputProblem:
+            return False
+        with self._lock:
+            return key in self._kept or key.of("background") in self._kept
 
     def kept_paths(self) -> frozenset[Path]:
         """Return which drawings are kept now."""

@@ -42,7 +42,7 @@ def read_rules(path: Path) -> tuple[Rule, ...]:
 
 
 def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:
-    """Return the document with its pictures where the rules say; of several rules the first that fits counts."""
+    """Return the document with its pictures and sets where the rules say; of several the first that fits counts."""
     if not rules:
         return document
 
@@ -54,7 +54,11 @@ def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:
         for layer in document.layers
     )
     background = None if document.background is None else mapped(document.background, rules)
-    return replace(document, layers=layers, background=background)
+    pieces = tuple(
+        piece if piece.source is None else replace(piece, source=mapped(piece.source, rules))
+        for piece in document.pieces
+    )
+    return replace(document, layers=layers, background=background, pieces=pieces)
 
 
 def mapped(path: Path, rules: tuple[Rule, ...]) -> Path:

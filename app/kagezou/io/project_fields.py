@@ -75,6 +75,7 @@ PIECE: Final[Fields] = MappingProxyType({
     "id": Field("text", "Unique and unchanging; never shown."),
     "name": Field("text", "Unique in the set; part of property paths."),
     "tracks": Field("object", "Property name → track, for the properties of the piece."),
+    "source": Field("path", "The file of an imported set.", optional=True),
 })  # fmt: skip
 
 TRACK: Final[Fields] = MappingProxyType({

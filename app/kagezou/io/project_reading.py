@@ -49,7 +49,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         work_area=review.work_area,
         markers=review.markers,
         notes=review.notes,
-        pieces=tuple(_piece(each) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
+        pieces=tuple(_piece(each, folder) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
         vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
         linked=_linked(found["linked"]) if "linked" in found else frozenset(),
     )
@@ -104,9 +104,10 @@ def _linked(reader: Reader) -> frozenset[str]:
     return frozenset(each.word(list(LINKABLE)) for each in reader.items(len(LINKABLE)))
 
 
-def _piece(reader: Reader) -> Piece:
+def _piece(reader: Reader, folder: Path) -> Piece:
     found = _record(reader, fields.PIECE)
-    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE))
+    source = _path(found["source"], folder) if "source" in found else None
+    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE), source)
 
 
 def _vanishing(reader: Reader) -> VanishingLines:

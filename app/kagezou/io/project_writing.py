@@ -33,14 +33,15 @@ def tree_of(document: Document, folder: Path) -> Tree:
         "layers": [_layer(layer, folder) for layer in document.layers],
         **review_tree(document),
         # Left out where there is none, so that a cut without a set reads as it always did.
-        **({"set": [_piece(piece) for piece in document.pieces]} if document.pieces else {}),
+        **({"set": [_piece(piece, folder) for piece in document.pieces]} if document.pieces else {}),
         **({"vanishing": [Row(line) for line in document.vanishing.all]} if document.vanishing else {}),
         **({"linked": Row([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
     }
 
 
-def _piece(piece: Piece) -> dict[str, object]:
-    return {"id": piece.id, "name": piece.name, "tracks": _tracks(piece.tracks, OF_PIECE)}
+def _piece(piece: Piece, folder: Path) -> dict[str, object]:
+    made: dict[str, object] = {"id": piece.id, "name": piece.name, "tracks": _tracks(piece.tracks, OF_PIECE)}
+    return made if piece.source is None else {**made, "source": stored_path(piece.source, folder)}
 
 
 def _layer(layer: Layer, folder: Path) -> dict[str, object]:

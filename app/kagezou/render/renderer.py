@@ -4,15 +4,17 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
+from kagezou.io.cels import CelSource
 from kagezou.io.encode import ShadowImage
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.boxes import Boxes
 from kagezou.render.depth_map import DepthMapPass
 from kagezou.render.gl import GL, check
 from kagezou.render.info import read_info
 from kagezou.render.look import look_uniforms, unit_rgb
+from kagezou.render.mesh_display import Display
 from kagezou.render.picture import Picture
 from kagezou.render.presenter import Presenter, WindowView
 from kagezou.render.program import Variants
@@ -20,10 +22,12 @@ from kagezou.render.shadow_layers import Coverage, ShadowLayers
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
-MATTE_BUDGET_BYTES = 128 << 20
-COLOR_BUDGET_BYTES = 256 << 20
+MATTE_BUDGET_BYTES = 256 << 20
+_SQUARE_PX = 16
+"""The checkered backdrop's, canvas px."""
 
 _DEPTHS = {8: np.uint8, 16: np.uint16}
+_MOST_COVERED = 65535
 
 
 class Renderer:
@@ -34,8 +38,10 @@ class Renderer:
 
     Parameters
     ----------
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and meshes come from.
+    divisor
+        How many px of the cut's own canvas are one of the scenes that are drawn, for previews.
 
     Raises
     ------
@@ -43,11 +49,12 @@ class Renderer:
         If the context is older than OpenGL 3.3 or the driver fails.
     """
 
-    def __init__(self, cels: CelCache) -> None:
+    def __init__(self, cels: CelSource, meshes: MeshCache | None = None, divisor: int = 1) -> None:
         self.info = read_info()
         self._cels = cels
+        self._divisor = divisor
         self._boxes = Boxes()
-        self._shadows = ShadowLayers(self._boxes, cels, MATTE_BUDGET_BYTES)
+        self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
         self._shade_programs = Variants("box.vert", "shade.frag")
         self._presenter = Presenter(self._boxes)
         self._picture: Picture | None = None
@@ -63,6 +70,11 @@ class Renderer:
     def filters_drawn(self) -> int:
         """How many of those shadows have been simplified."""
         return self._shadows.filters_drawn
+
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views; kept while they stay."""
+        return self._shadows.meshes_seen
 
     def shadow(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return a layer's shadow: straight alpha = covered part × opacity (spec 6), one colour unless it has a tip.
@@ -91,6 +103,10 @@ class Renderer:
             )
         box = coverage.box
         switches, uniforms = look_uniforms(cast, look, box)
+        if not switches:
+            covered = coverage.target.read(box)
+            check("drawing a shadow")
+            return ShadowImage(canvas.width, canvas.height, look.color, _alpha_of(covered, look.opacity, depth), box)
         forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
         target = self._shaded_target(canvas, forms[depth != 8])
         if look.tip:
@@ -134,15 +150,23 @@ class Renderer:
         return coverage.target.read(scene.canvas)
 
     def draw_picture(
-        self, scene: Scene, backdrop: Backdrop = Backdrop.BACKGROUND, depth: int = 8, line_px: int = 0
+        self,
+        scene: Scene,
+        backdrop: Backdrop = Backdrop.BACKGROUND,
+        depth: int = 8,
+        line_px: int = 0,
+        *,
+        wireframes: bool = False,
     ) -> None:
         """Draw backdrop, shadows and characters; the result stays in the renderer until the next picture.
 
-        With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width.
+        With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width. With
+        ``wireframes`` imported sets show theirs, where that is asked of them.
         """
         form = Format.RGBA8 if depth == 8 else Format.RGBA16
         picture = self._picture_for(scene.canvas, form)
-        picture.begin(backdrop, scene.background)
+        displays = (Display.CLAY, Display.WIREFRAME) if wireframes else (Display.CLAY,)
+        picture.begin(backdrop, scene.background, self._shadows.set_pictures(scene, displays))
         self._lay_set_shadow(picture, scene)
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
@@ -206,7 +230,7 @@ class Renderer:
             old.close()
             self._picture = None
         if self._picture is None:
-            self._picture = Picture(self._boxes, canvas, form, COLOR_BUDGET_BYTES)
+            self._picture = Picture(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
         return self._picture
 
     def _shaded_target(self, canvas: Box, form: Format) -> Target:
@@ -217,3 +241,10 @@ class Renderer:
         if target is None:
             target = self._shaded[form] = Target(canvas.width, canvas.height, form)
         return target
+
+
+def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
+    """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
+    most = (1 << depth) - 1
+    alpha: Steps = np.rint(covered * np.float32(opacity * most / _MOST_COVERED)).astype(_DEPTHS[depth])
+    return alpha

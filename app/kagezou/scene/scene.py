@@ -1,6 +1,7 @@
 """The frozen record of one frame."""
 
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kagezou.document.model import Drawing
@@ -87,6 +88,8 @@ class ShadowCast:
         How the united shape is rounded, what becomes of its outline, and the waves it lies on; None for not at all.
     pieces
         The set that stands on the ground.
+    ground_receives
+        Whether the flat ground is there at all, or only the pieces are.
     """
 
     drawing: Drawing
@@ -99,6 +102,7 @@ class ShadowCast:
     edge: Edge | None = None
     water: Water | None = None
     pieces: tuple[PieceScene, ...] = ()
+    ground_receives: bool = True
 
     @property
     def is_filtered(self) -> bool:
@@ -191,3 +195,17 @@ class Scene:
     layers: tuple[LayerScene, ...]
     pieces: tuple[PieceScene, ...] = ()
     set_shadow: SetShadow | None = None
+
+
+def without_pieces(scene: Scene, ids: Collection[str]) -> Scene:
+    """Return a scene in which some set pieces are not there."""
+    pieces = tuple(piece for piece in scene.pieces if piece.id not in ids)
+    layers = tuple(
+        layer if layer.cast is None else replace(layer, cast=replace(layer.cast, pieces=pieces))
+        for layer in scene.layers
+    )
+    dark = scene.set_shadow
+    if dark is not None:
+        casts = any(piece.casts for piece in pieces)
+        dark = replace(dark, cast=replace(dark.cast, pieces=pieces)) if casts else None
+    return replace(scene, layers=layers, pieces=pieces, set_shadow=dark)

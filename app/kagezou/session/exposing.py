@@ -12,6 +12,7 @@ from kagezou.io.faults import shown
 from kagezou.io.images import ImageInfo, probe
 from kagezou.io.project_paths import absolute
 from kagezou.io.sequences import NumberedFile, Sequence, find_sequences
+from kagezou.session.watching import Part, Watch, unwatched
 
 MAX_NAME_CHARACTERS = 200
 _SHOWN_NAMES = 3
@@ -50,7 +51,7 @@ class NewCels:
     notes: tuple[str, ...]
 
 
-def cels_of(source: CharacterSource) -> tuple[list[NewCels], list[str]]:
+def cels_of(source: CharacterSource, watch: Watch = unwatched) -> tuple[list[NewCels], list[str]]:
     """Return the layers that a source holds, and notes about the source as a whole.
 
     Raises
@@ -59,14 +60,15 @@ def cels_of(source: CharacterSource) -> tuple[list[NewCels], list[str]]:
         There is nothing to be found, or none of the drawings of a layer can be opened.
     """
     path = absolute(source.path)
+    watch(Part.FINDING, 0, 0)
     found = find_sequences(path)
     notes = [_left_out(path, found.left_out)] if found.left_out else []
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return [_new_cels(source.name or printable(own), only)], notes
+        return [_new_cels(source.name or printable(own), only, watch)], notes
     head = f"{source.name} " if source.name else ""
-    return [_new_cels(head + printable(each.name), each) for each in found.sequences], notes
+    return [_new_cels(head + printable(each.name), each, watch) for each in found.sequences], notes
 
 
 def printable(name: str) -> str:
@@ -81,9 +83,9 @@ def _left_out(path: Path, pictures: Iterable[Path]) -> str:
     return f"{shown(path)}: left out, as they have no number: {', '.join(names[:_SHOWN_NAMES])}{more}"
 
 
-def _new_cels(name: str, sequence: Sequence) -> NewCels:
+def _new_cels(name: str, sequence: Sequence, watch: Watch) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
-    size, notes = _measured(name, cels.drawings)
+    size, notes = _measured(name, cels.drawings, watch)
     if sequence.gaps:
         notes.insert(0, f"{name}: missing {format_frames(sequence.gaps)}; the drawing before is held")
     last = cels.exposures[-1].frame
@@ -111,11 +113,12 @@ def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:
     return tuple(exposures)
 
 
-def _measured(name: str, drawings: Iterable[Drawing]) -> tuple[tuple[int, int], list[str]]:
+def _measured(name: str, drawings: tuple[Drawing, ...], watch: Watch) -> tuple[tuple[int, int], list[str]]:
     """Return the largest width and height, and notes about drawings that differ or cannot be opened."""
     infos: list[tuple[Drawing, ImageInfo]] = []
     problems: list[InputProblem] = []
-    for drawing in drawings:
+    for index, drawing in enumerate(drawings):
+        watch(Part.OPENING, index, len(drawings))
         try:
             infos.append((drawing, probe(drawing.path)))
         except InputProblem as problem:

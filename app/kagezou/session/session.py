@@ -82,6 +82,11 @@ class Session:
         return self._state.document is self._saved
 
     @property
+    def is_in_gesture(self) -> bool:
+        """Whether something is under way that will be one step, such as a drag."""
+        return self._gesture is not None
+
+    @property
     def steps_made(self) -> int:
         """How many steps were made since the session began, those taken back included."""
         return self._steps_made

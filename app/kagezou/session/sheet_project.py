@@ -13,12 +13,13 @@ from kagezou.io.xdts import read_timesheet
 from kagezou.session.exposing import CharacterSource
 from kagezou.session.staging import Staged, new_document
 from kagezou.session.timing import timed
+from kagezou.session.watching import Watch, unwatched
 
 _RATE = Fraction(24)
 """Sheets say nothing of it; all of them count 24 frames a second."""
 
 
-def document_of_sheet(path: Path) -> Staged:
+def document_of_sheet(path: Path, watch: Watch = unwatched) -> Staged:
     """Return a new document of a timesheet and the drawings beside it.
 
     For a column A these are the pictures in a folder A (in whatever case), else ``A_0001.png``, ``A1.png``,
@@ -38,7 +39,7 @@ def document_of_sheet(path: Path) -> Staged:
             f"{shown(path)}: beside it there are no drawings of its columns ({names}): "
             "neither folders of these names nor pictures such as A_0001.png"
         )
-    staged = new_document(sources, frame_rate=_RATE)
+    staged = new_document(sources, frame_rate=_RATE, watch=watch)
     document, notes = timed(staged.document, sheet)
     return Staged(document, (*staged.notes, *notes), tuple(layer.id for layer in document.layers))
 

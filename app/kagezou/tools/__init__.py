@@ -21,6 +21,11 @@ What the window uses
 ``grounding``: ``add_grounding(document, layer_id, frame, canvas_px)``, and
 ``remove_grounding(document, layer_id, frame, index)`` with ``handle.index``.
 
+``placing``: ``add_placed(document, frame, layer_id, kind, name)``.
+
+``corner``: ``drawing(document, lay)`` is a drag that draws a line; what it lays is ``ground_line(document, frame)`` or
+``wall_line(document, frame, layer_id, name)``; ``is_on_ground(document, frame, canvas_px)``.
+
 ``set_outlines``: ``outlines_of(document, frame)``, ``piece_at(outlines, view, view_px, reach)``.
 
 ``readout``: ``readout(handle, before, after, frame, language)``.

@@ -132,6 +132,8 @@ class GuideKind(StrEnum):
     """An edge of the set piece worked on."""
     PIECE_HIDDEN = "piece-hidden"
     """The same where the piece itself hides it."""
+    PIECE_TOUCHED = "piece-touched"
+    """An edge of the set piece under the pointer."""
     PIECE_OTHER = "piece-other"
     """An edge of another piece of the set."""
     PIECE_ARM = "piece-arm"

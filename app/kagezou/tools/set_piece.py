@@ -15,6 +15,7 @@ from kagezou.scene.piece_frames import PieceFrame
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.ground import kept_near
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
+from kagezou.tools.set_size import DEEP
 from kagezou.tools.setting import Setting
 from kagezou.tools.sight import between, moved, place_seen_at, seen
 from kagezou.tools.sun import unwound
@@ -39,7 +40,6 @@ _LEAST_DEPTH = 0.02
 """The least part of its depth by which a drag leaves a piece before the horizon."""
 
 _ROUND = ("cylinder", "sphere")
-_FLAT = ("wall", *_ROUND)
 _ARC_POINTS = 17
 
 
@@ -175,7 +175,7 @@ def _drawn_to_line(setting: Setting, target: Point2) -> Point2:
 def _front(setting: Setting, piece: PieceFrame) -> Vector3:
     """Return the end of the arm out of a piece's front, on the ground."""
     stand, camera = piece.stand, setting.camera
-    depth = 0.0 if piece.measures.kind in _FLAT else piece.measures.depth_px / 2
+    depth = piece.measures.depth_px / 2 if piece.measures.kind in DEEP else 0.0
     arm = setting.view.canvas_length(ARM_VIEW_PX) * piece.scale
     start, end = (seen(camera, moved(stand.origin, (way, stand.v))) for way in (depth, depth + arm))
     length = max(hypot(end[0] - start[0], end[1] - start[1]), 1e-6)

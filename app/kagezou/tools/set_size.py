@@ -9,7 +9,6 @@ from math import cos, radians, sin
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
 from kagezou.document.property import Property
-from kagezou.geometry.piece_wires import Measures
 from kagezou.geometry.vectors import Vector3
 from kagezou.scene.piece_frames import PieceFrame
 from kagezou.tools.drag import Aim
@@ -25,8 +24,14 @@ HEIGHT = "piece.height"
 _LINES: dict[str, Property] = {WIDTH: lines.PIECE_WIDTH, DEPTH: lines.PIECE_DEPTH, HEIGHT: lines.PIECE_HEIGHT}
 _CURSORS = {WIDTH: Cursor.HORIZONTAL, DEPTH: Cursor.VERTICAL, HEIGHT: Cursor.VERTICAL}
 
-_FLAT = ("wall", "cylinder", "sphere")
-"""Kinds without a depth of their own."""
+DEEP = ("box", "steps", "ramp")
+"""Kinds with a depth of their own."""
+
+_KINDS = {
+    WIDTH: ("wall", *DEEP, "cylinder", "sphere"),
+    DEPTH: DEEP,
+    HEIGHT: ("wall", *DEEP, "cylinder"),
+}
 
 
 def handles(setting: Setting) -> tuple[Handle, ...]:
@@ -40,7 +45,7 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
             _LINES[handle_id].label, _CURSORS[handle_id], stays_in_view=True, piece_id=piece.id,
         )
         for handle_id in (DEPTH, HEIGHT, WIDTH)
-        if _has(piece.measures, handle_id)
+        if piece.measures.kind in _KINDS[handle_id]
     )  # fmt: skip
 
 
@@ -59,7 +64,10 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
 
 
 def move_size(setting: Setting, handle: Handle, aim: Aim) -> Document:
-    """Draw a side out, or push it in; seen end-on, the hand's way down draws it out."""
+    """Draw a side out, or push it in; constrained, the piece keeps its proportions.
+
+    Seen end-on, the hand's way down draws it out.
+    """
     piece, line = setting.piece, _LINES[handle.id]
     if piece is None:
         return setting.document
@@ -68,13 +76,13 @@ def move_size(setting: Setting, handle: Handle, aim: Aim) -> Document:
     if size is None:
         (x, y), (across_x, across_y) = aim.offset, setting.across
         size = setting.number(line) + x * across_x + y * across_y
-    return setting.edited(line, size)
-
-
-def _has(measures: Measures, handle_id: str) -> bool:
-    if handle_id == DEPTH:
-        return measures.kind not in _FLAT
-    return handle_id == WIDTH or measures.kind != "sphere"
+    document = setting.edited(line, size)
+    if aim.modifiers.constrain:
+        grown = max(size, line.low) / setting.number(line)
+        for other in _LINES:
+            if other != handle.id and piece.measures.kind in _KINDS[other]:
+                document = setting.edited(_LINES[other], grown * setting.number(_LINES[other]), document)
+    return document
 
 
 def _line(piece: PieceFrame, handle_id: str) -> tuple[Vector3, Vector3]:

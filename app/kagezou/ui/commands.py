@@ -78,6 +78,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("save_increment", translate("Commands", "Save Ne&xt Version"), ("Ctrl+Alt+Shift+S",)),
         Command("import", translate("Commands", "&Import Character…"), ("Ctrl+I",), "add"),
         Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
+        Command("import_set", translate("Commands", "Import &3-D Set…")),
         Command("import_timesheet", translate("Commands", "Import &Timesheet…")),
         Command("export_timesheet", translate("Commands", "Export Times&heet…")),
         Command("background", translate("Commands", "Set &Background…")),
@@ -151,6 +152,7 @@ def view_commands() -> tuple[Command, ...]:
         Command("view_outline", translate("Commands", "View O&utline"), ("Alt+3",), checkable=True),
         Command("view_matte", translate("Commands", "View &Matte"), ("Alt+4",), checkable=True),
         Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
+        Command("settle_set", translate("Commands", "Camera and Size of the 3-D Set")),
         Command("match_camera", translate("Commands", "Match Ca&mera to Picture"), ("Ctrl+Alt+M",), checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
@@ -192,6 +194,7 @@ def playback_commands() -> tuple[Command, ...]:
         Command("drawing_next", translate("Commands", "Next Dra&wing"), ("Ctrl+.",)),
         Command("work_in", translate("Commands", "Work Area &Begins Here"), ("B",)),
         Command("work_out", translate("Commands", "Work Are&a Ends Here"), ("N",)),
+        Command("read_ahead", translate("Commands", "Read the Work Area &into Memory")),
         Command("work_clear", translate("Commands", "&Clear Work Area"), ("Ctrl+Alt+B",)),
         Command("work_first", translate("Commands", "First Frame of the Work Area"), ("Shift+Home",)),
         Command("work_last", translate("Commands", "Last Frame of the Work Area"), ("Shift+End",)),
@@ -231,6 +234,7 @@ def set_commands() -> tuple[Command, ...]:
         Command("draw_corner", translate("Commands", "Draw &Ground and Wall Line"), (), "corner"),
         Command("draw_wall", translate("Commands", "Draw Wall &Line"), (), ""),
         Command("duplicate_piece", translate("Commands", "&Duplicate Set Piece"), ("Ctrl+D",), "duplicate"),
+        Command("rename_piece", translate("Commands", "Re&name Set Piece")),
         Command("remove_piece", translate("Commands", "Re&move Set Piece"), (), "remove"),
     )
 

@@ -16,7 +16,7 @@ from kagezou.ui.drop_hint import DropHint, drop_words
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
-from kagezou.ui.look_wiring import connect_sheets, connect_views
+from kagezou.ui.look_wiring import connect_resolution, connect_sheets, connect_views
 from kagezou.ui.match_wiring import connect_match
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
@@ -29,7 +29,10 @@ from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
 from kagezou.ui.prefetch import Prefetch
 from kagezou.ui.project_actions import ProjectActions
+from kagezou.ui.set_bar import SetBar
 from kagezou.ui.set_commands import SetCommands
+from kagezou.ui.set_import_wiring import connect_set_import
+from kagezou.ui.set_imports import SetImports
 from kagezou.ui.set_wiring import connect_set
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
@@ -43,6 +46,7 @@ from kagezou.ui.time_wiring import (
     connect_timeline,
 )
 from kagezou.ui.timeline.timeline import Timeline
+from kagezou.ui.top_bars import TopBars
 from kagezou.ui.transport import Transport
 from kagezou.ui.viewport.corner_sheet import CornerSheet
 from kagezou.ui.viewport.onion_skin import OnionSkin
@@ -93,8 +97,10 @@ class MainWindow(QMainWindow):
         connect_set(self)
         connect_view(self)
         connect_views(self)
+        connect_resolution(self)
         connect_sheets(self)
         connect_match(self)
+        connect_set_import(self)
         connect_playback(self)
         connect_jumps(self)
         connect_keys(self)
@@ -148,10 +154,12 @@ class MainWindow(QMainWindow):
         if not self._may_close_unasked and not self.project.may_leave():
             event.ignore()
             return
+        self.project.loading.finish()
         self.exporting.finish()
         self.project.put_away()
         if self.demo is not None:
             self.demo.finish()
+        self.viewport.finish()
         self.thumbnails.wait()
         self.styles.pictures.finish()
         self.welcome.pictures.finish()
@@ -201,7 +209,7 @@ class MainWindow(QMainWindow):
         self.space = SpaceBar()
         self.thumbnails = Thumbnails()
         self.welcome = Welcome(self.settings.picture_folder)
-        self.viewport = Viewport(bridge, self.desk.cels, self.space)
+        self.viewport = Viewport(bridge, self.desk.cels, self.desk.meshes, self.space)
         self.layers = LayerList(bridge, self.thumbnails)
         self.inspector = Inspector(bridge)
         self.styles = StyleList(bridge, self.settings.style_folder)
@@ -211,6 +219,8 @@ class MainWindow(QMainWindow):
         self.exporting = Exporting(self.bar)
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
+        self.set_bar = SetBar()
+        self.set_imports = SetImports(self.desk, self.set_bar, self.viewport.picking)
         self.menus = Menus(self, self.actions_of)
         self.set_commands = SetCommands(bridge)
         self.corner_sheet = CornerSheet(self.viewport, bridge, self.space)
@@ -226,10 +236,10 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(middle)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self.bar)
         column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self.setCentralWidget(middle)
+        self.top_bars = TopBars(self.pages, (self.bar, self.project.loading, self.set_bar))
         self.drop_hint = DropHint(middle)
         self.addToolBar(self.menus.tool_bar())
         self.setStatusBar(self.status)

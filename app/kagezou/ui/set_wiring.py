@@ -18,6 +18,7 @@ def connect_set(window: "MainWindow") -> None:
         actions.on(f"add_{kind}", partial(commands.add, kind))
     actions.on("duplicate_piece", commands.duplicate)
     actions.on("remove_piece", commands.remove)
+    actions.on("rename_piece", pieces.rename_current)
     # The list of pieces answers for itself what elsewhere is about keys and layers.
     actions.on("delete", commands.remove, within=pieces)
 
@@ -29,7 +30,9 @@ def connect_set(window: "MainWindow") -> None:
     def follow() -> None:
         for name in needing_a_picture:
             actions[name].setEnabled(not window.desk.is_blank)
-        for name in ("duplicate_piece", "remove_piece"):
+        # Styles are looks of a character's shadow.
+        window.styles.setEnabled(bridge.layer_id is not None)
+        for name in ("rename_piece", "duplicate_piece", "remove_piece"):
             actions[name].setEnabled(bridge.piece_id is not None)
 
     for refusal in (commands.refused, pieces.model.refused, window.corner_sheet.refused):

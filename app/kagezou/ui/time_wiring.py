@@ -36,10 +36,18 @@ def connect_playback(window: "MainWindow") -> None:
     actions.on("work_last", lambda: bridge.session.go_to(bridge.document.played[1]))
     actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
     actions.on("go_to_frame", window.transport.ask_frame)
+    actions.on("read_ahead", window.project.read_ahead)
+    window.project.loading.progressed.connect(window.timeline.ruler.update)
     actions.on("play", lambda: _play(window))
     window.space.tapped.connect(lambda: _play(window))
     window.viewport.step_asked.connect(step)
-    window.viewport.frameSwapped.connect(player.picture_shown)
+
+    def shown() -> None:
+        # While drawings are read the last picture stays; that is no new frame.
+        if window.viewport.is_current:
+            player.picture_shown()
+
+    window.viewport.frameSwapped.connect(shown)
     player.playing_changed.connect(lambda _: _show_playing(window))
     for name in ("loop", "every_frame", "ping_pong"):
         _remember_switch(window, name)

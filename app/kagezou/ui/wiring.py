@@ -9,10 +9,12 @@ from kagezou.document.style import apply_style
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.command_search import CommandSearch
 from kagezou.ui.export_dialog import ExportDialog
-from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan, work_of
+from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan
+from kagezou.ui.export_work import work_of
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
+from kagezou.ui.sentences import sentence_of, spoken
 from kagezou.ui.set_wiring import remove_touched
 from kagezou.ui.viewport.stage import Broken
 from kagezou.ui.words import said
@@ -35,6 +37,7 @@ def connect_project(window: "MainWindow") -> None:
         "save_increment": project.save_increment,
         "import": project.import_folder,
         "import_pictures": project.import_pictures,
+        "import_set": project.import_set,
         "import_timesheet": project.import_timesheet,
         "export_timesheet": project.export_timesheet,
         "background": project.set_background,
@@ -115,7 +118,7 @@ def connect_messages(window: "MainWindow") -> None:
     broken: set[str] = set()
 
     def show_broken(files: tuple[Broken, ...]) -> None:
-        now = {str(each.path): str(each.problem) for each in files}
+        now = {str(each.path): sentence_of(each.problem) for each in files}
         for path in broken - now.keys():
             bar.withdraw(path)
         for path, sentence in now.items():
@@ -130,7 +133,7 @@ def connect_messages(window: "MainWindow") -> None:
     window.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(window.status.show_device, _QUEUED)
-    window.desk.noted.connect(lambda sentence: bar.say(sentence, sentence, Severity.WARNING))
+    window.desk.noted.connect(lambda sentence: bar.say(sentence, spoken(sentence), Severity.WARNING))
 
 
 def _show_recent(window: "MainWindow") -> None:
@@ -163,7 +166,8 @@ def _export(window: "MainWindow") -> None:
     folder = Path(settings.folder("export")) if settings.folder("export") else beside
     place = Place(folder / f"{name}_export", path, name)
     document = window.desk.bridge.document
-    dialog = ExportDialog(document, loads_plan(settings.word("export_plan", "")), place, window)
+    plan = loads_plan(settings.word("export_plan", ""))
+    dialog = ExportDialog(document, plan, place, settings.preset_folder, window)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
 
     def start(plan: ExportPlan, chosen: Place) -> None:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from kagezou.document.address import Address
-    from kagezou.document.model import Document, Layer
+    from kagezou.document.model import Document, Layer, Piece
 
 DESCRIPTION = "Say what is in a project: canvas, layers, drawings, missing files, and which properties have keys."
 EXAMPLES = """\
@@ -58,7 +58,9 @@ def _about(document: "Document") -> dict[str, Json]:
         "last_frame": canvas.length_frames,
         "background": None if document.background is None else shown(document.background),
         "layers": [_about_layer(layer) for layer in document.layers],
-        "set": [{"name": piece.name, "kind": kind_of(piece)} for piece in document.pieces],
+        "set": [
+            {"name": piece.name, "kind": kind_of(piece), **_about_file(document, piece)} for piece in document.pieces
+        ],
         "linked": [line for line in OF_LAYER if line in document.linked],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": [shown(path) for path in _missing(document)],
@@ -74,6 +76,27 @@ def _about_layer(layer: "Layer") -> Json:
         "first_exposure": exposed[0].frame if exposed else None,
         "figure_px": [layer.figure.left, layer.figure.top, layer.figure.right, layer.figure.bottom],
     }
+
+
+def _about_file(document: "Document", piece: "Piece") -> dict[str, Json]:
+    from kagezou.io.faults import shown
+
+    if piece.source is None:
+        return {}
+    return {"file": shown(piece.source), "cameras": list(_camera_names(document, piece))}
+
+
+def _camera_names(document: "Document", piece: "Piece") -> tuple[str, ...]:
+    """Return the cameras of an imported set; none of a file that cannot be read, which rendering will tell."""
+    from kagezou.errors import InputProblem
+    from kagezou.io.set_cameras import cameras_of
+
+    if piece.source is None:
+        return ()
+    try:
+        return tuple(camera.name for camera in cameras_of(piece.source, document.canvas.frame_rate))
+    except InputProblem:
+        return ()
 
 
 def _keyed_addresses(document: "Document") -> "Iterator[Address]":
@@ -92,6 +115,7 @@ def _missing(document: "Document") -> "Iterator[Path]":
     paths = [drawing.path for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
         paths.append(document.background)
+    paths += [piece.source for piece in document.pieces if piece.source is not None]
     return (path for path in dict.fromkeys(paths) if not path.is_file())
 
 
@@ -113,7 +137,10 @@ def _lines(document: "Document") -> Iterator[str]:
         box = layer.figure
         yield f"layer       {layer.name}: {count} drawing{'s' * (count != 1)}, figure {box.width} x {box.height} px"
     for piece in document.pieces:
-        yield f"set piece   {piece.name}: {kind_of(piece)}"
+        file = "" if piece.source is None else f" of {shown(piece.source)}"
+        yield f"set piece   {piece.name}: {kind_of(piece)}{file}"
+        for name in _camera_names(document, piece):
+            yield f"  camera    {name}"
     for name in (each for each in OF_LAYER if each in document.linked):
         yield f"linked      layers.*.{name}"
     for address in _keyed_addresses(document):

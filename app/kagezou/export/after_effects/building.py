@@ -59,7 +59,7 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
         name,
         (*_background(written), *_shadows(document, written), *_characters(document, written)),
         guides_of(document),
-        tuple(_marker(each.frame, each.comment, rate, each.duration_frames) for each in document.markers),
+        _markers(document),
     )
     return ae.HandOff(
         project=project,
@@ -144,7 +144,7 @@ def _lit(document: Document, written: Written) -> tuple[ae.Comp, ...]:
     mattes = [each for each in written.shadows if each[0] == "matte:shadow"]
     if not mattes or not written.lit:
         return ()
-    names = {layer.id: layer.name for layer in document.layers}
+    names = {SET: "Set"} | {layer.id: layer.name for layer in document.layers}
     rate = document.canvas.frame_rate
     layers = tuple(
         ae.Layer(
@@ -189,9 +189,26 @@ def _index_at(layer: Layer, frame: int) -> int | None:
 
 
 def _notes(document: Document, layer_id: str) -> tuple[ae.Marker, ...]:
+    """Return the notes about a layer; several on one frame are one marker, for a second one would replace the first."""
+    said: dict[int, list[str]] = {}
+    for note in document.notes:
+        if note.layer_id == layer_id:
+            said.setdefault(note.frame, []).append(_said(note))
     rate = document.canvas.frame_rate
-    about = [note for note in document.notes if note.layer_id == layer_id]
-    return tuple(_marker(note.frame, _said(note), rate) for note in sorted(about, key=lambda note: note.frame))
+    return tuple(_marker(frame, "\n".join(said[frame]), rate) for frame in sorted(said))
+
+
+def _markers(document: Document) -> tuple[ae.Marker, ...]:
+    """Return the markers of the cut, and the notes about the scene among them."""
+    said = {marker.frame: [marker.comment] for marker in document.markers}
+    durations = {marker.frame: marker.duration_frames for marker in document.markers}
+    for note in document.notes:
+        if note.layer_id is None:
+            said.setdefault(note.frame, []).append(_said(note))
+    rate = document.canvas.frame_rate
+    return tuple(
+        _marker(frame, "\n".join(filter(None, said[frame])), rate, durations.get(frame, 0)) for frame in sorted(said)
+    )
 
 
 def _said(note: Note) -> str:

@@ -201,7 +201,7 @@ class _Run:
         folders = {by_name[name]: request.folder / f"{safe}_shadow" for name, safe in plan.names.items()}
         # What is no layer's is the shadow of the set.
         of_set = [folder for folder in plan.folders if folder not in folders.values()]
-        if kind == "shadow" and of_set:
+        if kind in ("shadow", "matte:shadow") and of_set:
             folders[SET] = of_set[0]
         for layer_id, folder in folders.items():
             pictures = pictures_of(plan, folder) if request.once else None

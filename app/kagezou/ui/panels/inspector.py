@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
@@ -108,6 +108,10 @@ class Inspector(QScrollArea):
         for section in self._layer_sections:
             section.open(opened=section.title not in self._folded)
         _align([*self._scene_sections, *self._layer_sections])
+        # New rows take up room only after they are shown.
+        QTimer.singleShot(0, self, self._keep_wide_enough)
+
+    def _keep_wide_enough(self) -> None:
         bar = self.verticalScrollBar().sizeHint().width()
         self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
 

@@ -16,16 +16,21 @@ from kagezou.ui.words import choice_word
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
 
+_DEEP = ("box", "steps", "ramp")
+_BUILT = ("wall", *_DEEP, "cylinder", "sphere")
+_OF_FILES = ("scale", "up", "anchor", "display", "under")
+"""Properties of sets that are read from files."""
+
 _ONLY_FOR = {
-    lines.PIECE_LEAN: ("wall",),
-    lines.PIECE_COUNT: ("steps",),
+    lines.PIECE_LEAN.name: ("wall",),
+    lines.PIECE_WIDTH.name: _BUILT,
+    lines.PIECE_HEIGHT.name: ("wall", *_DEEP, "cylinder"),
+    lines.PIECE_DEPTH.name: _DEEP,
+    lines.PIECE_COUNT.name: ("steps",),
 }
-_NOT_FOR = {
-    lines.PIECE_DEPTH: ("wall", "cylinder", "sphere"),
-    lines.PIECE_HEIGHT: ("sphere",),
-    lines.PIECE_ANGLE: ("cylinder", "sphere"),
-}
-"""Properties that mean nothing for some kinds of pieces and are hidden then."""
+"""Properties that mean something for these kinds alone and are hidden for all others."""
+
+_NOT_FOR = {lines.PIECE_ANGLE.name: ("cylinder", "sphere"), **dict.fromkeys(_OF_FILES, _BUILT)}
 
 
 class PieceName(QWidget):
@@ -71,4 +76,4 @@ def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:
 
 def matters(line: Property, kind: str) -> bool:
     """Whether a property of a set piece means anything for its kind."""
-    return kind in _ONLY_FOR.get(line, (kind,)) and kind not in _NOT_FOR.get(line, ())
+    return kind in _ONLY_FOR.get(line.name, (kind,)) and kind not in _NOT_FOR.get(line.name, ())

@@ -29,6 +29,7 @@ from kagezou.ui.panels.key_button import KeyButton, KeyState
 from kagezou.ui.panels.link_button import LinkButton
 from kagezou.ui.panels.row_menu import open_row_menu
 from kagezou.ui.panels.scrub_field import ScrubLabel
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.words import said
 
 
@@ -181,7 +182,7 @@ class PropertyRow(QObject):
         try:
             self.bridge.session.edit(self._step_name, make(self.bridge.document))
         except Problem as problem:
-            refused = str(problem)
+            refused = sentence_of(problem)
         self._shown = None
         self.refresh()
         if refused:

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from kagezou.errors import UsageProblem
 from kagezou.ui.arithmetic import evaluate, is_relative
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.theme import CHANGED, TEXT
 
 DRAG_BEGINS_PX = 3.0
@@ -198,7 +199,7 @@ class ScrubField(QLineEdit):
                 self.entered.emit(self._within(number))
         except UsageProblem as problem:
             # What was typed is no number: the old one stays, and the field says why when one asks.
-            self.setToolTip(str(problem))
+            self.setToolTip(sentence_of(problem))
 
     def _stop_typing(self) -> None:
         self.setReadOnly(True)

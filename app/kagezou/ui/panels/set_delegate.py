@@ -1,5 +1,7 @@
 """How a set piece looks in the list: eye, the picture of its kind, name."""
 
+from functools import cache
+
 from PySide6.QtCore import QAbstractItemModel, QEvent, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QIcon, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
@@ -72,6 +74,7 @@ class SetDelegate(QStyledItemDelegate):
         painter.drawText(room, flag | Qt.AlignmentFlag.AlignRight, beside)
 
 
+@cache
 def kind_icon(kind: str) -> QIcon:
     """Return the picture of a kind of set piece."""
     is_drawn = (resource_folder() / "icons" / f"{kind}.svg").is_file()

@@ -129,8 +129,7 @@ class Lanes(QWidget):
     def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
         height = self._rows.row_px
         if row.is_group:
-            about = self._bridge.layer_ids or (None,)
-            is_chosen = any(row.is_about(each, self._bridge.piece_id) for each in about)
+            is_chosen = row.is_about(self._bridge.layer_ids, self._bridge.piece_id)
             painter.fillRect(0, top, self.width(), height, _CHOSEN_BAND if is_chosen else _BAND)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(QLineF(0, top + height - 0.5, self.width(), top + height - 0.5))

@@ -92,7 +92,7 @@ class RowList(QObject):
 
     def _scroll_to_layer(self) -> None:
         for index, row in enumerate(self.rows):
-            if row.is_about(self._bridge.layer_id, self._bridge.piece_id):
+            if row.is_about(self._bridge.layer_ids, self._bridge.piece_id):
                 top = index * self.row_px
                 if not self._scroll_px <= top < self._scroll_px + self._room_px - 2 * self.row_px:
                     self.scroll_to(top)

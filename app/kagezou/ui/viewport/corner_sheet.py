@@ -9,6 +9,7 @@ from enum import StrEnum
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QTabletEvent
 
+from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.geometry.vectors import Point2
 from kagezou.session.session import Gesture
@@ -17,6 +18,7 @@ from kagezou.tools.drag import Drag
 from kagezou.tools.handle import GuideKind
 from kagezou.tools.handles import handles_of
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.theme import SELECTED
 from kagezou.ui.viewport.handle_paths import paint_guide
@@ -42,12 +44,13 @@ class Stroke(StrEnum):
 
 @dataclass(slots=True)
 class _Line:
-    """A line in the hand."""
+    """A line in the hand, from ``start`` to ``end`` in canvas px, and the document that is shown for it."""
 
     drag: Drag
     gesture: Gesture
     start: Point2
     end: Point2
+    shown: Document
 
 
 class CornerSheet(Sheet):
@@ -109,8 +112,8 @@ class CornerSheet(Sheet):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         bridge, view = self._bridge, self._viewpoint.view
-        first = bridge.document.pieces[0].id if bridge.document.pieces else None
-        for guide in handles_of(bridge.document, bridge.frame, None, view, first).guides:
+        newest = bridge.document.pieces[-1].id if bridge.document.pieces else None
+        for guide in handles_of(bridge.document, bridge.frame, None, view, newest).guides:
             if guide.kind in _SHOWN:
                 paint_guide(painter, guide, view, QRectF(self.rect()))
         if self._line is not None:
@@ -168,16 +171,17 @@ class CornerSheet(Sheet):
             return
         drag = drawing(document, lay)
         drag.send(pointer)
-        self._line = _Line(drag, bridge.session.begin(name), pointer.canvas_px, pointer.canvas_px)
+        self._line = _Line(drag, bridge.session.begin(name), pointer.canvas_px, pointer.canvas_px, document)
 
     def _move(self, line: _Line, report: PointerReport) -> None:
         pointer = report.pointer(self._viewpoint.view)
         try:
-            line.gesture.show(line.drag.send(pointer))
+            line.shown = line.drag.send(pointer)
         except Problem as problem:
             self._end(keep=False)
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return
+        line.gesture.show(line.shown)
         line.end = pointer.canvas_px
         self.update()
 
@@ -187,7 +191,8 @@ class CornerSheet(Sheet):
             return
         session = self._bridge.session
         line.drag.close()
-        is_drawn = keep and session.document is not line.gesture.start
+        # History may have been gone through with the line still in the hand.
+        is_drawn = keep and line.shown is not line.gesture.start and session.document is line.shown
         if is_drawn and self.stroke is Stroke.WALL:
             session.select_piece(session.document.pieces[-1].id)
         line.gesture.commit() if is_drawn else line.gesture.cancel()

@@ -11,10 +11,12 @@ from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
 from kagezou.tools.grounding import add_grounding, remove_grounding
 from kagezou.tools.handle import Handle, HandleSet, hit
-from kagezou.tools.handles import drag_of, handles_of, matching_handles_of, nudge
+from kagezou.tools.handles import drag_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
+from kagezou.ui.viewport.handle_source import HandleSource
 from kagezou.ui.viewport.piece_touch import PieceTouch
 from kagezou.ui.viewport.pointer_report import PointerReport
 from kagezou.ui.viewport.typed_value import with_typed
@@ -28,14 +30,6 @@ class _Held:
     drag: Drag
     gesture: Gesture
     frame: int
-
-
-@dataclass(frozen=True, slots=True)
-class _Seen:
-    """The handles there are, and what they were made of."""
-
-    made_of: tuple[object, ...]
-    handles: HandleSet
 
 
 class Hand(QObject):
@@ -61,13 +55,12 @@ class Hand(QObject):
         self._viewpoint = viewpoint
         self._held: _Held | None = None
         self._nudging: tuple[Handle, Gesture] | None = None
-        self._seen: _Seen | None = None
+        self._source = HandleSource(bridge, viewpoint)
         self.pieces = PieceTouch(bridge, viewpoint)
         self.hovered_id: str | None = None
         self.selected_id: str | None = None
         self.place_px: Point2 | None = None
         self.typed = ""
-        self._is_matching = False
         bridge.session_replaced.connect(self._drop)
         bridge.selection_changed.connect(self._keep_to_what_is_there)
 
@@ -83,19 +76,13 @@ class Hand(QObject):
 
     @property
     def handles(self) -> HandleSet:
-        """The handles of the frame, worked out anew only where something they depend on changed."""
-        bridge = self._bridge
-        made_of = (bridge.document, bridge.frame, bridge.layer_id, self._viewpoint.view, bridge.piece_id)
-        if self._seen is None or not _same(self._seen.made_of, made_of):
-            document, frame, _, view, _ = made_of
-            found = matching_handles_of(document, frame, view) if self._is_matching else handles_of(*made_of)
-            self._seen = _Seen(made_of, found)
-        return self._seen.handles
+        """The handles of the frame."""
+        return self._source.handles
 
     def match_camera(self, *, on: bool) -> None:
         """Take up the lines and the horizon by which the camera is matched, instead of everything else; or lay down."""
         self._let_go(keep=False)
-        self._is_matching, self._seen = on, None
+        self._source.is_matching = on
         self.hovered_id = self.selected_id = None
         self.changed.emit()
 
@@ -119,7 +106,7 @@ class Hand(QObject):
         self.place_px = report.view_px if report else None
         found = self._hit(report) if report else None
         self.hovered_id = found.id if found else None
-        self.pieces.hover(None if found or self._is_matching else report)
+        self.pieces.hover(None if found or self._source.is_matching else report)
         if self._touched != before:
             self.changed.emit()
 
@@ -127,7 +114,7 @@ class Hand(QObject):
         """Take hold of the handle under the pointer, or of the set piece whose outline it is on; false without any."""
         self.end_nudge()
         handle = self._hit(report)
-        if handle is None and not self._is_matching and self.pieces.choose(report):
+        if handle is None and not self._source.is_matching and self.pieces.choose(report):
             handle = self.handles.find(POSITION)
         self.selected_id = handle.id if handle else None
         if handle is not None:
@@ -172,7 +159,7 @@ class Hand(QObject):
             self.selected_id = None
             self.changed.emit()
             return True
-        if self._is_matching:
+        if self._source.is_matching:
             self.laid_down.emit()
             return True
         return False
@@ -208,13 +195,13 @@ class Hand(QObject):
         """Add a grounding point under the pointer and select it; false without a layer or on a handle."""
         self.pieces.go_back()
         layer_id = self._bridge.layer_id
-        if layer_id is None or self._is_matching or self._hit(report) is not None:
+        if layer_id is None or self._source.is_matching or self._hit(report) is not None:
             return False
         canvas_px = self._viewpoint.view.canvas_from_view(report.view_px)
         try:
             document = add_grounding(self._bridge.document, layer_id, self._bridge.frame, canvas_px)
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return False
         self._edit(QCoreApplication.translate("Hand", "Add grounding point"), document)
         points = [handle.id for handle in self.handles.handles if handle.index is not None]
@@ -262,7 +249,7 @@ class Hand(QObject):
 
     def _drop(self) -> None:
         """Forget everything about a session that was put away."""
-        self._held = self._nudging = self._seen = None
+        self._held = self._nudging = None
         self.hovered_id = self.selected_id = None
         self.changed.emit()
 
@@ -270,7 +257,3 @@ class Hand(QObject):
         if self.handles.find(self.selected_id) is None:
             self.selected_id = None
         self.changed.emit()
-
-
-def _same(old: tuple[object, ...], new: tuple[object, ...]) -> bool:
-    return old[0] is new[0] and old[1:] == new[1:]

@@ -36,6 +36,7 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.WAVE: (_STRONG, Qt.PenStyle.SolidLine),
     GuideKind.PIECE_EDGE: (_STRONG, Qt.PenStyle.SolidLine),
     GuideKind.PIECE_HIDDEN: (_CLEAR, Qt.PenStyle.DashLine),
+    GuideKind.PIECE_TOUCHED: (_STRONG, Qt.PenStyle.SolidLine),
     GuideKind.PIECE_OTHER: (_FAINT, Qt.PenStyle.SolidLine),
     GuideKind.PIECE_ARM: (_CLEAR, Qt.PenStyle.SolidLine),
     GuideKind.LEAN_ARM: (_STRONG, Qt.PenStyle.SolidLine),
@@ -46,8 +47,13 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.HORIZON: (_STRONG, Qt.PenStyle.DashDotLine),
 }
 
-_TONES = {GuideKind.FLOOR_FIRST: QColor("#E69F00"), GuideKind.FLOOR_SECOND: QColor("#56B4E9")}
-"""Guides that come in kinds are told apart by their dashes and by these; all others are white."""
+_TONES = {
+    GuideKind.FLOOR_FIRST: (QColor("#E69F00"), 2.0),
+    GuideKind.FLOOR_SECOND: (QColor("#56B4E9"), 2.0),
+    GuideKind.PIECE_EDGE: (SELECTED, 1.2),
+    GuideKind.PIECE_HIDDEN: (SELECTED, 1.2),
+}
+"""Colour and width of guides that come in kinds, which their dashes tell apart too; all others are white and thin."""
 
 
 _EXPLAINING: dict[GuideKind, tuple[str, ...]] = {
@@ -130,7 +136,8 @@ def paint_off_view_arrow(painter: QPainter, off: OffView, *, selected: bool) -> 
 def paint_guide(painter: QPainter, guide: Guide, view: View, area: QRectF) -> None:
     """Paint a guide where it is seen; ``area`` is the viewport, logical px."""
     alpha, style = _GUIDES[guide.kind]
-    tone, width = QColor(_TONES.get(guide.kind, _FILL)), 2.0 if guide.kind in _TONES else 1.0
+    known, width = _TONES.get(guide.kind, (_FILL, 1.0))
+    tone = QColor(known)
     tone.setAlpha(alpha)
     points = [view.view_from_canvas(point) for point in guide.points]
     ends = [*points[1:], points[0]] if guide.closed else points[1:]

@@ -36,9 +36,10 @@ class PieceTouch:
 
     @property
     def guides(self) -> tuple[Guide, ...]:
-        """The outline under the pointer."""
-        found = (each for each in self._outlines() if each.piece_id == self.hovered_id)
-        return tuple(Guide(GuideKind.PIECE_EDGE, line) for each in found for line in each.seen)
+        """The outline under the pointer, where it is not drawn already."""
+        touched = self.hovered_id if self.hovered_id != self._bridge.piece_id else None
+        found = (each for each in self._outlines() if each.piece_id == touched)
+        return tuple(Guide(GuideKind.PIECE_TOUCHED, line) for each in found for line in each.seen)
 
     def hover(self, report: PointerReport | None) -> None:
         """Look what is under the pointer; None where it has left, or is on something else."""
