@@ -78,7 +78,7 @@ class ProjectActions(QObject):
         one of what is in it.
         """
         if is_psd(path):
-            return self._try(lambda: self._desk.bring((CharacterSource(None, path),)))
+            return self._load(self._desk.bring((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
             return self.time_by(path)
         holder = self._lock.holder_of(path)
