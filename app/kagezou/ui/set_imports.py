@@ -22,6 +22,7 @@ from kagezou.session.set_following import follow_camera
 from kagezou.session.set_placing import of_piece
 from kagezou.session.set_sizing import FIGURE_METRES, sized
 from kagezou.ui.desk import Desk
+from kagezou.ui.sentences import sentence_of, spoken
 from kagezou.ui.set_bar import KEEP_VIEW, Measure, SetBar
 from kagezou.ui.viewport.picking import Picking
 
@@ -132,7 +133,7 @@ class SetImports(QObject):
             if not cameras:
                 raise
             self._import(replace(wanted, camera=KEEP_VIEW))
-            self.noted.emit(str(problem))
+            self.noted.emit(sentence_of(problem))
 
     def _import(self, wanted: _Settled) -> None:
         """Make the choices of an import the present document, as one step, whatever was chosen before."""
@@ -148,7 +149,7 @@ class SetImports(QObject):
         self._settled = replace(wanted, piece_id=imported.piece_id, up=up, made=imported.document)
         session.edit(self.tr("Import set"), imported.document)
         for note in imported.notes:
-            self.noted.emit(note)
+            self.noted.emit(spoken(note))
         self._show_bar()
 
     def _choose_camera(self, number: int) -> None:
@@ -251,7 +252,7 @@ class SetImports(QObject):
         try:
             do()
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
             self._show_bar()
         else:
             self.failed.emit("")
