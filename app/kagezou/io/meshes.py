@@ -7,7 +7,7 @@ import threading
 from collections import OrderedDict
 from io import BytesIO
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, TypeAlias
 
 import numpy as np
 
@@ -29,6 +29,10 @@ _USD: Final = (".usd", ".usda", ".usdc", ".usdz")
 _FARTHEST: Final = 1e9
 
 
+_Key: TypeAlias = tuple[Path, int, int]
+"""A state of a file: path, size and time of change."""
+
+
 class MeshCache:
     """Meshes read from files, bounded by memory, the least lately used going first; any thread may ask.
 
@@ -42,7 +46,8 @@ class MeshCache:
 
     def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
         self._limit_bytes = limit_bytes
-        self._kept: OrderedDict[tuple[Path, int, int], Mesh] = OrderedDict()
+        self._kept: OrderedDict[_Key, Mesh] = OrderedDict()
+        self._gates: dict[_Key, threading.Lock] = {}
         self._lock = threading.Lock()
 
     def mesh(self, path: Path) -> Mesh:
@@ -54,17 +59,34 @@ class MeshCache:
             It cannot be read.
         """
         key = (path, *_state_of(path))
-        # Two threads that want one mesh wait for one reading; there are few meshes in a project.
         with self._lock:
-            kept = self._kept.get(key)
+            kept = self._found(key)
+            if kept is not None:
+                return kept
+            gate = self._gates.setdefault(key, threading.Lock())
+        # Threads that want one mesh wait for one reading; those that want another, kept one do not.
+        with gate:
+            with self._lock:
+                kept = self._found(key)
             if kept is None:
-                for other in [each for each in self._kept if each[0] == path]:
-                    del self._kept[other]
-                kept = self._kept[key] = read_mesh(path)
-                while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
-                    self._kept.popitem(last=False)
+                kept = read_mesh(path)
+                with self._lock:
+                    self._keep(key, kept)
+        return kept
+
+    def _found(self, key: _Key) -> Mesh | None:
+        kept = self._kept.get(key)
+        if kept is not None:
             self._kept.move_to_end(key)
-            return kept
+        return kept
+
+    def _keep(self, key: _Key, mesh: Mesh) -> None:
+        self._gates.pop(key, None)
+        for other in [each for each in self._kept if each[0] == key[0]]:
+            del self._kept[other]
+        self._kept[key] = mesh
+        while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
+            self._kept.popitem(last=False)
 
 
 def is_mesh(path: Path) -> bool:

@@ -3,6 +3,7 @@
 What takes time comes as a ``Load``: read beside the window, then put on the desk at once.
 """
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -200,9 +201,12 @@ class Desk(QObject):
 
     def _read_first(self, document: Document, watch: Watch) -> None:
         """Read what the first frame shows, so that the viewport finds it there."""
-        wanted = [(self.cels.background, document.background)] if document.background else []
+        wanted: list[tuple[Callable[[Path], object], Path]] = []
+        if document.background is not None:
+            wanted.append((self.cels.background, document.background))
         first = (layer.cels.drawing_at(1) for layer in document.layers)
         wanted += [(self.cels.cel, drawing.path) for drawing in first if drawing is not None]
+        wanted += [(self.meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
         for index, (read, path) in enumerate(wanted):
             watch(Part.READING, index, len(wanted))
             try:

@@ -11,10 +11,11 @@ from kagezou.errors import Problem
 from kagezou.io.keepsake import Keepsake, forget
 from kagezou.io.project_file import next_version
 from kagezou.session.staging import CharacterSource
+from kagezou.session.watching import Part, Watch
 from kagezou.ui.arrivals import PROJECT_SUFFIX, TIMESHEET_SUFFIXES, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
-from kagezou.ui.load import AnyLoad
+from kagezou.ui.load import AnyLoad, Load
 from kagezou.ui.loading import Loading
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.project_lock import ProjectLock
@@ -178,7 +179,7 @@ class ProjectActions(QObject):
         elif arrivals.timesheet is not None:
             self.time_by(arrivals.timesheet)
         elif arrivals.set_file is not None:
-            self.set_arrived.emit(arrivals.set_file)
+            self._bring_set(arrivals.set_file)
         elif arrivals.background is not None:
             self._load(self._desk.put_background(arrivals.background))
         elif arrivals.characters:
@@ -222,6 +223,15 @@ class ProjectActions(QObject):
             self._bar.withdraw(_KEY)
 
         return self.loading.start(replace(load, put=put))
+
+    def _bring_set(self, path: Path) -> None:
+        """Read a set beside the window; what is then made of it finds it in memory."""
+
+        def read(watch: Watch) -> None:
+            watch(Part.FINDING, 0, 0)
+            self._desk.meshes.mesh(path)
+
+        self._load(Load(path.name, read, lambda _nothing: self.set_arrived.emit(path)))
 
     def _is_free(self) -> bool:
         """Whether the desk can take something: nobody drags, and no question is open about what lies on it."""
