@@ -12,6 +12,7 @@ from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
 from kagezou.render.mesh_display import Display, SetPicture
+from kagezou.render.received import ReceivedCoverage, ReceivedLayers
 from kagezou.render.set_pass import SetPass
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Format, Target
@@ -39,6 +40,7 @@ class ShadowLayers:
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
         self._set = SetPass(boxes, self._cast, self._shape, meshes)
+        self._received = ReceivedLayers(boxes, self._cast, cels, self._mattes)
         self._of_set: Coverage | None = None
         self._meshes = meshes
         self._set_cast: tuple[SetCast, tuple[Mesh, ...]] | None = None
@@ -54,7 +56,7 @@ class ShadowLayers:
     def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
         """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
         return (
-            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.path), scene.canvas)
+            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.source), scene.canvas)
         )
 
     def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
@@ -62,7 +64,7 @@ class ShadowLayers:
         if layer.cast is None:
             return None
         kept = self._kept(scene.canvas, layer.id)
-        matte = self._cels.matte(layer.cast.drawing.path)
+        matte = self._cels.matte(layer.cast.drawing.source)
         meshes = self._meshes_of(layer.cast.pieces)
         if kept.cast != layer.cast or kept.matte is not matte or kept.meshes != meshes:
             placed = self._mattes.placed(matte, scene.canvas)
@@ -75,6 +77,10 @@ class ShadowLayers:
             self.casts_drawn += 1
             self.filters_drawn += layer.cast.is_filtered
         return kept if kept.box is not None else None
+
+    def received(self, scene: Scene, layer: LayerScene) -> tuple[ReceivedCoverage, ...]:
+        """Return the covered parts of a character, on which others cast, by the looks of their shadows."""
+        return self._received.coverages(scene, layer)
 
     def set_coverage(self, scene: Scene) -> Coverage | None:
         """Return the covered parts of the shadow of the set itself, or None where it has none."""
@@ -101,6 +107,7 @@ class ShadowLayers:
         alive = {layer.id for layer in scene.layers}
         for layer_id in [each for each in self._by_layer if each not in alive]:
             self._by_layer.pop(layer_id).target.close()
+        self._received.forget_except(alive)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -109,6 +116,7 @@ class ShadowLayers:
         self._by_layer.clear()
         if self._of_set is not None:
             self._of_set.target.close()
+        self._received.close()
         self._set.close()
         self._shape.close()
         self._cast.close()

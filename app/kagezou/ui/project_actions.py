@@ -10,9 +10,11 @@ from PySide6.QtWidgets import QApplication
 from kagezou.errors import Problem
 from kagezou.io.keepsake import Keepsake, forget
 from kagezou.io.project_file import next_version
+from kagezou.io.signatures import is_psd
+from kagezou.session.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.session.staging import CharacterSource
 from kagezou.session.watching import Part, Watch
-from kagezou.ui.arrivals import PROJECT_SUFFIX, TIMESHEET_SUFFIXES, arrivals_of, whole_sequence
+from kagezou.ui.arrivals import PROJECT_SUFFIX, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
 from kagezou.ui.load import AnyLoad, Load
@@ -73,8 +75,11 @@ class ProjectActions(QObject):
     def open_path(self, path: Path) -> bool:
         """Open a project without asking about the old one; false if it turns out at once that it cannot be opened.
 
-        A timesheet, which drawing programs start us with, begins a project of the drawings beside it.
+        A timesheet, which drawing programs start us with, begins a project of the drawings beside it, and a PSD file
+        one of what is in it.
         """
+        if is_psd(path):
+            return self._try(lambda: self._desk.bring((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
             return self.time_by(path)
         holder = self._lock.holder_of(path)

@@ -13,9 +13,6 @@ from kagezou.ui.bridge import Bridge
 from kagezou.ui.sentences import sentence_of
 from kagezou.ui.words import choice_word
 
-KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
-"""The pieces that are made of nothing but measures, as the menu lists them."""
-
 _COPY_AWAY = 0.04
 """How far aside a copy stands, as a part of the canvas' width."""
 

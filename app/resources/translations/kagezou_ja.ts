@@ -2215,6 +2215,10 @@ Drop a folder of cels here.</source>
         <source>Change %1</source>
         <translation>%1を変更</translation>
     </message>
+    <message>
+        <source>Changed; double-click for the default, %1</source>
+        <translation>変更済み。ダブルクリックでデフォルト（%1）に戻す</translation>
+    </message>
 </context>
 <context>
     <name>Readout</name>
