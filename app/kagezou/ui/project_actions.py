@@ -13,11 +13,10 @@ from kagezou.io.project_file import next_version
 from kagezou.io.signatures import is_psd
 from kagezou.session.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.session.staging import CharacterSource
-from kagezou.session.watching import Part, Watch
 from kagezou.ui.arrivals import PROJECT_SUFFIX, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
-from kagezou.ui.load import AnyLoad, Load
+from kagezou.ui.load import AnyLoad
 from kagezou.ui.loading import Loading
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.project_lock import ProjectLock
@@ -43,8 +42,8 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
-    set_arrived = Signal(Path)
-    """A set from a 3-D program was dropped or chosen."""
+    set_read = Signal(Path, object)
+    """A set was read from a file, with its cameras, a tuple of SetCamera."""
 
     def __init__(self, desk: Desk, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()
@@ -79,7 +78,7 @@ class ProjectActions(QObject):
         one of what is in it.
         """
         if is_psd(path):
-            return self._try(lambda: self._desk.bring((CharacterSource(None, path),)))
+            return self._load(self._desk.bring((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
             return self.time_by(path)
         holder = self._lock.holder_of(path)
@@ -184,7 +183,7 @@ class ProjectActions(QObject):
         elif arrivals.timesheet is not None:
             self.time_by(arrivals.timesheet)
         elif arrivals.set_file is not None:
-            self._bring_set(arrivals.set_file)
+            self._load(self._desk.read_set(arrivals.set_file, self.set_read.emit))
         elif arrivals.background is not None:
             self._load(self._desk.put_background(arrivals.background))
         elif arrivals.characters:
@@ -228,15 +227,6 @@ class ProjectActions(QObject):
             self._bar.withdraw(_KEY)
 
         return self.loading.start(replace(load, put=put))
-
-    def _bring_set(self, path: Path) -> None:
-        """Read a set beside the window; what is then made of it finds it in memory."""
-
-        def read(watch: Watch) -> None:
-            watch(Part.FINDING, 0, 0)
-            self._desk.meshes.mesh(path)
-
-        self._load(Load(path.name, read, lambda _nothing: self.set_arrived.emit(path)))
 
     def _is_free(self) -> bool:
         """Whether the desk can take something: nobody drags, and no question is open about what lies on it."""
