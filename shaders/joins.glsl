@@ -16,7 +16,8 @@ mat2 join_turn(int index) {
 }
 
 // Full at the seam, nothing behind it and far from it; around its ends it goes over from the one to the other.
-float join_weight(int index, vec2 place) {
+// A pixel that the seam crosses may have its middle a pixel behind it.
+float join_weight(int index, vec2 place, float pixel_px) {
     vec4 seam = u_seams[index];
     vec2 run = seam.zw - seam.xy;
     float whole = max(length(run), 1e-6);
@@ -24,7 +25,7 @@ float join_weight(int index, vec2 place) {
     float along = dot(away, run) / whole;
     float before = (run.x * away.y - run.y * away.x) / whole;
     float beyond = max(max(-along, along - whole), 0.0);
-    float side = smoothstep(-1.0, 1.0, clamp((before + 1e-3) / max(beyond, 1e-4), -1.0, 1.0));
+    float side = smoothstep(-1.0, 1.0, clamp((before + pixel_px) / max(beyond, 1e-4), -1.0, 1.0));
     vec4 bands = u_join_bands[index];
     return bands.w * side * (1.0 - smoothstep(0.4 * bands.z, bands.z, length(vec2(before, beyond))));
 }

@@ -18,7 +18,7 @@
 #include "joins.glsl"
 #endif
 
-const int MAX_BANDS = 56;
+const int MAX_BANDS = 48;
 
 uniform sampler2D u_blurred;
 uniform sampler2D u_sharp;             // the shadow as it was cast, on the canvas
@@ -100,8 +100,9 @@ void main() {
     vec4 others = vec4(0.0);
     float shares = 0.0;
     float most = 0.0;
+    float pixel_px = 1.5 * max(length(step_plane[0]), length(step_plane[1]));
     for (int i = 0; i < u_join_count; ++i) {
-        float weight = join_weight(i, plane);
+        float weight = join_weight(i, plane, pixel_px);
         if (weight > 0.0) {
             mat2 turn = join_turn(i);
             vec2 there = turn * plane + u_join_shifts[i].xy;
@@ -111,8 +112,15 @@ void main() {
             most = max(most, weight);
         }
     }
+#ifdef EDGE
+    // The inverse normal distribution takes the smallest slope for an edge, where there is but a passing over.
+    vec2 passing = vec2(0.0);
+#else
+    vec2 passing = vec2(dFdx(most), dFdy(most)) * inverse(step_plane);
+#endif
     if (shares > 0.0) {
-        field = mix(field, others.xyz / shares, most);
+        field = vec3(mix(field.x, others.x / shares, most),
+                     mix(field.yz, others.yz / shares, most) + passing * (others.x / shares - field.x));
         away = mix(away, others.w / shares, most);
     }
 #endif

@@ -11,6 +11,7 @@ not neighbours on one chart they are joined: near the seam they pass over into a
 import heapq
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -73,6 +74,8 @@ class Sheet:
         (2, 2): the ends of the hinge, flat.
     chart
         On which chart it is looked up; the ground's own is 0.
+    is_guest
+        Whether it is looked up elsewhere, and lies here for the sake of its neighbour, under all others.
     """
 
     face: FlatFace
@@ -80,6 +83,7 @@ class Sheet:
     parent: int
     seam: Matrix
     chart: int = 0
+    is_guest: bool = False
 
     @property
     def corners(self) -> Matrix:
@@ -103,6 +107,8 @@ class Join:
         (3, 3): from flat places of the receiver to those of the other chart.
     most
         How much of the value is the other chart's at the seam.
+    guest
+        The receiver as it is to be laid on the other chart, where it is not there yet.
     """
 
     sheet: int
@@ -110,6 +116,16 @@ class Join:
     chart: int
     there_from_here: Matrix
     most: float
+    guest: Sheet | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """A part of a chart: the polygon (N, 2) in which a sheet's plane is seen, and those that lie over it."""
+
+    sheet: int
+    corners: Matrix
+    over: list[Matrix]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -124,17 +140,44 @@ class Development:
         The sheets that lie on each chart, the first of which, the ground's own, has none.
     joins
         Where receivers that meet are looked up on different charts.
+    crowded
+        The charts whose sheets lie closer together than they should.
     """
 
     sheets: tuple[Sheet, ...]
     charts: tuple[tuple[int, ...], ...]
     joins: tuple[Join, ...]
+    crowded: frozenset[int] = frozenset()
 
-    def covering(self, chart: int, sheet: int) -> tuple[int, ...]:
-        """Return the sheets of a chart that are laid over another one of it: what stands on that."""
-        later = [each for each in self.charts[chart] if each > sheet]
-        corners = self.sheets[sheet].corners
-        return tuple(each for each in later if _common_area(corners, self.sheets[each].corners) > _COVERING_PX2)
+    def outlines(self, chart: int, beyond_px: float) -> list["Outline"]:
+        """Return what of the sheets of a chart is to be seen, flat.
+
+        Beyond edges without a hinge a face's plane goes on for a while, so that the set's own edges blur no shadow; but
+        not over other faces, nor where there is no room for it.
+        """
+        beyond_px = 0.0 if chart in self.crowded else beyond_px
+        laid = self.charts[chart]
+        own = {each: self.sheets[each].corners for each in laid}
+        wide = {each: _widened(own[each], self._hinges(each, laid), beyond_px) for each in laid}
+        found: list[Outline] = []
+        for each in laid:
+            upper = [other for other in laid if self._is_over(other, each)]
+            standing = [own[other] for other in upper if _covers(own[other], own[each])]
+            beside = [own[other] for other in laid if _covers(own[other], wide[each])]
+            beside += [wide[other] for other in upper if _covers(wide[other], wide[each])]
+            found += [Outline(each, own[each], standing), Outline(each, wide[each], beside)]
+        return found
+
+    def _is_over(self, number: int, other: int) -> bool:
+        """Whether one sheet of a chart lies over another: what stands on it does, and all do over guests."""
+        guests = self.sheets[number].is_guest, self.sheets[other].is_guest
+        if guests[0] != guests[1]:
+            return guests[1]
+        return number < other if guests[0] else number > other
+
+    def _hinges(self, number: int, laid: Sequence[int]) -> list[Matrix]:
+        """Return the hinges of a sheet with what lies on the same chart."""
+        return [self.sheets[number].seam, *(self.sheets[e].seam for e in laid if self.sheets[e].parent == number)]
 
     def joins_of(self, sheet: int) -> tuple[Join, ...]:
         """Return the joins of a receiver."""
@@ -159,7 +202,7 @@ def lines_of(corners: Matrix) -> Matrix:
     return np.asarray(lines * np.where(lines @ middle >= 0, 1.0, -1.0)[:, np.newaxis])
 
 
-def unfolded(contact: Plane, faces: Sequence[FlatFace], most_charts: int) -> Development:
+def unfolded(contact: Plane, faces: Sequence[FlatFace], most_charts: int, apart_px: float) -> Development:
     """Lay faces flat, from the ground outward, those nearest to the contact line first.
 
     Parameters
@@ -170,6 +213,8 @@ def unfolded(contact: Plane, faces: Sequence[FlatFace], most_charts: int) -> Dev
         Those that are lit; faces that meet neither the ground nor another one that does are left out.
     most_charts
         With the ground's own; faces that have no place on them are left out.
+    apart_px
+        How far apart faces that do not hang together lie on one chart, as long as there is room on others.
     """
     sheets: list[Sheet] = []
     seams = [(ends, GROUND, index) for index, face in enumerate(faces) for ends in _on_ground(contact, face)]
@@ -194,7 +239,7 @@ def unfolded(contact: Plane, faces: Sequence[FlatFace], most_charts: int) -> Dev
         sheets.append(Sheet(faces[child], _hinge(faces[child].local(ends), flat), parent, flat))
         own = faces[child]
         offer([(at, number_of[child], index) for index, each in enumerate(faces) for at in _seams(own, each)])
-    return _charted(sheets, most_charts)
+    return _charted(sheets, most_charts, apart_px)
 
 
 def _is_coplanar(first: FlatFace, second: FlatFace) -> bool:
@@ -209,6 +254,7 @@ def _on_ground(contact: Plane, face: FlatFace) -> list[Matrix]:
     return [face.corners[[i, j]] for i, j in enumerate(following) if touches[i] and touches[j]]
 
 
+@lru_cache(maxsize=4096)
 def _seams(first: FlatFace, second: FlatFace) -> list[Matrix]:
     """Return the edges (2, 3) of the second face that lie on the first, or of the first on the second."""
     if first is second:
@@ -239,23 +285,32 @@ def _hinge(own: Matrix, flat: Matrix) -> Matrix:
     return result
 
 
-def _charted(sheets: Sequence[Sheet], most_charts: int) -> Development:
-    """Give every sheet a chart on which nothing but what it stands on is covered by it."""
+def _charted(sheets: Sequence[Sheet], most_charts: int, apart_px: float) -> Development:
+    """Give every sheet a chart on which it neither lies over others nor is felt by them, while there is room."""
     charts: list[list[int]] = [[]]
+    crowded: set[int] = set()
     placed: list[Sheet] = []
     for number, sheet in enumerate(sheets):
-        corners = sheet.corners
         line = _line(sheets, sheet.parent)
         home = placed[sheet.parent].chart if sheet.parent != GROUND else 0
-        order = [home, *(index for index in range(1, len(charts)) if index != home)] if home else range(1, len(charts))
-        chart = next((c for c in order if _is_free(corners, line, charts[c], placed)), 0)
+        order = sorted(range(1, len(charts)), key=lambda index: index != home)
+        mine = [sheet.corners, *(placed[each].corners for each in line)]
+        chart = _free_chart(order, charts, line, placed, mine, apart_px)
         if chart == 0 and len(charts) < most_charts:
             chart = len(charts)
             charts.append([])
+        if chart == 0:
+            chart = _free_chart(order, charts, line, placed, mine, 0.0)
+            crowded.add(chart)
         if chart:
             charts[chart] = sorted({*charts[chart], *line, number})
         placed.append(Sheet(sheet.face, sheet.flat_from_plane, sheet.parent, sheet.seam, chart))
-    return Development(tuple(placed), tuple(tuple(each) for each in charts), tuple(_joins(placed)))
+    joins = tuple(_joins(placed))
+    for join in joins:
+        if join.guest is not None and join.chart not in crowded:
+            charts[join.chart].append(len(placed))
+            placed.append(join.guest)
+    return Development(tuple(placed), tuple(tuple(each) for each in charts), joins, frozenset(crowded))
 
 
 def _line(sheets: Sequence[Sheet], number: int) -> list[int]:
@@ -267,11 +322,38 @@ def _line(sheets: Sequence[Sheet], number: int) -> list[int]:
     return found
 
 
-def _is_free(corners: Matrix, line: Sequence[int], chart: Sequence[int], placed: Sequence[Sheet]) -> bool:
-    others = [each for each in chart if each not in line]
-    # What it hangs on comes with it.
-    mine = [corners, *(placed[each].corners for each in line if each not in chart)]
-    return all(_common_area(one, placed[each].corners) <= _COVERING_PX2 for each in others for one in mine)
+def _free_chart(
+    order: Sequence[int],
+    charts: Sequence[Sequence[int]],
+    line: Sequence[int],
+    placed: Sequence[Sheet],
+    mine: Sequence[Matrix],
+    apart_px: float,
+) -> int:
+    """Return the first chart with nothing but the line of a sheet nearer to it than ``apart_px``; 0 for none."""
+    grown = [_widened(corners, (), apart_px) for corners in mine]
+    for chart in order:
+        others = [placed[each].corners for each in charts[chart] if each not in line]
+        if not any(_covers(other, one) for other in others for one in grown):
+            return chart
+    return 0
+
+
+def _covers(first: Matrix, second: Matrix) -> bool:
+    return _common_area(first, second) > _COVERING_PX2
+
+
+def _widened(corners: Matrix, hinges: Sequence[Matrix], by_px: float) -> Matrix:
+    """Return a convex polygon (N, 2) whose sides, but for those that lie on hinges, are moved outward."""
+    lines = lines_of(corners)
+    for line in lines:
+        on_hinge = any(float(np.abs(hinge @ line[:2] + line[2]).max()) < _TOUCHING_PX for hinge in hinges)
+        line[2] += 0.0 if on_hinge else by_px
+    low, high = corners.min(axis=0) - 2 * by_px, corners.max(axis=0) + 2 * by_px
+    polygon = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
+    for line in lines:
+        polygon = clipped(polygon, line)
+    return polygon
 
 
 def _common_area(first: Matrix, second: Matrix) -> float:
@@ -297,16 +379,19 @@ def _joins(sheets: Sequence[Sheet]) -> list[Join]:
             if is_hinge or not sheet.chart or not other.chart:
                 continue
             for ends in _seams(sheet.face, other.face):
-                joins += [_cut(number, sheet, other, ends), _cut(other_number, other, sheet, ends)]
+                joins += [_cut(sheets, number, other_number, ends), _cut(sheets, other_number, number, ends)]
     return joins
 
 
-def _cut(number: int, own: Sheet, other: Sheet, ends: Matrix) -> Join:
+def _cut(sheets: Sequence[Sheet], number: int, neighbour: int, ends: Matrix) -> Join:
     """Return the join of a sheet at an edge where the flat paper is cut."""
+    own, other = sheets[number], sheets[neighbour]
     here = moved(own.flat_from_plane, own.face.local(ends))
     there = moved(other.flat_from_plane, other.face.local(ends))
     seam = _beside(here, own.corners.mean(axis=0), is_left=True)
-    return Join(number, seam, other.chart, _hinge(here, there), 0.5)
+    hinge = _hinge(here, there)
+    guest = Sheet(own.face, hinge @ own.flat_from_plane, neighbour, there, other.chart, is_guest=True)
+    return Join(number, seam, other.chart, hinge, 0.5, guest)
 
 
 def _beside(seam: Matrix, point: Matrix, *, is_left: bool) -> Matrix:

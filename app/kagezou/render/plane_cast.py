@@ -1,26 +1,30 @@
 """The united shadow on its receiver, cast once: for the strips it is blurred in, and for its own moments."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import reduce
+from itertools import groupby, pairwise
 from math import ceil, floor, log2
 
 import numpy as np
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.development import lines_of, moved
-from kagezou.geometry.regions import Group, Region
+from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.level import Floats as Texels
 from kagezou.render.mattes import PlacedMatte
-from kagezou.render.program import Program
-from kagezou.render.set_adding import Adding
-from kagezou.render.set_tiles import Mask
-from kagezou.render.shape_job import Chart, Job, View, extent_of
+from kagezou.render.program import Program, Uniform, Variants
+from kagezou.render.shape_job import Chart, Job, View, beyond_of, extent_of
 from kagezou.render.targets import LAST_LEVEL, Format, Target
 from kagezou.render.tiles import CELLS
 from kagezou.scene.scene import ShadowCast
+
+_MOST_POLYGONS, _MOST_SIDES = 24, 120
+
+_TABLES = frozenset({f"MAX_POLYGONS {_MOST_POLYGONS}", f"MAX_SIDES {_MOST_SIDES}"})
 
 _OUTLINED_TEXELS = 64
 
@@ -35,35 +39,47 @@ class PlaneCast:
         self._boxes = boxes
         self._caster = caster
         self._reduce = Program("box.vert", "reduce.frag")
-        self._adding = Adding(boxes, caster)
-        self._whole: Target | None = None
+        self._paste = Variants("box.vert", "paste.frag")
+        self._copy = Program("box.vert", "shifted.frag")
+        self._wholes: list[Target | None] = [None, None]
+        self._ground_first: tuple[int, ...] = (0, 0)
+        self._ground_box = Box(0, 0, 0, 0)
         self._alone: Target | None = None
 
     def close(self) -> None:
         """Give the memory back."""
         self._reduce.close()
-        self._adding.close()
-        for target in (self._whole, self._alone):
+        self._paste.close()
+        self._copy.close()
+        for target in (*self._wholes, self._alone):
             if target is not None:
                 target.close()
 
     def fill(self, job: Job, chart: Chart, shadow: Target) -> None:
-        """Cast the shadow once, at least as fine as any strip wants it, and fill a chart's strips with means of it."""
-        level = min((_COARSEST_CAST, *(strip.band.level for strip in chart.strips)))
+        """Cast the shadow once, at least as fine as any strip wants it, and fill a chart's strips with means of it.
+
+        The first chart of a job, that of the ground alone, is asked for before the others, which have it under theirs.
+        """
+        level = min((_COARSEST_CAST, *(strip.band.level for strip in job.strips)))
         texel = 2.0**level
         low, high = (chart.extent.left, chart.extent.low), (chart.extent.right, chart.extent.high)
         first = tuple(floor(each / texel) - 1 for each in low)
         width, height = (ceil(end / texel) + 1 - start for end, start in zip(high, first, strict=True))
         box = Box(0, 0, width, height)
-        whole = self._whole_of(width, height)
+        is_first = not job.development.charts[chart.number]
+        if is_first:
+            self._ground_first = first
+        whole = self._whole_of(width, height, of_ground=is_first)
         whole.clear(box)
         plane_from_whole = np.array([[texel, 0.0, first[0] * texel], [0.0, texel, first[1] * texel], [0.0, 0.0, 1.0]])
         # The shape alone is filtered; how strong it is under a low light is told where it is shown.
         window = Window(box, plane_from_whole, _cells_at(level), is_shape_only=True)
-        if job.development.charts[chart.number]:
-            self._cast_sheets(job, chart, whole, window)
-        else:
+        if is_first:
             self._cast(View.of_ground(job, box), whole, window)
+            self._ground_box = box
+        else:
+            self._lay_ground(whole, box, first)
+            self._cast_sheets(job, chart, whole, window)
         for strip in chart.strips:
             corner = (round(strip.band.needed.left / texel) - first[0], round(strip.band.needed.low / texel) - first[1])
             shadow.bind(strip.box)
@@ -88,21 +104,50 @@ class PlaneCast:
         return self._caster.unite(cast, view.job.matte, target, on_canvas)
 
     def _cast_sheets(self, job: Job, chart: Chart, whole: Target, window: Window) -> None:
-        """Cast the shadow on the ground and on each sheet of a chart, and add up what lies uppermost."""
+        """Cast the shadow on each sheet of a chart, and lay what is uppermost over the ground."""
         assert window.canvas_from_target is not None
         alone = self._alone_of(whole)
-        laid = job.development.charts[chart.number]
-        outlines = {number: _outline_on(job, number, window.canvas_from_target) for number in laid}
-        parts = [(View.of_ground(job, window.box), Mask(None, _over(outlines, laid), ()))]
-        for number in laid:
-            over = job.development.covering(chart.number, number)
-            mask = Mask(Group((outlines[number],), overlaps=False), _over(outlines, over), ())
-            parts.append((View.of_sheet(job, number, window.box), mask))
-        for view, mask in parts:
-            box = self._cast(view, alone, window)
+        flat_from_target = np.eye(3)
+        flat_from_target[:2, :2] = job.ground_from_blurred
+        target_from_flat = np.linalg.inv(flat_from_target @ window.canvas_from_target)
+        outlines = job.development.outlines(chart.number, beyond_of(job, chart))
+        for number, group in groupby(outlines, key=lambda outline: outline.sheet):
+            parts = [[moved(target_from_flat, each) for each in (outline.corners, *outline.over)] for outline in group]
+            boxes = [bounding_box(polygons[0]) for polygons in parts]
+            around = [box for box in (each and each.grown(1).intersection(window.box) for each in boxes) if box]
+            if not around:
+                continue
+            part = reduce(Box.union, around)
+            box = self._cast(View.of_sheet(job, number, window.box), alone, replace(window, box=part))
+            for polygons in parts:
+                self._lay(alone, polygons, part, whole)
             if box is not None:
-                self._adding.add(mask, alone, box, whole)
                 alone.clear(box)
+
+    def _lay_ground(self, whole: Target, box: Box, first: tuple[int, ...]) -> None:
+        """Copy the shadow on the ground alone into a picture of another part of it."""
+        ground = self._wholes[0]
+        assert ground is not None
+        shift = [own - other for own, other in zip(self._ground_first, first, strict=True)]
+        part = self._ground_box.moved(*shift).intersection(box)
+        if part is not None:
+            whole.bind(part)
+            ground.texture.bind(0)
+            uniforms: dict[str, Uniform] = {"u_target_size_px": whole.size_px, "u_source": 0}
+            self._copy.use(uniforms | {"u_shift": (float(shift[0]), float(shift[1]))})
+            self._boxes.draw_one(part)
+
+    def _lay(self, alone: Target, polygons: Sequence[Matrix], box: Box, whole: Target) -> None:
+        """Lay what is within the first polygon, and within none of the others, into the picture of them all."""
+        sides = [lines_of(polygon) for polygon in polygons[:_MOST_POLYGONS] if len(polygon)]
+        ends = np.cumsum([0, *(len(each) for each in sides)])
+        whole.bind(box)
+        alone.texture.bind(0)
+        uniforms: dict[str, Uniform] = {"u_target_size_px": whole.size_px, "u_source": 0, "u_polygon_count": len(sides)}
+        uniforms["u_sides"] = np.pad(np.concatenate(sides), ((0, 0), (0, 1)))[:_MOST_SIDES]
+        uniforms["u_polygons"] = np.array([(first, last, 0, 0) for first, last in pairwise(ends)], np.float64)
+        self._paste[_TABLES].use(uniforms)
+        self._boxes.draw_one(box)
 
     def outlined(self, cast: ShadowCast, matte: PlacedMatte, canvas_from_plane: Matrix) -> Texels:
         """Return the whole shadow on its receiver in few texels, to see how long it is."""
@@ -111,7 +156,7 @@ class PlaneCast:
             return np.zeros((0, 0), np.float32)
         texel = max(extent.right - extent.left, extent.high - extent.low) / _OUTLINED_TEXELS
         box = Box(0, 0, *(ceil(side / texel) for side in (extent.right - extent.left, extent.high - extent.low)))
-        shadow = self._whole_of(box.width, box.height)
+        shadow = self._whole_of(box.width, box.height, of_ground=True)
         shadow.clear(box)
         plane_from_texel = np.array([[texel, 0.0, extent.left], [0.0, texel, extent.low], [0.0, 0.0, 1.0]])
         cells = _cells_at(max(ceil(log2(texel)), 0))
@@ -129,16 +174,16 @@ class PlaneCast:
             self._alone.clear()
         return self._alone
 
-    def _whole_of(self, width: int, height: int) -> Target:
+    def _whole_of(self, width: int, height: int, *, of_ground: bool) -> Target:
         """Return a target of at least a size for the shadow before it is blurred."""
-        old = self._whole
+        index = 0 if of_ground else 1
+        old = self._wholes[index]
         if old is None or old.box.width < width or old.box.height < height:
             if old is not None:
                 width, height = max(width, old.box.width), max(height, old.box.height)
                 old.close()
-            self._whole = Target(width, height, Format.ALPHA16)
-        assert self._whole is not None
-        return self._whole
+            old = self._wholes[index] = Target(width, height, Format.ALPHA16)
+        return old
 
 
 def _cells_at(level: int) -> int:
@@ -148,15 +193,3 @@ def _cells_at(level: int) -> int:
     fill a cell there have to be more of them again.
     """
     return CELLS[-1] if level < 2 else min(max(16, 1 << max(level - LAST_LEVEL + 3, 0)), CELLS[-1])
-
-
-def _outline_on(job: Job, number: int, blurred_from_target: Matrix) -> Region:
-    """Return where a sheet lies on a picture of the blur's plane."""
-    flat_from_target = np.eye(3)
-    flat_from_target[:2, :2] = job.ground_from_blurred
-    target_from_flat = np.linalg.inv(flat_from_target @ blurred_from_target)
-    return Region(lines_of(moved(target_from_flat, job.development.sheets[number].corners)))
-
-
-def _over(outlines: Mapping[int, Region], numbers: Sequence[int]) -> tuple[Group, ...]:
-    return (Group(tuple(outlines[number] for number in numbers), overlaps=False),) if numbers else ()

@@ -27,6 +27,8 @@ from kagezou.render.set_adding import Adding, OwnShade
 from kagezou.render.set_round import RoundLit, RoundPass
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Mask
+from kagezou.render.shape_charts import Receivers
+from kagezou.render.shape_job import View
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Target
 from kagezou.scene.pieces import PieceScene, SetCast
@@ -51,6 +53,9 @@ class _Lit:
 
 
 _Character = tuple[ShadowCast, PlacedMatte]
+
+_Shaped = dict[Face, tuple[Target, Box | None]]
+"""Filtered shadows, each on a face as if nothing else were there."""
 
 
 class SetPass:
@@ -79,13 +84,16 @@ class SetPass:
         if matte is None:
             return None
         stage = self._stage(cast.camera, target.box, cast.receivers[0], cast.pieces)
-        shaped = self._shaped(cast, matte, target) if cast.is_filtered else None
+        shaped = self._shaped(stage, cast, matte, target) if cast.is_filtered else None
         drawn: Box | None = None
         for light in cast.lights:
             lit = _Lit(stage, light, stage.veils(light, _blocks))
             own = target if len(cast.lights) == 1 else self._scratch("light", target)
             box = self._draw_light(lit, cast, matte, own, shaped)
             drawn = self._united(own, box, target, drawn)
+        for alone, box in (shaped or {}).values():
+            if box is not None:
+                alone.clear(box)
         return drawn
 
     def draw_own(self, cast: SetCast, target: Target, old: Box | None) -> Box | None:
@@ -114,7 +122,7 @@ class SetPass:
         return self._caster.unite(alone, matte, target, Window(face.box))
 
     def _draw_light(
-        self, lit: _Lit, cast: ShadowCast, matte: PlacedMatte, target: Target, shaped: tuple[Target, Box | None] | None
+        self, lit: _Lit, cast: ShadowCast, matte: PlacedMatte, target: Target, shaped: _Shaped | None
     ) -> Box | None:
         """Add up what one light casts on all faces; return the box that may hold it."""
         stage = lit.stage
@@ -123,12 +131,12 @@ class SetPass:
         for face in stage.faces:
             if not stage.receives(face):
                 continue
-            of_ground = shaped if face.body == GROUND else None
-            if of_ground is None and len(cast.card.pieces) == 1:
+            of_face = None if shaped is None else shaped.get(face)
+            if of_face is None and len(cast.card.pieces) == 1:
                 found = strokes(cast, (face.plane, lit.light), matte, Window(face.box))
                 single += [(self._mask(lit, face), each) for each in found if each.grid.touched.any()]
             else:
-                drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_ground))
+                drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_face))
         asides = [self._scratch(f"edges {number}", target) for number in range(min(len(single), _MOST_ASIDES))]
         drawn = _around(drawn, self._adding.add_strokes(single, asides, target) if single else None)
         for round_face in stage.rounds:
@@ -171,11 +179,26 @@ class SetPass:
         alone.clear(box)
         return drawn
 
-    def _shaped(self, cast: ShadowCast, matte: PlacedMatte, target: Target) -> tuple[Target, Box | None]:
-        """Draw the filtered shadow on the ground as if nothing stood there; filters work on the ground alone."""
-        shaped = self._scratch("shaped", target)
-        shaped.clear()
-        return shaped, self._shaper.draw(replace(cast, pieces=()), matte, shaped, None)
+    def _shaped(self, stage: Stage, cast: ShadowCast, matte: PlacedMatte, target: Target) -> _Shaped:
+        """Draw the filtered shadow on the ground and on every flat face it reaches, each as if it were seen alone."""
+        ground = next((face for face in stage.faces if face.body == GROUND), None)
+        if ground is None:
+            return {}
+        bodies = {index: body for index, body in enumerate(stage.bodies) if stage.owners[index].receives}
+        unlit = ground.unlit(stage.veils(cast.lights[0], _blocks))
+        blurred = self._shaper.blurred(replace(cast, pieces=()), matte, Receivers(bodies, unlit))
+        if blurred is None:
+            return {}
+        views = {ground: View.of_ground(blurred.job, ground.box)}
+        for number, sheet in enumerate(blurred.job.development.sheets):
+            for face in stage.faces:
+                if sheet.chart and not sheet.is_guest and face.body == sheet.face.body and face.plane == sheet.face.plane:
+                    views[face] = View.of_sheet(blurred.job, number, face.box)
+        shaped: _Shaped = {}
+        for number, (face, view) in enumerate(views.items()):
+            alone = self._scratch(f"shaped {number}", target)
+            shaped[face] = alone, self._shaper.show(blurred, view, alone)
+        return shaped
 
     def _add_own(self, lit: _Lit, face: Face, target: Target) -> Box | None:
         """Add what the set takes from one light on one face."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,16 +10,19 @@ from numpy.typing import NDArray
 from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of
 from kagezou.geometry.development import Development, FlatFace, lines_of, moved, unfolded
 from kagezou.geometry.ground import canvas_from_plane
-from kagezou.geometry.pieces import Body, Solid
+from kagezou.geometry.pieces import Body, Facet, Solid
 from kagezou.geometry.regions import Group
 from kagezou.geometry.vectors import Matrix, height_over
 from kagezou.render.atlas import Strip, laid_out
 from kagezou.render.mattes import PlacedMatte
-from kagezou.render.shape_job import Chart, Job, View, extent_of
+from kagezou.render.shape_job import Chart, Job, View, beyond_of, extent_of
 from kagezou.render.shape_uniforms import MAX_BANDS
 from kagezou.scene.scene import ShadowCast
 
 _MOST_CHARTS = 6
+
+_APART = 0.6
+"""How far apart faces lie on a chart, as a part of how far they go on beyond their edges."""
 
 _MARGIN_PX = 4.0
 
@@ -39,10 +43,16 @@ def flat_faces(cast: ShadowCast, receivers: Receivers) -> list[FlatFace]:
             continue
         for facet in body.facets:
             is_turned = body.is_sheet and float(np.dot(facet.equation, cast.camera.eye)) < 0
-            plane = facet.plane(is_turned=is_turned)
-            if any(height_over(plane.equation, light) > 0 for light in cast.lights):
-                found.append(FlatFace(index, plane, np.array(facet.corners)))
+            face = _flat_face(index, facet, is_turned=is_turned)
+            if any(height_over(face.plane.equation, light) > 0 for light in cast.lights):
+                found.append(face)
     return found
+
+
+@lru_cache(maxsize=1024)
+def _flat_face(index: int, facet: Facet, *, is_turned: bool) -> FlatFace:
+    """Return a facet as a receiver; kept, as what is known of it is."""
+    return FlatFace(index, facet.plane(is_turned=is_turned), np.array(facet.corners))
 
 
 def charted(job: Job, receivers: Receivers) -> Job:
@@ -51,7 +61,7 @@ def charted(job: Job, receivers: Receivers) -> Job:
     alone = replace(job, charts=(Chart(job.extent, flat),))
     faces = [face for face in flat_faces(job.cast, receivers) if _is_reached(job, face)]
     for most in range(_MOST_CHARTS if faces else 0, 1, -1):
-        development = unfolded(job.plane, faces, most)
+        development = unfolded(job.plane, faces, most, _APART * beyond_of(job, alone.charts[0]))
         if len(development.charts) == 1:
             return alone
         job = replace(job, development=development)
@@ -83,7 +93,7 @@ def counted_texels(job: Job, receivers: Receivers, chart: Chart, strip: Strip, m
     places = np.tensordot(stretch @ strip.plane_from_atlas, texels, axes=1)
     result = np.zeros(x.shape, np.bool_)
     for sheet in job.development.sheets:
-        if sheet.chart == chart.number:
+        if sheet.chart == chart.number and not sheet.is_guest:
             result |= np.logical_and.reduce([np.tensordot(line, places, axes=1) >= 0 for line in lines_of(sheet.corners)])
     return result
 
@@ -135,7 +145,7 @@ def _extent(job: Job, number: int) -> Extent:
     parts: list[Extent] = []
     for index in development.charts[number]:
         sheet = development.sheets[index]
-        if sheet.chart != number:
+        if sheet.chart != number or sheet.is_guest:
             continue
         view = View.of_sheet(job, index, job.matte.box)
         cast = replace(job.cast, receivers=(view.receiver,))

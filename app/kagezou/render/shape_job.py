@@ -30,6 +30,10 @@ _FULL_AT_ONCE = 2.5
 """Already half a px of growth, softness or waves has the finest blur, so that nothing of the sharp shadow is left."""
 
 
+_BEYOND_SIGMAS = 2.5
+"""How far, in standard deviations of its blur, a face that is laid flat goes on beyond its free edges."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Chart:
     """A picture of the flat shadow: the ground, with some faces of a set laid over it.
@@ -132,6 +136,12 @@ class Job:
             for v in places
             if isfinite(v) and self.blur.sigma_at(v) > 0
         )
+
+
+def beyond_of(job: Job, chart: Chart) -> float:
+    """Return how far a face that is laid flat goes on beyond its free edges: as far as it is felt, px."""
+    farthest = max(abs(chart.extent.low), abs(chart.extent.high))
+    return _BEYOND_SIGMAS * job.blur.sigma_at(farthest) * float(np.abs(job.ground_from_blurred).max()) + 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

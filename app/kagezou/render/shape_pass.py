@@ -32,6 +32,7 @@ from kagezou.render.shape_job import LARGEST_PLANE_PX, Job, View, blur_of, elong
 from kagezou.render.shape_uniforms import shape_uniforms, strength, width_uniforms
 from kagezou.render.targets import Format, Target
 from kagezou.render.tiles import Boxes as TileBoxes
+from kagezou.render.tiles import around_boxes
 from kagezou.scene.scene import ShadowCast
 
 _MARGIN_TEXELS = 2
@@ -128,6 +129,7 @@ class ShapePass:
                 looks.append(Look(blurred.pairs(join.chart), there, view.seam_of(join), view.reach_of(join)))
             tiles = outline_tiles(looks, _reach(view.job, blurred.level), view.job.blur, box)
             self._show_tiles(view, target, box, tiles, blurred.level)
+            box = around_boxes(np.concatenate(tiles))
         return box
 
     def close(self) -> None:

@@ -15,7 +15,7 @@ from kagezou.render.program import Uniform
 from kagezou.render.shape_job import Job, View
 from kagezou.scene.scene import Edge, Water
 
-MAX_BANDS = 56
+MAX_BANDS = 48
 MAX_JOINS = 16
 _MAX_RIPPLES = 2
 _NONE: frozenset[str] = frozenset()
