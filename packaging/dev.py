@@ -27,6 +27,8 @@ from dev_venv import Environment
 
 ROOT = Path(__file__).resolve().parents[1]
 OLDEST, NEWEST = (3, 11), (3, 13)
+PROCESSES = min(os.cpu_count() or 1, 3)
+"""Of the tests: the windows among them share one screen and so one process, which takes about as long as all others."""
 VERBS = ("demo", "app", "test", "lint", "setup")
 FIXTURES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("tests/*/conftest.py"))
 CHECKS = (
@@ -89,8 +91,9 @@ def run_checks(environment: Environment) -> list[str]:
 
 def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     """Run pytest on a screen of its own; the last line on stdout is pytest's summary."""
-    # A part of the tests cannot reach the coverage that all of them must.
-    selection = arguments or ("--cov", "--cov-report=term-missing:skip-covered")
+    # A part of the tests cannot reach the coverage that all of them must, and is not worth several processes.
+    whole = ("--cov", "--cov-report=term-missing:skip-covered", "--numprocesses", str(PROCESSES), "--dist", "loadgroup")
+    selection = arguments or whole
     with private_display() as variables:
         say("-- pytest")
         return subprocess.call([str(environment.python), "-m", "pytest", *selection], cwd=ROOT, env=variables)

@@ -10,7 +10,7 @@
 #include "edge.glsl"
 #include "grazing.glsl"
 
-uniform sampler2D u_matte;             // alpha of the drawing, with a rim of empty texels
+uniform sampler2D u_matte;             // alpha of the drawing: texels and their neighbours, with a rim of empty ones
 uniform vec2 u_origin_px;              // canvas px around which the forms below are given, for precision
 uniform mat3 u_texel_from_pixel;       // canvas px - origin -> matte texels, texel centres at +0.5
 
@@ -39,20 +39,13 @@ float mean_alpha(vec2 texel, int level) {
 }
 #endif
 
-float alpha_of(int x, int y) {
-    return texelFetch(u_matte, ivec2(x, y), 0).r;
-}
-
 // Bilinear alpha and its slope per texel.
 vec3 alpha_and_slope(vec2 texel) {
     vec2 place = texel - 0.5;
     vec2 corner = floor(place);
     vec2 f = place - corner;
     // The rim is empty, so clamping to it is the same as finding nothing outside.
-    ivec2 last = textureSize(u_matte, 0) - 1;
-    ivec2 low = clamp(ivec2(corner), ivec2(0), last);
-    ivec2 high = clamp(ivec2(corner) + 1, ivec2(0), last);
-    vec4 a = vec4(alpha_of(low.x, low.y), alpha_of(high.x, low.y), alpha_of(low.x, high.y), alpha_of(high.x, high.y));
+    vec4 a = texelFetch(u_matte, clamp(ivec2(corner), ivec2(0), textureSize(u_matte, 0) - 1), 0);
     vec2 rows = mix(a.xz, a.yw, f.x);
     return vec3(mix(rows.x, rows.y, f.y), mix(a.y - a.x, a.w - a.z, f.y), rows.y - rows.x);
 }

@@ -43,6 +43,11 @@ void main() {
 #ifdef OUTLINED
     source = vec4(u_color, line_at(here));
 #endif
+#ifdef CONTRASTING
+    // A light grey on dark pictures and a dark one on light ones.
+    float light = dot(under.rgb, vec3(0.3, 0.59, 0.11)) * under.a + 1.0 - under.a;
+    source.rgb = vec3(mix(0.88, 0.12, smoothstep(0.62, 0.7, light)));
+#endif
     vec3 mixed = u_multiply ? source.rgb * under.rgb : source.rgb;
     float alpha = source.a + under.a * (1.0 - source.a);
     vec3 sum = source.a * (1.0 - under.a) * source.rgb + source.a * under.a * mixed

@@ -5,12 +5,48 @@
 //   OWN_SHADOW          writes what is seen and taken from the light, instead of the seen and lit part of u_coverage
 //   DARK_WHEN_TURNED    with OWN_SHADOW: a face that turns away from the light grows dark
 //   LAMP_IS_LOW         with OWN_SHADOW: see grazing.glsl
+//   PAST_MESHES         meshes may hide a part of the receiver
+//   MESHES              meshes take the light, too
 
 #include "edge.glsl"
 #ifdef OWN_SHADOW
 #include "grazing.glsl"
 #else
 uniform sampler2D u_coverage;          // the shadow on this receiver as if it were alone
+#endif
+
+#ifdef PAST_MESHES
+uniform sampler2D u_past;              // in which of the 4 by 4 parts of each pixel no mesh hides it, a bit for each
+
+int past_at(ivec2 at) {
+    return int(texelFetch(u_past, at, 0).r * 65535.0 + 0.5);
+}
+
+float part_of(int bits) {
+    bits -= (bits >> 1) & 0x5555;
+    bits = (bits & 0x3333) + ((bits >> 2) & 0x3333);
+    bits = (bits + (bits >> 4)) & 0x0F0F;
+    return float((bits + (bits >> 8)) & 0x1F) / 16.0;
+}
+#endif
+#ifdef MESHES
+#include "mesh_light.glsl"
+
+uniform vec4 u_lift_rows[4];           // canvas px - origin -> the receiver's points around the origin of the meshes
+uniform vec3 u_normal;                 // of the receiver
+
+vec3 lifted(vec2 pixel) {
+    vec4 place = vec4(pixel, 1.0, 0.0);
+    return vec3(dot(u_lift_rows[0], place), dot(u_lift_rows[1], place), dot(u_lift_rows[2], place))
+         / dot(u_lift_rows[3], place);
+}
+
+// How much of some parts of a pixel is lit.
+float lit_at(vec2 pixel, int parts) {
+    mat2x3 pixel_world = mat2x3(lifted(pixel + vec2(0.5, 0.0)) - lifted(pixel - vec2(0.5, 0.0)),
+                                lifted(pixel + vec2(0.0, 0.5)) - lifted(pixel - vec2(0.0, 0.5)));
+    return mesh_lit(lifted(pixel), u_normal, pixel_world, 4, parts);
+}
 #endif
 
 uniform vec2 u_origin_px;              // canvas px around which all forms are given, for precision
@@ -67,6 +103,16 @@ vec2 seen_and_lit(vec2 here) {
 void main() {
     vec2 pixel = gl_FragCoord.xy - u_origin_px;
     float sum = 0.0;
+#ifdef PAST_MESHES
+    int parts = past_at(ivec2(gl_FragCoord.xy));
+#else
+    const int parts = 0xFFFF;
+#endif
+#ifdef MESHES
+    float lit = lit_at(pixel, parts);
+#else
+    const float lit = 1.0;
+#endif
 #ifdef OWN_SHADOW
     float strength = grazing_strength(pixel);
 #endif
@@ -74,15 +120,18 @@ void main() {
         for (int x = 0; x < CELLS; ++x) {
             vec2 left = seen_and_lit(pixel + (vec2(float(x), float(y)) + 0.5) * CELL - 0.5);
 #if defined(DARK_WHEN_TURNED)
-            sum += left.x * (1.0 - strength * left.y);
+            sum += left.x * (1.0 - strength * left.y * lit);
 #elif defined(OWN_SHADOW)
-            sum += left.x * strength * (1.0 - left.y);
+            sum += left.x * strength * (1.0 - left.y * lit);
 #else
-            sum += left.x * left.y;
+            sum += left.x * left.y * lit;
 #endif
         }
     }
     o_coverage = sum * CELL * CELL;
+#ifdef PAST_MESHES
+    o_coverage *= part_of(parts);
+#endif
 #ifndef OWN_SHADOW
     o_coverage *= texelFetch(u_coverage, ivec2(gl_FragCoord.xy), 0).r;
 #endif

@@ -18,6 +18,16 @@ hypothesis.settings.register_profile("kagezou", deadline=None)
 hypothesis.settings.load_profile("kagezou")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Where tests run side by side, keep those of one file together, and all that share the one screen.
+
+    What a file sets up, such as the renderer, is then set up once; two windows never fight for the keyboard.
+    """
+    for item in items:
+        folder = item.path.parent.name
+        item.add_marker(pytest.mark.xdist_group("screen" if folder == "ui" else item.path.stem))
+
+
 @pytest.fixture(autouse=True)
 def _numeric_errors_raise() -> Iterator[None]:
     """A division by zero or an overflow in numpy is a defect, not a warning to scroll past."""

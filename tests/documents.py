@@ -1,5 +1,6 @@
 """Generated documents for property tests: every kind of property, constant and keyed, and cels of any shape."""
 
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from types import MappingProxyType
@@ -8,16 +9,22 @@ from hypothesis import strategies as st
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
+from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
+from kagezou.geometry.vanishing import VanishingLines
 
 FOLDER = Path("/cuts/c012")
 
 coordinates = st.floats(-1e6, 1e6, allow_subnormal=False)
 points = st.tuples(coordinates, coordinates)
 names = st.text(st.characters(codec="utf-8", exclude_categories=("C", "Z")), min_size=1, max_size=12)
+
+
+lines = st.tuples(points, points)
+vanishing_lines = st.builds(VanishingLines, st.tuples(lines, lines), st.tuples(lines, lines))
 
 
 def values(line: Property) -> st.SearchStrategy[Value]:
@@ -109,7 +116,7 @@ def notes(draw: st.DrawFn, layer_ids: list[str]) -> Note:
 
 @st.composite
 def pieces(draw: st.DrawFn, number: int, name: str) -> Piece:
-    return Piece(f"piece-{number}", name, draw(track_tables(dict(OF_PIECE))))
+    return Piece(f"piece-{number}", name, draw(track_tables(dict(OF_PIECE))), draw(st.one_of(st.none(), paths)))
 
 
 @st.composite
@@ -120,6 +127,10 @@ def documents(draw: st.DrawFn) -> Document:
     drawn = tuple(draw(layers(number, name)) for number, name in enumerate(chosen, start=1))
     marked = sorted(draw(st.sets(st.integers(1, 1000), max_size=3)))
     set_names = draw(st.lists(names, max_size=2, unique=True))
+    linked = draw(st.sets(st.sampled_from(sorted(LINKABLE)), max_size=2))
+    for name in linked if drawn else ():
+        shared = drawn[0].tracks.get(name) or Track(LINKABLE[name].default)
+        drawn = tuple(replace(each, tracks=MappingProxyType({**each.tracks, name: shared})) for each in drawn)
     return Document(
         canvas,
         draw(st.one_of(st.none(), paths)),
@@ -129,4 +140,6 @@ def documents(draw: st.DrawFn) -> Document:
         tuple(Marker(frame, draw(said), draw(st.integers(0, 50))) for frame in marked),
         tuple(draw(st.lists(notes([layer.id for layer in drawn]), max_size=2))),
         tuple(draw(pieces(number, name)) for number, name in enumerate(set_names, start=1)),
+        draw(st.one_of(st.none(), vanishing_lines)),
+        frozenset(linked),
     )

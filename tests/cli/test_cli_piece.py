@@ -61,3 +61,46 @@ def test_a_set_that_casts_is_rendered_beside_the_characters(shell: Shell, projec
     assert (out / "set_shadow" / "set_shadow_0002.png").is_file()
     shell.ok("set", project, "set.crate.casts=false", "--frame", "2")
     assert shell("render", project, "-o", out, "--frames", "2", "--layer", "Hero") == 0
+
+
+def test_a_set_from_a_file_is_followed_and_missed(shell: Shell, project: Path, samples: Path, tmp_path: Path) -> None:
+    kept = tmp_path / "set.glb"
+    kept.write_bytes((samples / "bg3d_dungeon_stairs" / "scene.glb").read_bytes())
+    words = ("add", "dungeon", "mesh", 'display="clay"', "--file", kept, "--camera", "shot_cam")
+    assert shell("piece", project, *words) == 0
+    assert "the height was kept, the sides differ" in shell.said
+    assert shell.json("get", project, "camera.fov") == 42
+    assert shell.json("get", project, "ground.receives") is False
+    assert shell.json("get", project, "set.dungeon.display") == "clay"
+    assert shell.ok("piece", project, "list") == f"mesh\tdungeon\t{kept}\n"
+    assert f"mesh of {kept}\n  camera    shot_cam\n" in shell.ok("info", project)
+    shell.ok("render", project, "-o", tmp_path / "out", "--frames", "1", "--composite")
+    kept.unlink()
+    said = shell.fails(3, "render", project, "-o", tmp_path / "again", "--frames", "1")
+    assert said == f"{kept}: the set is missing"
+    assert shell.json("info", project, "--json")["missing"] == [str(kept)]
+
+
+def test_a_set_without_a_camera_has_the_size_that_is_said(shell: Shell, project: Path, tmp_path: Path) -> None:
+    kept = tmp_path / "set.obj"
+    kept.write_text("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n")
+    shell.ok("piece", project, "add", "floor", "mesh", "--file", kept, "--scale", "20", "--up", "z")
+    assert shell.json("get", project, "set.floor.scale") == 20
+    assert shell.json("get", project, "set.floor.up") == "z"
+
+
+@pytest.mark.parametrize(
+    ("words", "cause"),
+    [
+        (("add", "x", "mesh"), "which file"),
+        (("add", "x", "wall", "--camera", "a"), "belong to: add NAME mesh"),
+        (("add", "x", "mesh", "--file", "x.glb", "--stand", "here"), "no point"),
+        (("add", "x", "mesh", "lean", "--file", "x.glb"), "not PROPERTY=JSON"),
+        (("add", "x", "mesh", "--file", "x.glb", "--scale", "0"), "no number over 0"),
+        (("add", "x", "mesh", "--file", "x.glb", "--scale", "20", "--camera", "c"), "leave out --scale"),
+    ],
+)
+def test_wrong_words_about_a_mesh_are_one_sentence(
+    shell: Shell, project: Path, words: tuple[str, ...], cause: str
+) -> None:
+    assert cause in shell.fails(2, "piece", project, *words)

@@ -6,6 +6,11 @@ from pathlib import Path
 import pytest
 from projects import Shell, make_drawings
 
+from kagezou.document.address import Address
+from kagezou.document.linking import link
+from kagezou.document.properties import OPACITY
+from kagezou.io.project_file import load, save
+
 
 def test_a_new_project_has_what_was_said(shell: Shell, tmp_path: Path) -> None:
     a, b = make_drawings(tmp_path / "a", 5), make_drawings(tmp_path / "b", 2)
@@ -152,3 +157,15 @@ def test_a_project_that_cannot_be_read_is_told(shell: Shell, tmp_path: Path, ver
     broken = tmp_path / "broken.kage"
     broken.write_text(json.dumps({"format": "something else"}))
     assert "broken.kage" in shell.fails(7, verb, broken, *more)
+
+
+def test_set_obeys_a_link(shell: Shell, tmp_path: Path) -> None:
+    drawings, path = make_drawings(tmp_path / "a", 1), tmp_path / "duo.kage"
+    shell.ok("new", path, "--character", f"A={drawings}", "--character", f"B={drawings}")
+    document = load(path)
+    save(link(document, Address(OPACITY, document.layers[0].id)), path)
+    shell.ok("set", path, "layers.B.shadow.opacity=0.25", "--frame", "3")
+    assert json.loads(shell.ok("get", path, "layers.A.shadow.opacity", "--frame", "3")) == 0.25
+    assert load(path).linked == {OPACITY.name}
+    assert shell.json("info", path, "--json")["linked"] == [OPACITY.name]
+    assert "linked      layers.*.shadow.opacity" in shell.ok("info", path)

@@ -171,6 +171,22 @@ def test_the_shadow_of_the_set_is_a_layer_below_the_characters(document: Documen
     opacity = property_of(run.layer("cut 12", "Set shadow"), TRANSFORM, "ADBE Opacity")
     assert [key["value"] for key in opacity["keys"]] == [25, 75]
     assert run.item("Set shadow", "FootageItem")["frames"] == 24
+    lit = [layer["source"] for layer in reversed(run.item("Lit area", "CompItem")["layers"])]
+    assert sorted(lit) == ["A shadow matte", "B shadow matte", "Set shadow matte", "White"]
+
+
+def test_notes_about_the_scene_are_markers_and_none_takes_the_place_of_another(
+    document: Document, tmp_path: Path
+) -> None:
+    lamp, opacity = Address(LIGHT_POSITION), Address(OPACITY, "layer-1")
+    for frame, text in ((7, "Too low"), (2, "From the left")):
+        document = review.add_note(document, lamp, frame, text, "")
+    document = review.add_note(document, opacity, 9, "Or darker?", "Abe")
+    run = run_script(_script(handed_off(document, tmp_path / "ae")), tmp_path / "ae.json")
+    comments = [marker["value"]["comment"] for marker in run.item("cut 12", "CompItem")["markers"]]
+    assert comments == ["Light position: From the left", "turn\nLight position: Too low"]
+    (note,) = property_of(run.layer("cut 12", "A shadow"), "ADBE Marker")["keys"]
+    assert note["value"]["comment"] == "Sato: Opacity: Lighter\nAbe: Opacity: Or darker?"
 
 
 def test_each_different_shadow_once_when_asked(tmp_path: Path) -> None:

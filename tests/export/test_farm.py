@@ -13,6 +13,8 @@ from small_cuts import bytes_below, cut, export, with_key
 
 from kagezou.document.edits import rename_layer, set_background
 from kagezou.document.model import Document
+from kagezou.document.set_pieces import add_piece
+from kagezou.document.set_properties import MESH
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, template, write_bundle
 from kagezou.export.request import ExportRequest
@@ -147,6 +149,21 @@ def test_paths_of_another_machine_are_mapped(document: Document, worker: Path, t
     )
     assert done.returncode == 0, done.stdout
     assert len(bytes_below(tmp_path / "farm")) == 24
+
+
+def test_a_set_is_named_and_moved_with_all_its_files(document: Document, tmp_path: Path) -> None:
+    street = tmp_path / "street.gltf"
+    buffers = [{"byteLength": 0, "uri": "a%20b.bin"}, {"byteLength": 0, "uri": "data:,"}]
+    street.write_text(json.dumps({"asset": {"version": "2.0"}, "buffers": buffers}))
+    (tmp_path / "a b.bin").write_bytes(b"")
+    (tmp_path / "broken.gltf").write_text("{")
+    document = add_piece(document, "street", MESH, source=street)
+    document = add_piece(document, "broken", MESH, source=tmp_path / "broken.gltf")
+    job, _ = bundle(add_piece(document, "wall", "wall"), tmp_path)
+    named = json.loads((job.parent / ASSETS).read_text())["assetReferences"]["inputs"]["filenames"]
+    assert {str(street), str(tmp_path / "a b.bin"), str(tmp_path / "broken.gltf")} <= set(named)
+    moved = with_mapped_paths(document, (read_source("POSIX", str(tmp_path), "/mnt/cuts"),))
+    assert moved.pieces[0].source == Path("/mnt/cuts/street.gltf")
 
 
 def test_rules_move_paths_of_either_system(document: Document) -> None:

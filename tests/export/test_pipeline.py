@@ -35,7 +35,7 @@ def written(job: Job, _image: Image) -> str:
     return str(number(job))
 
 
-def stages(decode: Callable[[Job], None], draw: Draw, write: Callable[[Job, Image], str]) -> Stages:
+def stages(decode: Callable[[Job], None], draw: Draw, write: Callable[[Job, Image], str]) -> Stages[str]:
     return Stages(decode, lambda: nullcontext(draw), write)
 
 

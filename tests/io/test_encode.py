@@ -4,6 +4,7 @@ import threading
 import time
 import zlib
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -120,6 +121,13 @@ def test_no_frame_leaves_a_trace_in_the_next(tmp_path: Path, dtype: str) -> None
             wanted = expected(image)
         assert np.array_equal(decoded(tmp_path / "a.png", encode_png(image)), wanted)
         assert np.array_equal(image.rgba(), wanted)
+
+
+@pytest.mark.parametrize("dtype", DEPTHS)
+def test_layers_of_different_colours_take_turns(tmp_path: Path, dtype: str) -> None:
+    for color in ((255, 0, 9), (0, 0, 0), (3, 200, 255)):
+        image = replace(layer(dtype, Box(3, 0, 10, 29), seed=1), color=color)
+        assert np.array_equal(decoded(tmp_path / "a.png", encode_png(image)), expected(image))
 
 
 def test_an_alpha_that_is_a_view_is_written_as_seen(tmp_path: Path) -> None:

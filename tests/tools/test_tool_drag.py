@@ -3,14 +3,13 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tool_scenes import FREE, LAYER, Hand, address, document_with, place, value
+from tool_scenes import FREE, Hand, address, document_with, handles, place, value, with_piece
 
 from kagezou.animation.track import Interpolation
 from kagezou.document import properties
 from kagezou.document.address import track_of
 from kagezou.document.edits import set_key
 from kagezou.document.model import Document
-from kagezou.tools.handles import handles_of
 from kagezou.tools.pointer import Modifiers
 from kagezou.tools.view import View
 
@@ -20,10 +19,13 @@ FILTERED = document_with(
     (properties.LIGHT_POSITION, (0, 0, 500)), (properties.SIMPLIFY, 40.0), (properties.DISTANCE, 150.0),
     (properties.WAVE1.amplitude, 5.0), (properties.WAVE2.amplitude, 5.0),
 )  # fmt: skip
+WALL = with_piece(document_with(), "wall", position=[500, 860], width=500, angle=10)
+STEPS = with_piece(document_with((properties.FOV, 40.0)), "steps", position=[600, 850], angle=-30)
 EVERY_HANDLE = [
     (document, handle.id)
-    for document in (LAMP, TILTABLE, FILTERED)
-    for handle in handles_of(document, 1, LAYER, View()).handles
+    for document, of_piece in ((LAMP, False), (TILTABLE, False), (FILTERED, False), (WALL, True), (STEPS, True))
+    for handle in handles(document, of_piece=of_piece).handles
+    if handle.id.startswith("piece.") == of_piece
 ]
 
 
@@ -31,6 +33,7 @@ def test_every_handle_there_is_takes_part() -> None:
     assert {handle_id for _, handle_id in EVERY_HANDLE} == {
         "ground.position", "ground.end", "ground.declination", "grounding.0", "grounding.1", "tilt.lever",
         "light.lamp", "light.foot", "light.sun", "shadow.tip", "filter.distance", "filter.wave1", "filter.wave2",
+        "piece.position", "piece.turn", "piece.width", "piece.depth", "piece.height", "piece.lean",
     }  # fmt: skip
 
 

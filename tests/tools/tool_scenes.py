@@ -10,15 +10,18 @@ from kagezou.document.edits import add_layer, set_constant
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.property import Property
+from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.box import Box
 from kagezou.geometry.vectors import Point2
-from kagezou.tools.handle import Handle
+from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.handles import drag_of, handles_of
 from kagezou.tools.pointer import Modifiers, Pointer
 from kagezou.tools.view import View
 
 FIGURE = Box(400, 200, 600, 900)
 LAYER = "layer-1"
+PIECE = "piece-1"
+"""Handles of a set piece are those of this one."""
 FREE = Modifiers(snap=False)
 UNZOOMED = View()
 
@@ -34,7 +37,22 @@ def document_with(*settings: tuple[Property, object]) -> Document:
 
 
 def address(line: Property) -> Address:
+    if line.name in properties.OF_PIECE:
+        return Address(line, piece_id=PIECE)
     return Address(line, LAYER if line.name in properties.OF_LAYER else None)
+
+
+def with_piece(document: Document, kind: str, **values: object) -> Document:
+    """Return the document with a set piece, the first one."""
+    document = add_piece(document, "Piece", kind, values)
+    check(document)
+    return document
+
+
+def handles(document: Document, view: View | None = None, frame: int = 1, *, of_piece: bool = False) -> HandleSet:
+    """Return what is seen while the layer or the piece is worked on."""
+    worked_on = (None, PIECE) if of_piece else (LAYER, None)
+    return handles_of(document, frame, worked_on[0], view or View(), worked_on[1])
 
 
 def value(document: Document, line: Property, frame: int = 1) -> object:
@@ -54,7 +72,7 @@ def place(document: Document, line: Property = properties.LIGHT_POSITION) -> tup
 
 
 def handle(document: Document, handle_id: str, view: View | None = None, frame: int = 1) -> Handle:
-    found = handles_of(document, frame, LAYER, view or View()).find(handle_id)
+    found = handles(document, view, frame, of_piece=handle_id.startswith("piece.")).find(handle_id)
     assert found is not None, handle_id
     return found
 

@@ -13,11 +13,13 @@ from pytestqt.qtbot import QtBot
 
 from kagezou.io.encode import write_rgba
 from kagezou.session.staging import CharacterSource
+from kagezou.ui import loading
 from kagezou.ui.application import make_application
 from kagezou.ui.desk import Desk
 from kagezou.ui.language import Language
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.settings import Settings
+from kagezou.ui.viewport import reading, resolution
 
 FRAMES = 6
 
@@ -39,6 +41,19 @@ def english(qapp: QApplication) -> Iterator[Language]:
     language.speak("en")
     yield language
     language.fall_silent()
+
+
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Loads are waited for, so that what comes after them may look at once; tests of loading itself are impatient."""
+    monkeypatch.setattr(loading, "PATIENCE_S", 30.0)
+    monkeypatch.setattr(reading, "PATIENCE_S", 30.0)
+
+
+@pytest.fixture(autouse=True)
+def steady(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No picture is late, however busy the machine: what is compared is drawn at full resolution."""
+    monkeypatch.setattr(resolution, "DUE_S", 60.0)
 
 
 @pytest.fixture
@@ -65,7 +80,7 @@ def desk(qapp: QApplication) -> Desk:  # noqa: ARG001 - Qt objects need the appl
 @pytest.fixture
 def filled(desk: Desk, cels: Path) -> Desk:
     """A desk with one character, taken for saved."""
-    desk.bring((CharacterSource("Walker", cels),))
+    desk.bring((CharacterSource("Walker", cels),)).at_once()
     desk.bridge.session.mark_saved()
     return desk
 

@@ -4,14 +4,16 @@ import json
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QCheckBox, QRadioButton
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QRadioButton
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import review
 from kagezou.errors import UsageProblem
+from kagezou.ui import export_dialog
 from kagezou.ui.desk import Desk
 from kagezou.ui.export_dialog import ExportDialog
 from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, dumps_plan, loads_plan, preview, sound
+from kagezou.ui.export_presets import presets_in, rename_preset, save_preset
 from kagezou.ui.main_window import MainWindow
 
 
@@ -22,7 +24,7 @@ def place(tmp_path: Path) -> Place:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, filled: Desk, place: Place) -> ExportDialog:
-    made = ExportDialog(filled.bridge.document, ExportPlan(), place)
+    made = ExportDialog(filled.bridge.document, ExportPlan(), place, place.folder.with_name("presets"))
     qtbot.addWidget(made)
     made.show()
     return made
@@ -32,8 +34,18 @@ def lines(dialog: ExportDialog) -> list[str]:
     return [dialog.preview.item(row).text() for row in range(dialog.preview.count())]
 
 
+def data_of(box: QComboBox) -> list[object]:
+    return [box.itemData(row) for row in range(box.count())]
+
+
+def pick(box: QComboBox, value: object) -> None:
+    """Choose from a box as a hand does."""
+    box.setCurrentIndex(box.findData(value))
+    box.activated.emit(box.currentIndex())
+
+
 def choose(dialog: ExportDialog, words: str) -> None:
-    next(button for button in dialog.findChildren(QRadioButton) if button.text() == words).setChecked(True)
+    next(button for button in dialog.findChildren(QRadioButton) if button.text() == words).click()
 
 
 def tick(dialog: ExportDialog, words: str) -> None:
@@ -47,7 +59,7 @@ def test_the_preview_follows_every_choice(dialog: ExportDialog) -> None:
     tick(dialog, "Composite")
     dialog.change(format="exr")
     assert lines(dialog) == ["Walker_shadow/  6 × .exr", "composite/  6 × .exr"]
-    assert dialog.depth_box.currentData() == 16
+    assert dialog.options.depth_box.currentData() == 16
     choose(dialog, "After Effects")
     tick(dialog, "near the feet")
     assert lines(dialog) == [
@@ -70,11 +82,125 @@ def test_only_what_a_kind_knows_is_asked(dialog: ExportDialog) -> None:
     choose(dialog, "After Effects")
     assert "Matte" in seen()
     assert "Composite" not in seen()
-    assert [dialog.format_box.itemData(row) for row in range(dialog.format_box.count())] == ["png", "exr"]
+    assert data_of(dialog.options.format_box) == ["png", "exr"]
+
+
+def test_layered_frames_show_their_layers(dialog: ExportDialog) -> None:
+    choose(dialog, "Layered frames")
+    assert data_of(dialog.options.format_box) == ["psd", "exr"]
+    assert lines(dialog) == ["layered/  6 × .psd", "    Walker", "    Walker_shadow"]
+    assert not dialog.options.depth_box.isEnabled()
+    assert dialog.options.depth_box.toolTip() == "PSD has no other depth."
+    pick(dialog.options.format_box, "exr")
+    assert lines(dialog)[0] == "layered/  6 × .exr"
+    assert dialog.plan.depth == 16
+
+
+def test_a_video_shows_the_picture_or_a_shadow(dialog: ExportDialog) -> None:
+    dialog.change(format="tiff", depth=16)
+    choose(dialog, "Video")
+    assert lines(dialog) == ["walk.mp4  6 @ 24 fps  240 × 200"]
+    assert not dialog.options.depth_box.isVisible()
+    pick(dialog.options.format_box, "mov")
+    assert data_of(dialog.options.video_box) == ["", "Walker"]
+    pick(dialog.options.video_box, "Walker")
+    assert lines(dialog) == ["walk_Walker_shadow.mov  6 @ 24 fps  240 × 200"]
+    choose(dialog, "Shadow layers")
+    assert dialog.plan.format == "tiff", "each kind keeps its format"
+    choose(dialog, "Video")
+    assert dialog.plan.format == "mov"
+
+
+def test_what_cannot_be_chosen_says_why(
+    qtbot: QtBot, filled: Desk, place: Place, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(export_dialog, "video_is_there", lambda: False)
+    plan = ExportPlan(ExportKind.VIDEO, format="mov", video_layer="Walker", only_work_area=True)
+    made = ExportDialog(filled.bridge.document, plan, place, place.folder)
+    qtbot.addWidget(made)
+    made.show()
+    assert made.plan.kind is ExportKind.LAYERS
+    video = next(button for button in made.findChildren(QRadioButton) if button.text() == "Video")
+    assert not video.isEnabled()
+    assert any("pip install 'kagezou[video]'" in label.text() for label in made.findChildren(QLabel))
+    area = next(box for box in made.findChildren(QCheckBox) if "work area" in box.text())
+    assert area.text() == "Only the work area (the cut has none)"
+    assert (area.isEnabled(), area.isChecked()) == (False, False)
+    assert made.presets.remove_button.toolTip() == "Choose one of your presets first."
+
+
+class TestPresets:
+    def test_a_preset_is_saved_chosen_renamed_and_removed(self, dialog: ExportDialog, place: Place) -> None:
+        row = dialog.presets
+        assert row.box.currentText() == "None saved yet"
+        assert not row.rename_button.isEnabled()
+        dialog.change(kind=ExportKind.AFTER_EFFECTS, mattes=("core",), copies=False)
+        row.save("撮影へ / AE")
+        assert row.box.currentText() == "撮影へ / AE"
+        dialog.change(kind=ExportKind.LAYERS)
+        assert row.box.currentText() == "Choices of your own"
+        row.save("plain")
+        assert [row.box.itemText(each) for each in range(row.box.count())] == ["plain", "撮影へ / AE"]
+        row.box.setCurrentIndex(1)
+        row.box.activated.emit(1)
+        assert dialog.plan == ExportPlan(ExportKind.AFTER_EFFECTS, mattes=("core",), copies=False)
+        core = next(box for box in dialog.findChildren(QCheckBox) if "near the feet" in box.text())
+        assert core.isChecked()
+        assert next(
+            button for button in dialog.findChildren(QRadioButton) if button.text() == "After Effects"
+        ).isChecked()
+        row.rename("to AE")
+        assert row.box.currentText() == "to AE"
+        assert len(list(place.folder.with_name("presets").iterdir())) == 2
+        row.remove()
+        assert row.box.currentText() == "Choices of your own"
+        assert [preset.name for preset in presets_in(place.folder.with_name("presets"))[0]] == ["plain"]
+
+    def test_a_name_is_saved_over_and_two_names_of_one_file_are_kept_apart(self, tmp_path: Path) -> None:
+        first = save_preset(tmp_path, "a/b", ExportPlan())
+        second = save_preset(tmp_path, "a_b", ExportPlan(depth=16))
+        again = save_preset(tmp_path, " a/b ", ExportPlan(format="tga"))
+        assert first.path == again.path != second.path
+        assert {preset.name: preset.plan.format for preset in presets_in(tmp_path)[0]} == {"a/b": "tga", "a_b": "png"}
+        with pytest.raises(UsageProblem, match="already"):
+            rename_preset(tmp_path, again, "a_b")
+
+    @pytest.mark.parametrize("name", ["", "   ", "x" * 81, "a\nb"])
+    def test_what_is_no_name_is_refused(self, dialog: ExportDialog, name: str) -> None:
+        dialog.presets.save(name)
+        assert "1 to 80 printable characters" in dialog.says.text()
+        assert dialog.presets.box.currentText() == "None saved yet"
+
+    @pytest.mark.parametrize(
+        ("text", "words"),
+        [
+            ("{", "not whole JSON"),
+            ('{"export_preset": 2, "name": "a", "plan": {}}', "export_preset"),
+            ('{"export_preset": 1, "name": "", "plan": {}}', "printable characters"),
+            ("[" * 70000, "too large"),
+        ],
+    )
+    def test_a_broken_file_is_told_and_the_others_are_there(
+        self, qtbot: QtBot, filled: Desk, place: Place, tmp_path: Path, text: str, words: str
+    ) -> None:
+        save_preset(tmp_path / "presets", "good", ExportPlan())
+        (tmp_path / "presets" / "bad.json").write_text(text, encoding="utf-8")
+        made = ExportDialog(filled.bridge.document, ExportPlan(), place, tmp_path / "presets")
+        qtbot.addWidget(made)
+        assert "bad.json is not an export preset" in made.says.text()
+        assert words in made.says.text()
+        assert made.presets.box.currentText() == "good"
+        assert made.go.isEnabled()
+
+    def test_a_preset_of_a_layer_that_is_not_here_shows_the_picture(self, dialog: ExportDialog) -> None:
+        dialog.show_plan(ExportPlan(ExportKind.VIDEO, format="mov", video_layer="Somebody"))
+        assert lines(dialog) == ["walk.mov  6 @ 24 fps  240 × 200"]
 
 
 def test_a_farm_needs_a_saved_project_and_every_export_a_folder(qtbot: QtBot, filled: Desk, tmp_path: Path) -> None:
-    made = ExportDialog(filled.bridge.document, ExportPlan(ExportKind.FARM), Place(tmp_path, None, "Untitled"))
+    made = ExportDialog(
+        filled.bridge.document, ExportPlan(ExportKind.FARM), Place(tmp_path, None, "Untitled"), tmp_path
+    )
     qtbot.addWidget(made)
     made.show()
     assert made.says.text() == "A farm renders a saved project; save this one first"
@@ -103,6 +229,7 @@ def test_nothing_to_export_is_said(desk: Desk, place: Place) -> None:
         ExportPlan(),
         ExportPlan(ExportKind.AFTER_EFFECTS, per_drawing=True, mattes=("core", "lit"), copies=False),
         ExportPlan(ExportKind.FARM, only_work_area=True, format="tiff", depth=16, chunk=24),
+        ExportPlan(ExportKind.VIDEO, format="mov", video_layer="主役"),
     ],
 )
 def test_a_plan_is_remembered(plan: ExportPlan) -> None:
@@ -118,12 +245,17 @@ def test_a_plan_is_made_sound() -> None:
     assert sound(ExportPlan(format="tga", depth=16)).depth == 8
     assert sound(ExportPlan(ExportKind.AFTER_EFFECTS, format="tiff")).format == "png"
     assert sound(ExportPlan(chunk=0)).chunk == 1
+    assert sound(ExportPlan(ExportKind.LAYERED)).format == "psd"
+    assert sound(ExportPlan(ExportKind.LAYERED, format="exr")).depth == 16
+    assert sound(ExportPlan(ExportKind.VIDEO, format="exr", depth=16)) == ExportPlan(ExportKind.VIDEO, format="mp4")
 
 
 @pytest.mark.parametrize(
     ("kind", "made"),
     [
         (ExportKind.LAYERS, "walker_shadow/walker_shadow_0006.png"),
+        (ExportKind.LAYERED, "layered/layered_0006.psd"),
+        (ExportKind.VIDEO, "walk.mp4"),
         (ExportKind.AFTER_EFFECTS, "walk.jsx"),
         (ExportKind.FARM, "template.json"),
     ],
@@ -143,3 +275,4 @@ def test_the_window_exports_each_kind_beside_itself(
     assert (tmp_path / "walk_export" / made).exists()
     assert "Exported" in walking.bar.text
     assert json.loads(walking.settings.word("export_plan", ""))["kind"] == kind
+    assert not list((tmp_path / "walk_export").rglob("*.part*"))

@@ -18,7 +18,7 @@ COMMANDS = all_commands(command_groups())
 TABLE = table_of(COMMANDS)
 SETS = bundled_key_sets()
 NAMES, KEYS = ("a", "b", "c", "d"), ("A", "B", "C", "F1", "Ctrl+A", "Ctrl+B")
-MNEMONICS = {"Alt+I", "Alt+E", "Alt+K", "Alt+V", "Alt+P", "Alt+H"}
+MNEMONICS = {"Alt+I", "Alt+E", "Alt+K", "Alt+S", "Alt+V", "Alt+P", "Alt+H"}
 
 
 def set_of(keys: dict[str, tuple[str, ...]]) -> KeySet:

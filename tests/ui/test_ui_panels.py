@@ -169,7 +169,7 @@ def test_a_choice_a_switch_and_a_colour(inspector: Inspector, filled: Desk) -> N
 
 def test_layers_are_listed_chosen_hidden_renamed_moved_and_removed(layers: LayerList, filled: Desk) -> None:
     session, model = filled.bridge.session, layers.model
-    filled.bring((CharacterSource("Second", session.document.layers[0].cels.drawings[0].path),))
+    filled.bring((CharacterSource("Second", session.document.layers[0].cels.drawings[0].path),)).at_once()
     assert [model.layer(row).name for row in range(model.rowCount())] == ["Second", "Walker"]
     layers.view.setCurrentIndex(model.index(1))
     assert session.document.layer(session.state.layer_id or "").name == "Walker"
@@ -197,7 +197,7 @@ def test_the_eye_is_clicked_in_the_list(qtbot: QtBot, layers: LayerList) -> None
 
 def test_dropping_a_row_moves_its_layer(layers: LayerList, filled: Desk) -> None:
     session, model = filled.bridge.session, layers.model
-    filled.bring((CharacterSource("Second", session.document.layers[0].cels.drawings[0].path),))
+    filled.bring((CharacterSource("Second", session.document.layers[0].cels.drawings[0].path),)).at_once()
     carried = model.mimeData([model.index(0)])
     assert not model.dropMimeData(carried, Qt.DropAction.MoveAction, 2, 0, model.index(-1))
     assert [layer.name for layer in session.document.layers] == ["Second", "Walker"]

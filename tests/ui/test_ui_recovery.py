@@ -42,6 +42,8 @@ store = QSettings(str(folder / "other.ini"), QSettings.Format.IniFormat)
 program = Program(application, Settings(store, folder / "styles", folder / "unsaved"))
 program.show()
 program.window.project.open_path(Path(sys.argv[2]))
+while program.window.project.loading.is_running:
+    application.processEvents()
 session = program.desk.bridge.session
 for step in range(3):
     session.edit("Turn", set_constant(session.document, Address(GROUND_DECLINATION), 20.0 + step))

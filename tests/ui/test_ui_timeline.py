@@ -24,9 +24,10 @@ from kagezou.io.cels import CelCache
 from kagezou.session.staging import CharacterSource
 from kagezou.ui.desk import Desk
 from kagezou.ui.key_commands import KeyCommands
+from kagezou.ui.main_window import MainWindow
 from kagezou.ui.playback import Player, bounced
 from kagezou.ui.timecode import Count, counted
-from kagezou.ui.timeline.revealing import ANIMATED, CHANGED, REVEALED, animated_or_changed, toggled
+from kagezou.ui.timeline.revealing import ANIMATED, CHANGED, REVEALED, added, animated_or_changed, toggled
 from kagezou.ui.timeline.row_names import Spot
 from kagezou.ui.timeline.rows import Reveal, RowKind
 from kagezou.ui.timeline.snapping import snap_frames, snapped
@@ -39,7 +40,7 @@ NO_KEYS: Refs = frozenset()
 @pytest.fixture
 def keyed(desk: Desk, cels: Path) -> Desk:
     """A cut of 48 frames: the lamp keyed on 5, 10 and 20, the declination on 10, the opacity on 8."""
-    desk.bring((CharacterSource("Walker", cels),))
+    desk.bring((CharacterSource("Walker", cels),)).at_once()
     session = desk.bridge.session
     document = edits.set_canvas(session.document, Canvas(240, 200, length_frames=48))
     for frame in (5, 10, 20):
@@ -52,7 +53,7 @@ def keyed(desk: Desk, cels: Path) -> Desk:
 
 @pytest.fixture
 def timeline(qtbot: QtBot, keyed: Desk) -> Timeline:
-    made = Timeline(keyed.bridge, keyed.cels.kept_paths)
+    made = Timeline(keyed.bridge, keyed.cels.kept_sources)
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()
@@ -338,6 +339,20 @@ def test_letters_reveal_properties_and_a_second_press_goes_back() -> None:
     assert all(REVEALED.values()), "every letter shows something"
 
 
+def test_with_shift_a_letter_adds_what_it_reveals(qtbot: QtBot, walking: MainWindow) -> None:
+    both = added(toggled(ANIMATED, "reveal_light"), "reveal_tilt")
+    assert both == Reveal(REVEALED["reveal_light"] | REVEALED["reveal_tilt"])
+    assert added(ANIMATED, "reveal_tilt") == Reveal(REVEALED["reveal_tilt"])
+    walking.activateWindow()
+    walking.timeline.lanes.setFocus()
+    qtbot.waitUntil(walking.timeline.lanes.hasFocus)
+    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_P)
+    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    assert walking.timeline.rows.reveal == both
+    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R)
+    assert walking.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
+
+
 def test_revealed_properties_have_rows_whether_keyed_or_not(timeline: Timeline, keyed: Desk) -> None:
     timeline.rows.show_only(toggled(ANIMATED, "reveal_contacts"))
     assert "Grounding points" in [timeline.names.name_of(row) for row in timeline.rows.rows]
@@ -405,7 +420,7 @@ def test_arrows_step_while_the_lanes_have_the_keyboard(timeline: Timeline, keyed
 
 
 def test_an_empty_sheet_says_how_to_begin(qtbot: QtBot, desk: Desk, cels: Path) -> None:
-    desk.bring((CharacterSource("Walker", cels),))
+    desk.bring((CharacterSource("Walker", cels),)).at_once()
     made = Timeline(desk.bridge)
     qtbot.addWidget(made)
     made.resize(1000, 300)

@@ -18,6 +18,7 @@ from kagezou.ui.application import Program
 from kagezou.ui.dialogs import Answer
 from kagezou.ui.export_dialog import ExportDialog
 from kagezou.ui.main_window import MainWindow
+from kagezou.ui.message_bar import Severity
 from kagezou.ui.settings import Settings
 from kagezou.ui.viewport import picture_widget
 
@@ -264,7 +265,7 @@ def test_the_demo_is_made_once_and_opened(
         progress(1, 1)
         made.append(folder)
         folder.mkdir()
-        window.desk.new(())
+        window.desk.new(()).at_once()
         project_file.save(window.desk.bridge.document, folder / "demo.kage")
         return folder / "demo.kage"
 
@@ -278,3 +279,15 @@ def test_the_demo_is_made_once_and_opened(
         program.desk.clear()
     assert len(made) == 1
     program.put_away()
+
+
+def test_a_message_never_moves_the_picture(qtbot: QtBot, walking: MainWindow) -> None:
+    before = walking.viewport.geometry()
+    walking.bar.say("note", "Something to know", Severity.NOTE)
+    QApplication.processEvents()
+    assert walking.bar.isVisible()
+    assert walking.top_bars.isVisible()
+    assert walking.top_bars.width() == walking.pages.width()
+    assert walking.viewport.geometry() == before
+    walking.bar.clear()
+    qtbot.waitUntil(lambda: not walking.top_bars.isVisible())

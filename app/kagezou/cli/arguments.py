@@ -4,6 +4,7 @@ import argparse
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 from fractions import Fraction
+from math import isfinite, nan
 from pathlib import Path
 from typing import Final, NoReturn
 
@@ -91,3 +92,26 @@ def named_source(text: str) -> tuple[str, Path]:
     if not sign or not name.strip() or not path:
         raise argparse.ArgumentTypeError(f"{text!r} is not NAME=FOLDER_OR_FILE")
     return name.strip(), Path(path)
+
+
+def positive(text: str) -> float:
+    """Return a number over 0."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = nan
+    if not (isfinite(number) and number > 0):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number over 0")
+    return number
+
+
+def point(text: str) -> tuple[float, float]:
+    """Return ``X,Y`` as a point of the canvas."""
+    parts = text.strip("[]").split(",")
+    try:
+        x, y = (float(part) for part in parts)
+    except ValueError:
+        x = y = nan
+    if not (isfinite(x) and isfinite(y)):
+        raise argparse.ArgumentTypeError(f"{text!r} is no point such as 960,870")
+    return x, y

@@ -23,6 +23,7 @@ VERBS: Final = {
     "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",
     "render": "write the shadow layers as numbered frames",
+    "video": "write the finished picture, or one shadow with alpha, as a video",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",
     "timesheet": "write when which drawing is exposed, as XDTS",
     "farm": "write a job bundle for a render farm",

@@ -6,19 +6,18 @@ An edit that would change nothing returns the very same document, so that ``new 
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import count
-from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks
+from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, PictureSource, Tracks
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 
 
 def set_track(document: Document, address: Address, track: Track) -> Document:
-    """Put a whole track at an address."""
+    """Put a whole track at an address; of a linked property all layers get it."""
     if track == track_of(document, address):
         return document
     name = address.property.name
@@ -26,6 +25,9 @@ def set_track(document: Document, address: Address, track: Track) -> Document:
         return _with_piece_track(document, address.piece_id, name, track)
     if address.layer_id is None:
         return replace(document, tracks=_with(document.tracks, name, track))
+    if name in document.linked:
+        layers = (replace(layer, tracks=_with(layer.tracks, name, track)) for layer in document.layers)
+        return replace(document, layers=tuple(layers))
     layer = document.layer(address.layer_id)
     return _with_layer(document, replace(layer, tracks=_with(layer.tracks, name, track)))
 
@@ -75,8 +77,14 @@ def remove_key(document: Document, address: Address, frame: int) -> Document:
 
 
 def add_layer(document: Document, name: str, cels: Cels, figure: Box, tracks: Tracks | None = None) -> Document:
-    """Put a character layer on top, under a free name near ``name``; the cut grows to its last exposure."""
-    layer = Layer(_free_id(document), free_name(document, name), cels, figure, _frozen(tracks or {}))
+    """Put a character layer on top, under a free name near ``name``; the cut grows to its last exposure.
+
+    Linked properties are those of the layers there are.
+    """
+    others = document.layers[0].tracks if document.layers else {}
+    own = {each: track for each, track in (tracks or {}).items() if not (others and each in document.linked)}
+    shared = {each: track for each, track in others.items() if each in document.linked}
+    layer = Layer(_free_id(document), free_name(document, name), cels, figure, _frozen({**own, **shared}))
     last = max((exposure.frame for exposure in cels.exposures), default=1)
     canvas = replace(document.canvas, length_frames=max(document.canvas.length_frames, last))
     return replace(document, canvas=canvas, layers=(*document.layers, layer))
@@ -120,9 +128,9 @@ def set_canvas(document: Document, canvas: Canvas) -> Document:
     return document if canvas == document.canvas else replace(document, canvas=canvas)
 
 
-def set_background(document: Document, path: Path | None) -> Document:
+def set_background(document: Document, source: PictureSource | None) -> Document:
     """Put a picture under everything, or take it away."""
-    return document if path == document.background else replace(document, background=path)
+    return document if source == document.background else replace(document, background=source)
 
 
 def free_name(document: Document, name: str) -> str:

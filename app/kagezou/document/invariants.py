@@ -3,7 +3,8 @@
 from itertools import pairwise
 
 from kagezou.animation.track import Interpolation
-from kagezou.document.address import addresses, path_of, track_of
+from kagezou.document.address import Address, addresses, path_of, track_of
+from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.errors import ProjectProblem, UsageProblem
@@ -26,6 +27,7 @@ def check(document: Document) -> None:
         if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
             raise ProjectProblem(f"layers.{layer.name}: an exposure names a drawing that is not there")
     _check_pieces(document)
+    _check_links(document)
     _check_tracks(document)
     _check_review(document)
 
@@ -42,6 +44,15 @@ def _check_review(document: Document) -> None:
         known = OF_DOCUMENT if note.layer_id is None else OF_LAYER if note.layer_id in ids else {}
         if note.property not in known:
             raise ProjectProblem(f"notes: there is no property {note.property!r} of layer {note.layer_id!r}")
+
+
+def _check_links(document: Document) -> None:
+    for name in sorted(document.linked):
+        if name not in LINKABLE:
+            raise ProjectProblem(f"linked: {name!r} cannot be the same for all layers")
+        tracks = [track_of(document, Address(LINKABLE[name], layer.id)) for layer in document.layers]
+        if any(track != tracks[0] for track in tracks):
+            raise ProjectProblem(f"linked: {name} is not the same for all layers")
 
 
 def _check_pieces(document: Document) -> None:

@@ -13,6 +13,7 @@ from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track, Value, components_of, ordered, rebuilt
 from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
+from kagezou.document.linking import is_linked
 from kagezou.document.model import Document
 from kagezou.document.property import Kind
 
@@ -77,7 +78,7 @@ def move_keys(document: Document, refs: Refs, frames: int, amounts: Amounts = NO
         value = _added(address, key.value, amounts.get(address, ()))
         return replace(key, frame=key.frame + frames, value=value)
 
-    return _replaced(document, refs, moved)
+    return replaced_keys(document, refs, moved)
 
 
 def stretch_keys(document: Document, refs: Refs, about: int, factor: float) -> tuple[Document, Refs]:
@@ -96,7 +97,7 @@ def stretch_keys(document: Document, refs: Refs, about: int, factor: float) -> t
             return key
         return replace(key, frame=frame, ease_in=slower(key.ease_in), ease_out=slower(key.ease_out))
 
-    return _replaced(document, refs, stretched, rank=lambda frame: abs(frame - about))
+    return replaced_keys(document, refs, stretched, rank=lambda frame: abs(frame - about))
 
 
 def remove_keys(document: Document, refs: Refs) -> Document:
@@ -173,7 +174,7 @@ def frames_by_address(refs: Iterable[KeyRef]) -> dict[Address, set[int]]:
     return found
 
 
-def _replaced(
+def replaced_keys(
     document: Document,
     refs: Refs,
     change: Callable[[Address, Key], Key],
@@ -181,12 +182,23 @@ def _replaced(
 ) -> tuple[Document, Refs]:
     """Put the changed keys in the place of the old ones; of two on one frame the one of higher rank stays."""
     put: set[KeyRef] = set()
-    for address, frames in frames_by_address(refs).items():
-        track = track_of(document, address)
+    for addresses, frames in _together(document, refs):
+        track = track_of(document, addresses[0])
         chosen = [key for key in track.keys if key.frame in frames]
         others = {key.frame: key for key in track.keys if key.frame not in frames}
-        changed = (change(address, key) for key in sorted(chosen, key=lambda key: rank(key.frame)))
+        changed = (change(addresses[0], key) for key in sorted(chosen, key=lambda key: rank(key.frame)))
         new = {key.frame: key for key in changed}
-        document = set_track(document, address, replace(track, keys=ordered({**others, **new}.values())))
-        put.update(KeyRef(address, frame) for frame in new)
+        document = set_track(document, addresses[0], replace(track, keys=ordered({**others, **new}.values())))
+        put.update(KeyRef(address, frame) for address in addresses for frame in new)
     return document, frozenset(put)
+
+
+def _together(document: Document, refs: Refs) -> list[tuple[list[Address], set[int]]]:
+    """Return frames by address; the layers of a linked property come together, as they have the same keys."""
+    found: dict[object, tuple[list[Address], set[int]]] = {}
+    for address, frames in frames_by_address(refs).items():
+        shared = address.property.name if is_linked(document, address) else address
+        addresses, together = found.setdefault(shared, ([], set()))
+        addresses.append(address)
+        together |= frames
+    return list(found.values())

@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from kagezou.animation.track import Track
 from kagezou.geometry.box import Box
+from kagezou.geometry.vanishing import VanishingLines
 
 Tracks = Mapping[str, Track]
 """Property name → track; a property that is missing has its default as its constant."""
@@ -32,11 +33,45 @@ class Canvas:
 
 
 @dataclass(frozen=True, slots=True)
+class PicturePart:
+    """A layer or a group within a picture file.
+
+    Parameters
+    ----------
+    path
+        The file.
+    address
+        The names that lead to it, as :func:`kagezou.io.psd_tree.addressed` joins them.
+    """
+
+    path: Path
+    address: str
+
+
+PictureSource = Path | PicturePart
+"""What pixels come from: a whole file, or a part of one."""
+
+
+def file_of(source: PictureSource) -> Path:
+    """Return the file that a picture comes from."""
+    return source.path if isinstance(source, PicturePart) else source
+
+
+@dataclass(frozen=True, slots=True)
 class Drawing:
-    """One cel: its name on the sheet and its picture file. It lies centred on the canvas, pixel for pixel."""
+    """One cel: its name on the sheet, its picture file, and perhaps the part of that file which it is.
+
+    It lies centred on the canvas, pixel for pixel.
+    """
 
     name: str
     path: Path
+    part: str | None = None
+
+    @property
+    def source(self) -> PictureSource:
+        """What its pixels come from."""
+        return self.path if self.part is None else PicturePart(self.path, self.part)
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,11 +175,14 @@ class Piece:
         Unique in the set; part of property paths.
     tracks
         By set piece property name; its shape is one of them.
+    source
+        The file of an imported set, for a piece of that shape.
     """
 
     id: str
     name: str
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    source: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,16 +197,22 @@ class Document:
         In order, one a frame.
     notes
         In the order in which they were made.
+    vanishing
+        The edges of the floor in the background picture by which the camera was matched; None before that.
+    linked
+        Names of layer properties that are the same for all layers, values and keys alike.
     """
 
     canvas: Canvas
-    background: Path | None = None
+    background: PictureSource | None = None
     layers: tuple[Layer, ...] = ()
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
     work_area: tuple[int, int] | None = None
     markers: tuple[Marker, ...] = ()
     notes: tuple[Note, ...] = ()
     pieces: tuple[Piece, ...] = ()
+    vanishing: VanishingLines | None = None
+    linked: frozenset[str] = frozenset()
 
     @property
     def played(self) -> tuple[int, int]:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import count
+from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.track import Track, Value
@@ -11,6 +12,7 @@ from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Piece
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
 from kagezou.document.set_properties import (
+    MESH,
     PIECE_DEPTH,
     PIECE_HEIGHT,
     PIECE_KIND,
@@ -37,7 +39,13 @@ _BEHIND = 0.06
 """A new piece stands behind the ground line by this part of the canvas' height."""
 
 
-def add_piece(document: Document, name: str, kind: str, values: Mapping[str, object] | None = None) -> Document:
+def add_piece(
+    document: Document,
+    name: str,
+    kind: str,
+    values: Mapping[str, object] | None = None,
+    source: Path | None = None,
+) -> Document:
     """Put a piece into the set under a free name near ``name``, of a natural size behind the characters.
 
     Parameters
@@ -48,6 +56,8 @@ def add_piece(document: Document, name: str, kind: str, values: Mapping[str, obj
         One of ``set_properties.KINDS``.
     values
         Constants that differ from that, by property name.
+    source
+        The file of an imported set.
 
     Raises
     ------
@@ -57,7 +67,7 @@ def add_piece(document: Document, name: str, kind: str, values: Mapping[str, obj
     _check_name(name)
     if len(document.pieces) >= MAX_PIECES:
         raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
-    piece = Piece(_free_id(document), _free_name(document, name))
+    piece = Piece(_free_id(document), _free_name(document, name), source=source)
     document = replace(document, pieces=(*document.pieces, piece))
     first: dict[str, object] = {**_first_values(document, str(PIECE_KIND.canonical(kind))), **(values or {})}
     for each, raw in first.items():
@@ -89,7 +99,7 @@ def copy_piece(document: Document, piece_id: str) -> Document:
     piece = document.piece(piece_id)
     if len(document.pieces) >= MAX_PIECES:
         raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
-    twin = Piece(_free_id(document), _free_name(document, piece.name), piece.tracks)
+    twin = replace(piece, id=_free_id(document), name=_free_name(document, piece.name))
     return replace(document, pieces=(*document.pieces, twin))
 
 
@@ -102,9 +112,11 @@ def kind_of(piece: Piece, frame: float = 1) -> str:
 def _first_values(document: Document, kind: str) -> dict[str, Value]:
     canvas = document.canvas
     side = min(canvas.width_px, canvas.height_px)
-    width, height, depth = (max(part * side, 1.0) for part in _MEASURES[kind])
     ground = value_of(document, Address(GROUND_POSITION), 1)
     x, y = (part for part in ground if isinstance(part, float)) if isinstance(ground, tuple) else (0.0, 0.0)
+    if kind == MESH:
+        return {PIECE_KIND.name: kind, PIECE_POSITION.name: (x, y)}
+    width, height, depth = (max(part * side, 1.0) for part in _MEASURES[kind])
     return {
         PIECE_KIND.name: kind,
         PIECE_POSITION.name: (x, y - _BEHIND * canvas.height_px),

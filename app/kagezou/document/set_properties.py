@@ -2,7 +2,23 @@
 
 from kagezou.document.property import Kind, Property, Scope, Words
 
-KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
+BUILT_KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
+"""What can be put onto the ground by its measures alone."""
+
+MESH = "mesh"
+"""A set read from a file."""
+
+KINDS = (*BUILT_KINDS, MESH)
+
+UP_AXES = ("y", "z")
+DISPLAYS = ("none", "wireframe", "clay")
+
+GROUND_RECEIVES = Property(
+    "ground.receives", Kind.SWITCH, Scope.DOCUMENT, True,  # noqa: FBT003 - a default, named by its column
+    Words("Flat ground", "平らな地面"),
+    Words("Whether shadows fall on the flat ground; off where an imported set is all there is.",
+          "平らな地面に影を落とすか。読み込んだセットだけを使うときはオフ。"),
+)  # fmt: skip
 
 PIECE_KIND = Property(
     "kind", Kind.CHOICE, Scope.PIECE, "wall",
@@ -81,6 +97,39 @@ PIECE_CASTS = Property(
           "自身の影を地面やほかのセットに描くか。オンなら光もさえぎる。"),
 )  # fmt: skip
 
+PIECE_SCALE = Property(
+    "scale", Kind.NUMBER, Scope.PIECE, 100.0,
+    Words("Scale", "スケール"),
+    Words("Of an imported set: canvas px for one unit of the file, at the depth where it stands.",
+          "読み込んだセットの大きさ。ファイルの1単位が、立つ奥行きで何 px か。"),
+    unit="px", low=1e-6, high=1e6,
+)  # fmt: skip
+PIECE_UP = Property(
+    "up", Kind.CHOICE, Scope.PIECE, "y",
+    Words("Up axis", "上方向の軸"),
+    Words("Which axis of the file of an imported set points up.", "読み込んだセットのファイルで上を向く軸。"),
+    choices=UP_AXES,
+)  # fmt: skip
+PIECE_ANCHOR = Property(
+    "anchor", Kind.PLACE, Scope.PIECE, (0.0, 0.0, 0.0),
+    Words("Anchor", "基準点"),
+    Words("The point of an imported set, in the units of its file, that stands on the ground at the piece's place.",
+          "セットの位置で地面に立つ点（ファイルの単位）。"),
+)  # fmt: skip
+PIECE_DISPLAY = Property(
+    "display", Kind.CHOICE, Scope.PIECE, "wireframe",
+    Words("Drawn as", "表示方法"),
+    Words("How an imported set is drawn: not at all, as a wireframe in the window only, or as clay in composites too.",
+          "読み込んだセットの表示。ワイヤーフレームは画面のみ、クレイは合成にも入る。"),
+    choices=DISPLAYS,
+)  # fmt: skip
+PIECE_UNDER = Property(
+    "under", Kind.SWITCH, Scope.PIECE, False,  # noqa: FBT003 - a default, named by its column
+    Words("Under the background", "背景の下"),
+    Words("Whether an imported set is drawn under the background picture rather than over it.",
+          "読み込んだセットを背景の上ではなく下に描く。"),
+)  # fmt: skip
+
 SET_COLOR = Property(
     "set.shadow.color", Kind.COLOR, Scope.DOCUMENT, "#20203A",
     Words("Set shadow colour", "セットの影の色"),
@@ -100,9 +149,10 @@ SET_BLEND = Property(
 )  # fmt: skip
 
 SET_LINES: tuple[Property, ...] = (
-    SET_COLOR, SET_OPACITY, SET_BLEND,
+    GROUND_RECEIVES, SET_COLOR, SET_OPACITY, SET_BLEND,
     PIECE_KIND, PIECE_PRESENT, PIECE_POSITION, PIECE_ANGLE, PIECE_LEAN,
     PIECE_WIDTH, PIECE_HEIGHT, PIECE_DEPTH, PIECE_COUNT,
     PIECE_RECEIVES, PIECE_BLOCKS, PIECE_CASTS,
+    PIECE_SCALE, PIECE_UP, PIECE_ANCHOR, PIECE_DISPLAY, PIECE_UNDER,
 )  # fmt: skip
 """Every line of the set, in the order in which people read them."""

@@ -10,12 +10,13 @@ from pathlib import Path
 from typing import Any, Final
 
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Document
+from kagezou.document.model import Document, file_of
 from kagezou.errors import UsageProblem
 from kagezou.export.jobs import planned
 from kagezou.export.request import DEPTHS, SUFFIXES, ExportRequest
 from kagezou.io.atomic import write_bytes
 from kagezou.io.faults import output_problem
+from kagezou.io.gltf import files_beside
 
 TEMPLATE: Final = "template.json"
 PARAMETERS: Final = "parameter_values.json"
@@ -173,10 +174,13 @@ def _values(document: Document, request: FarmRequest) -> list[Json]:
 
 
 def _assets(document: Document, request: FarmRequest) -> Json:
-    """Return what must be there on a worker: the project and every picture it shows."""
+    """Return what must be there on a worker: the project, every picture it shows and every set."""
     pictures = {drawing.path for layer in document.layers for drawing in layer.cels.drawings}
     if document.background is not None:
-        pictures.add(document.background)
+        pictures.add(file_of(document.background))
+    for piece in document.pieces:
+        if piece.source is not None:
+            pictures |= {piece.source, *files_beside(piece.source)}
     return {
         "inputs": {"filenames": [str(request.project), *sorted(map(str, pictures))], "directories": []},
         "outputs": {"directories": [str(request.export.folder)]},

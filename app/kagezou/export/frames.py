@@ -9,7 +9,8 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
-from kagezou.export.jobs import CompositeContent, Content, Job, Plan, planned
+from kagezou.export.jobs import CompositeContent, Content, Job, LayeredContent, Plan, ReceivedContent, planned
+from kagezou.export.layered import LayerPainter
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.pipeline import Draw, Image, Outcome, Stages, flow, window_for
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
@@ -63,8 +64,8 @@ def _make(run: "_Run", jobs: list[Job], document: Document, open_context: OpenCo
     cels = CelCache(CEL_BUDGET_BYTES)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
     stages = Stages(
-        decode=partial(_decode, cels, in_color=request.composite),
-        drawing=partial(_drawing, cels, request.depth, open_context),
+        decode=partial(decode, cels, in_color=request.composite or request.layered),
+        drawing=partial(drawing, cels, request.depth, open_context),
         write=write_all,
     )
     with closing(flow(jobs, stages, request.workers, window, cancelled)) as outcomes:
@@ -73,31 +74,36 @@ def _make(run: "_Run", jobs: list[Job], document: Document, open_context: OpenCo
 
 
 @contextmanager
-def _drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[Draw]:
+def drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[Draw]:
     """Open OpenGL for the block and give what draws a job."""
     with open_context():
         renderer = Renderer(cels)
         try:
-            yield partial(_drawn, renderer, depth)
+            yield partial(_drawn, renderer, LayerPainter(renderer, cels), depth)
         finally:
             renderer.close()
 
 
-def _decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
+def decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
     """Bring the drawings of a job into memory; in colour at once where a composite will want them so."""
-    for path in job.cels:
-        cels.cel(path)
-    for path in job.mattes:
+    for source in job.cels:
+        cels.cel(source)
+    for source in job.mattes:
         if in_color:
-            cels.cel(path)
+            cels.cel(source)
         else:
-            cels.matte(path)
+            cels.matte(source)
 
 
-def _drawn(renderer: Renderer, depth: int, job: Job) -> Image:
+def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: Job) -> Image:
+    if isinstance(job.content, LayeredContent):
+        return layers.draw(job, job.content, depth)
     if isinstance(job.content, CompositeContent):
         renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
         return renderer.read_picture()
+    if isinstance(job.content, ReceivedContent):
+        assert job.layer is not None, job
+        return renderer.received(job.scene, job.layer, depth)
     if isinstance(job.content.cast, SetCast) and job.scene.set_shadow is not None:
         return renderer.set_shadow(job.scene, job.scene.set_shadow, depth)
     if job.layer is None:
@@ -132,7 +138,7 @@ class _Run:
                 jobs.append(job.only(targets))
         return jobs
 
-    def note(self, outcome: Outcome) -> None:
+    def note(self, outcome: Outcome[str]) -> None:
         """Take in what came of a job; InputProblem if it failed and the others are not to go on without it."""
         job = outcome.job
         if outcome.problem is not None:
@@ -141,7 +147,7 @@ class _Run:
             self.failures.append(Failure(tuple(target.frame for target in job.targets), str(outcome.problem)))
             return
         for target in job.targets:
-            self.ledger.add(target, self.fingerprints[job.content], outcome.written)
+            self.ledger.add(target, self.fingerprints[job.content], outcome.written or "")
         self.drawn += 1
         self.written += len(job.targets)
         self.progress(self.trusted + self.written, self.plan.files)

@@ -2,25 +2,26 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Final
 
-from kagezou.animation.track import Track
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.model import Document, Drawing, Layer
-from kagezou.document.property import Property
+from kagezou.document.model import Document, Drawing, Layer, PictureSource, file_of
 from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
+from kagezou.export.choice import chosen_frames, chosen_layers, is_ever
 from kagezou.export.names import digits_for, safe_names
-from kagezou.export.request import SUFFIXES, ExportRequest
+from kagezou.export.request import RECEIVED, SHADOWS, ExportRequest
+from kagezou.geometry.camera import Camera
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.pieces import SetCast
-from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
+from kagezou.scene.pieces import PieceScene, SetCast
+from kagezou.scene.scene import LayerScene, Received, Scene, SetShadow, ShadowCast, ShadowLook
 
 COMPOSITE: Final = "composite"
 """The folder and the first part of the files of composites."""
+LAYERED: Final = "layered"
+"""The same of frames that hold all layers in one file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,15 +33,51 @@ class ShadowContent:
 
 
 @dataclass(frozen=True, slots=True)
+class ReceivedContent:
+    """All that decides a picture of what others cast on a character, but its size and format."""
+
+    received: Received
+
+
+@dataclass(frozen=True, slots=True)
 class CompositeContent:
-    """All that decides a composite but its size and format: the background and each layer, from the bottom."""
+    """All that decides a composite but its size and format: the background and each layer, from the bottom.
 
-    background: Path | None
-    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook], ...]
+    ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any.
+    """
+
+    background: PictureSource | None
+    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
     set_shadow: SetShadow | None = None
+    clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
 
 
-Content = ShadowContent | CompositeContent
+@dataclass(frozen=True, slots=True)
+class LayeredContent:
+    """All that decides a frame of layers but its size and format.
+
+    Parameters
+    ----------
+    picture
+        What its layers show.
+    layers
+        Ids and names of the characters, from the bottom, also of those that this frame does not show.
+    has_set
+        Whether the set casts a shadow at any time.
+    receiving
+        Ids of the characters that receive the shadows of others at any time.
+    """
+
+    picture: CompositeContent
+    layers: tuple[tuple[str, str], ...]
+    has_set: bool
+    receiving: frozenset[str] = frozenset()
+
+
+Content = ShadowContent | ReceivedContent | CompositeContent | LayeredContent
+
+_Picture = tuple[str, Content, LayerScene | None]
+"""Its folder's name, what it shows, and the layer it is drawn from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +97,8 @@ class Job:
     content
         What it shows; equal contents have equal pixels.
     scene, layer
-        What to draw it from: the first frame that shows it; the layer is None for a composite, for an empty shadow
-        and for the set's.
+        What to draw it from: the first frame that shows it; the layer is None for a composite, a frame of layers, an
+        empty shadow and the set's.
     targets
         In the order of their frames, never empty.
     """
@@ -72,28 +109,53 @@ class Job:
     targets: tuple[Target, ...]
 
     @property
-    def mattes(self) -> tuple[Path, ...]:
+    def mattes(self) -> tuple[PictureSource, ...]:
         """The drawings whose alpha it needs."""
-        if isinstance(self.content, CompositeContent):
+        if isinstance(self.content, ReceivedContent):
+            received = self.content.received
+            casting = (cast.drawing.source for shade in received.shades for cast in shade.casts)
+            return tuple(dict.fromkeys((received.drawing.source, *casting)))
+        if not isinstance(self.content, ShadowContent):
             return ()
-        return (self.content.cast.drawing.path,) if isinstance(self.content.cast, ShadowCast) else ()
+        return (self.content.cast.drawing.source,) if isinstance(self.content.cast, ShadowCast) else ()
 
     @property
-    def cels(self) -> tuple[Path, ...]:
+    def cels(self) -> tuple[PictureSource, ...]:
         """The drawings it needs in colour."""
-        if isinstance(self.content, ShadowContent):
+        if self._picture is None:
             return ()
-        return tuple(drawing.path for drawing, _, _ in self.content.layers if drawing is not None)
+        return tuple(drawing.source for drawing, *_ in self._picture.layers if drawing is not None)
+
+    @property
+    def pictures(self) -> tuple[PictureSource, ...]:
+        """All that it is made of, but for sets."""
+        background = None if self._picture is None else self._picture.background
+        return (*self.mattes, *self.cels, *([background] if background is not None else []))
 
     @property
     def sources(self) -> tuple[Path, ...]:
         """Every file it is made of."""
-        background = self.content.background if isinstance(self.content, CompositeContent) else None
-        return (*self.mattes, *self.cels, *([background] if background is not None else []))
+        return (*map(file_of, self.pictures), *self.sets)
+
+    @property
+    def sets(self) -> tuple[Path, ...]:
+        """The files of imported sets that it needs."""
+        if isinstance(self.content, ReceivedContent):
+            return ()
+        if isinstance(self.content, ShadowContent) and self.content.cast is None:
+            return ()
+        return tuple(dict.fromkeys(piece.mesh.path for piece in self.scene.pieces if piece.mesh is not None))
 
     def only(self, targets: tuple[Target, ...]) -> "Job":
         """Return the job with some of its targets."""
         return replace(self, targets=targets)
+
+    @property
+    def _picture(self) -> CompositeContent | None:
+        """The whole picture it shows, None for a shadow alone."""
+        if isinstance(self.content, ShadowContent | ReceivedContent):
+            return None
+        return self.content.picture if isinstance(self.content, LayeredContent) else self.content
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,11 +180,17 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     UsageProblem
         A layer or a frame is asked for that the document does not have, or there is nothing to make.
     """
-    frames = _frames(document, request)
-    layers = _layers(document, request)
+    if request.layered:
+        return _layered_plan(document, request)
+    frames = chosen_frames(document, request)
+    layers = chosen_layers(document, request)
     names = safe_names(layer.name for layer in document.layers)
+    receiving = [layer for layer in layers if ever_receives(layer)] if request.only != SHADOWS else []
+    layers = layers if request.only != RECEIVED else ()
     folders = [request.folder / f"{names[layer.name]}_shadow" for layer in layers]
-    set_label = _set_label(document, names) if request.layers is None and _set_ever_casts(document) else None
+    folders += [request.folder / f"{names[layer.name]}_received" for layer in receiving]
+    has_set = request.layers is None and request.only != RECEIVED and _set_ever_casts(document)
+    set_label = _set_label(document, names) if has_set else None
     if set_label is not None:
         folders.append(request.folder / set_label)
     if request.composite:
@@ -134,21 +202,47 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     targets: dict[Content, list[Target]] = {}
     for frame in frames:
         scene = evaluate(document, frame)
-        pictures: list[tuple[str, Content, LayerScene | None]] = [
-            (f"{names[layer.name]}_shadow", *_shadow(document, layer, scene, frame)) for layer in layers
-        ]
+        pictures: list[_Picture] = []
+        pictures += [(f"{names[each.name]}_shadow", *_shadow(document, each, scene, frame)) for each in layers]
+        pictures += [(f"{names[each.name]}_received", *_received(document, each, scene, frame)) for each in receiving]
         if set_label is not None:
             pictures.append((set_label, _set_shadow(scene), None))
         if request.composite:
             pictures.append((COMPOSITE, _composite(scene), None))
         for label, content, layer_scene in pictures:
-            path = request.folder / label / f"{label}_{frame:0{digits}d}{SUFFIXES[request.format]}"
+            path = request.folder / label / f"{label}_{frame:0{digits}d}{request.suffix}"
             first.setdefault(content, Job(content, scene, layer_scene, ()))
             targets.setdefault(content, []).append(Target(frame, path))
     jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
     if request.once:
         jobs = tuple(_each_once(jobs, digits))
-    return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in layers})
+    return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in (*layers, *receiving)})
+
+
+def _layered_plan(document: Document, request: ExportRequest) -> Plan:
+    """Return the frames of layers: with some layers chosen they hold those alone."""
+    layers = chosen_layers(document, request)
+    is_all = request.layers is None
+    if not layers:
+        raise UsageProblem("there is nothing to render: the project has no visible character layer")
+    ids = {layer.id for layer in layers}
+    names = tuple((layer.id, layer.name) for layer in layers)
+    has_set = is_all and _set_ever_casts(document)
+    receiving = frozenset(layer.id for layer in layers if ever_receives(layer))
+    folder, digits = request.folder / LAYERED, digits_for(document.canvas.length_frames)
+    first: dict[Content, Job] = {}
+    targets: dict[Content, list[Target]] = {}
+    for frame in chosen_frames(document, request):
+        scene = evaluate(document, frame)
+        if not is_all:
+            chosen = tuple(layer for layer in scene.layers if layer.id in ids)
+            scene = replace(scene, background=None, layers=chosen, set_shadow=None)
+        content = LayeredContent(_composite(scene), names, has_set, receiving)
+        path = folder / f"{LAYERED}_{frame:0{digits}d}{request.suffix}"
+        first.setdefault(content, Job(content, scene, None, ()))
+        targets.setdefault(content, []).append(Target(frame, path))
+    jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
+    return Plan(jobs, (folder,), {})
 
 
 def pictures_of(plan: Plan, folder: Path) -> tuple[int, ...]:
@@ -179,16 +273,31 @@ def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple
     """Return a layer's shadow on a frame; an empty cel and a hidden layer give an empty one."""
     seen = next((each for each in scene.layers if each.id == layer.id), None)
     if seen is None or seen.cast is None:
-        text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
-        red, green, blue = bytes.fromhex(text.removeprefix("#"))
-        return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True)), None
+        return _nothing(document, layer, frame), None
     # How it is laid on what is under it does not change the layer itself.
     return ShadowContent(seen.cast, replace(seen.look, multiply=True)), seen
 
 
+def _received(
+    document: Document, layer: Layer, scene: Scene, frame: int
+) -> tuple[ShadowContent | ReceivedContent, LayerScene | None]:
+    """Return what falls on a layer on a frame; an empty picture where nothing can."""
+    seen = next((each for each in scene.layers if each.id == layer.id), None)
+    if seen is None or seen.received is None or not seen.received.shades:
+        return _nothing(document, layer, frame), None
+    return ReceivedContent(seen.received), seen
+
+
+def _nothing(document: Document, layer: Layer, frame: int) -> ShadowContent:
+    text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
+    red, green, blue = bytes.fromhex(text.removeprefix("#"))
+    return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True))
+
+
 def _composite(scene: Scene) -> CompositeContent:
-    layers = tuple((each.drawing, each.cast, each.look) for each in scene.layers)
-    return CompositeContent(scene.background, layers, scene.set_shadow)
+    layers = tuple((each.drawing, each.cast, each.look, each.received) for each in scene.layers)
+    clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
+    return CompositeContent(scene.background, layers, scene.set_shadow, (scene.camera, clay) if clay else None)
 
 
 def _set_shadow(scene: Scene) -> ShadowContent:
@@ -207,39 +316,9 @@ def _set_label(document: Document, names: dict[str, str]) -> str:
 
 
 def _set_ever_casts(document: Document) -> bool:
-    return any(_is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
+    return any(is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
 
 
-def _frames(document: Document, request: ExportRequest) -> tuple[int, ...]:
-    length = document.canvas.length_frames
-    if request.frames is None:
-        return tuple(range(1, length + 1))
-    beyond = [frame for frame in request.frames if not 1 <= frame <= length]
-    if beyond or not request.frames:
-        raise UsageProblem(f"frame {beyond[0] if beyond else 'none'} is not in the cut, which has frames 1-{length}")
-    return tuple(sorted(set(request.frames)))
-
-
-def _layers(document: Document, request: ExportRequest) -> tuple[Layer, ...]:
-    if request.layers is None:
-        return tuple(layer for layer in document.layers if _is_ever_visible(layer))
-    by_name = {layer.name: layer for layer in document.layers}
-    for name in request.layers:
-        if name not in by_name:
-            near = get_close_matches(name, by_name, n=1)
-            hint = (
-                f"; did you mean {near[0]!r}?" if near else f", only {', '.join(map(repr, by_name)) or 'none at all'}"
-            )
-            raise UsageProblem(f"there is no layer {name!r} in this project{hint}")
-    return tuple(layer for layer in document.layers if layer.name in request.layers)
-
-
-def _is_ever_visible(layer: Layer) -> bool:
-    return _is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
-
-
-def _is_ever(track: Track | None, line: Property) -> bool:
-    """Whether a switch is on at any time."""
-    if track is None:
-        return bool(line.default)
-    return any(key.value for key in track.keys) if track.is_keyed else bool(track.constant)
+def ever_receives(layer: Layer) -> bool:
+    """Return whether a layer receives the shadows of others at any time."""
+    return is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)

@@ -9,18 +9,22 @@ from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, Generic, TypeVar
 
 from numpy.typing import NDArray
 
 from kagezou.errors import InputProblem
 from kagezou.export.jobs import Job
 from kagezou.io.encode import ShadowImage
+from kagezou.io.layered import LayeredImage
 
-Image = ShadowImage | NDArray[Any]
-"""A shadow layer, or a composite as straight (H, W, 4)."""
+Image = ShadowImage | LayeredImage | NDArray[Any]
+"""A shadow layer, a frame of layers, or a composite as straight (H, W, 4)."""
 
 Draw = Callable[[Job], Image]
+
+Made = TypeVar("Made")
+"""What becomes of a picture when it is written."""
 
 AHEAD_BUDGET_BYTES: Final = 256 << 20
 _BYTES_PER_PIXEL: Final = 10
@@ -28,7 +32,7 @@ _BYTES_PER_PIXEL: Final = 10
 
 
 @dataclass(frozen=True, slots=True)
-class Stages:
+class Stages(Generic[Made]):
     """What is done for each job: decoded and written by workers, drawn on the calling thread.
 
     Parameters
@@ -38,20 +42,20 @@ class Stages:
     drawing
         Sets up what draws, for the time of the run; meanwhile the first drawings are decoded already.
     write
-        Returns what its caller wants to know of the written files.
+        Returns what its caller wants to have of it.
     """
 
     decode: Callable[[Job], None]
     drawing: Callable[[], AbstractContextManager[Draw]]
-    write: Callable[[Job, Image], str]
+    write: Callable[[Job, Image], Made]
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class Outcome(Generic[Made]):
     """A job that is done: what its writer returned, or why it could not be drawn."""
 
     job: Job
-    written: str = ""
+    written: Made | None = None
     problem: InputProblem | None = None
 
 
@@ -62,8 +66,8 @@ def window_for(width_px: int, height_px: int, workers: int) -> int:
 
 
 def flow(
-    jobs: Iterable[Job], stages: Stages, workers: int, window: int, cancelled: Callable[[], bool]
-) -> Generator[Outcome, None, None]:
+    jobs: Iterable[Job], stages: Stages[Made], workers: int, window: int, cancelled: Callable[[], bool]
+) -> Generator[Outcome[Made], None, None]:
     """Yield the outcome of each job, in their order but for failed ones, which come as soon as they are known.
 
     When ``cancelled`` says so, what is drawn is still written and yielded, and nothing more is begun. Whatever ends
@@ -71,7 +75,7 @@ def flow(
     """
     upcoming = iter(jobs)
     decoding: deque[tuple[Job, Future[None]]] = deque()
-    writing: deque[tuple[Job, Future[str]]] = deque()
+    writing: deque[tuple[Job, Future[Made]]] = deque()
     pool = ThreadPoolExecutor(workers, thread_name_prefix="frames")
 
     def look_ahead() -> None:

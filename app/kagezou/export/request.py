@@ -10,10 +10,17 @@ from kagezou.errors import UsageProblem
 SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
 """The formats and the suffix of their files."""
 
-DEPTHS: Final = {"png": (8, 16), "tga": (8,), "tiff": (8, 16), "exr": (16,)}
+LAYERED_SUFFIXES: Final = {"psd": ".psd", "exr": ".exr"}
+"""The formats of frames that hold all layers in one file, and the suffix of their files."""
+
+DEPTHS: Final = {"png": (8, 16), "tga": (8,), "tiff": (8, 16), "exr": (16,), "psd": (8,)}
 """The bits a channel that each format holds, the usual one first."""
 
 MAX_WORKERS: Final = 64
+
+SHADOWS: Final = "shadows"
+RECEIVED: Final = "received"
+"""What may be asked for alone: shadows on the ground and the set, or what characters cast on each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +36,7 @@ class ExportRequest:
     layers
         Names of layers; None for every layer that is ever visible.
     format, depth
-        A key of `SUFFIXES`, and bits a channel out of `DEPTHS`.
+        A key of `SUFFIXES`, for layered frames of `LAYERED_SUFFIXES`, and bits a channel out of `DEPTHS`.
     composite
         Whether to write background, shadows and characters in one picture as well.
     skip_existing
@@ -41,6 +48,11 @@ class ExportRequest:
     once
         Whether each different picture of a layer is written once, numbered from 1 in the order in which they appear,
         instead of a file for every frame.
+    layered
+        Whether each frame is one file that holds background, shadows and characters as layers, instead of a folder
+        for each shadow.
+    only
+        `SHADOWS` or `RECEIVED`; None for both.
     """
 
     folder: Path
@@ -53,15 +65,27 @@ class ExportRequest:
     workers: int = 2
     keep_going: bool = False
     once: bool = False
+    layered: bool = False
+    only: str | None = None
 
     def __post_init__(self) -> None:
-        if self.format not in SUFFIXES:
-            raise UsageProblem(f"frames cannot be written as {self.format!r}, only as {', '.join(SUFFIXES)}")
+        if self.layered and self.format not in LAYERED_SUFFIXES:
+            raise UsageProblem(f"layered frames cannot be written as {self.format!r}, only as psd or exr")
+        if self.layered and self.composite:
+            raise UsageProblem("a layered frame holds what a composite is made of; ask for one of the two")
+        if not self.layered and self.format not in SUFFIXES:
+            hint = ", which needs layered frames," if self.format in LAYERED_SUFFIXES else ""
+            raise UsageProblem(f"frames cannot be written as {self.format!r}{hint} only as {', '.join(SUFFIXES)}")
         if self.depth not in DEPTHS[self.format]:
             depths = " or ".join(str(depth) for depth in DEPTHS[self.format])
             raise UsageProblem(f"{self.format} frames have {depths} bits a channel, not {self.depth}")
         if not 1 <= self.workers <= MAX_WORKERS:
             raise UsageProblem(f"{self.workers} workers are not 1 to {MAX_WORKERS}")
+
+    @property
+    def suffix(self) -> str:
+        """The suffix of its files."""
+        return (LAYERED_SUFFIXES if self.layered else SUFFIXES)[self.format]
 
 
 @dataclass(frozen=True, slots=True)

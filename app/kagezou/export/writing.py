@@ -9,6 +9,7 @@ from kagezou.geometry.box import Box
 from kagezou.io.atomic import write_bytes
 from kagezou.io.encode import ShadowImage, encode_png, encode_rgba_png, write_rgba, write_shadow
 from kagezou.io.faults import output_problem
+from kagezou.io.layered import LayeredImage, write_layered
 
 
 def write_all(job: Job, image: Image) -> str:
@@ -20,11 +21,13 @@ def write_all(job: Job, image: Image) -> str:
         A file cannot be written; what was there is still there.
     """
     first, *others = (target.path for target in job.targets)
-    if first.suffix == ".png":
+    if first.suffix == ".png" and not isinstance(image, LayeredImage):
         data = encode_png(image) if isinstance(image, ShadowImage) else encode_rgba_png(image)
         write_bytes(first, data)
     else:
-        if isinstance(image, ShadowImage):
+        if isinstance(image, LayeredImage):
+            write_layered(first, image)
+        elif isinstance(image, ShadowImage):
             write_shadow(first, image)
         else:
             write_rgba(first, image)

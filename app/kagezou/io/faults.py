@@ -50,8 +50,8 @@ def output_problem(path: Path, cause: str | OSError) -> OutputProblem:
     if isinstance(cause, str):
         return OutputProblem(f"{shown(path)}: {cause}")
     kind = DiskFullProblem if is_full(cause) else OutputProblem
-    text = "its folder does not exist" if cause.errno == errno.ENOENT else cause_of(cause)
-    return kind(f"{shown(path)}: cannot be written: {text}")
+    why = "its folder does not exist" if cause.errno == errno.ENOENT else cause_of(cause)
+    return kind(f"{shown(path)}: cannot be written: {why}")
 
 
 def is_full(error: OSError) -> bool:

@@ -95,7 +95,7 @@ class Picture:
     """
 
     def __init__(self, path: Path, *, whole: bool = True) -> None:
-        _configure()
+        configure()
         checked_format(path, whole=whole)
         self._path = path
         config = oiio.ImageSpec()
@@ -106,7 +106,7 @@ class Picture:
         except TypeError as error:  # a name of undecodable bytes does not pass into C++
             raise input_problem(path, "its name is not valid text: please rename it") from error
         except (MemoryError, RuntimeError, ValueError) as error:
-            raise input_problem(path, _first_line(str(error))) from error
+            raise input_problem(path, first_line(str(error))) from error
         if opened is None:
             raise input_problem(path, _text_of(oiio.geterror))
         self._input = opened
@@ -133,7 +133,7 @@ class Picture:
         try:
             pixels = self._input.read_image(0, 0, first, end, wanted)
         except (MemoryError, RuntimeError, ValueError) as error:
-            raise input_problem(self._path, _first_line(str(error))) from error
+            raise input_problem(self._path, first_line(str(error))) from error
         message = _text_of(self._input.geterror)
         if pixels is None or message:
             raise input_problem(self._path, message or "its pixels cannot be decoded")
@@ -159,7 +159,7 @@ def write_verified(temp: Path, pixels: Pixels, settings: Mapping[str, Any], show
     DiskFullProblem, OutputProblem
         The writer complains, or what it wrote reads back differently.
     """
-    _configure()
+    configure()
     cause = _written(temp, pixels, settings) or _differs(temp, pixels)
     if not cause:
         return
@@ -182,11 +182,11 @@ def _written(temp: Path, pixels: Pixels, settings: Mapping[str, Any]) -> str:
         done = out.open(str(temp), spec) and out.write_image(pixels)
         done = out.close() and done
     except (TypeError, MemoryError, RuntimeError, ValueError) as error:
-        return _first_line(str(error))
+        return first_line(str(error))
     message = out.geterror()
     if done and not message:
         return ""
-    return _first_line(message)
+    return first_line(message)
 
 
 def _differs(temp: Path, pixels: Pixels) -> str:
@@ -205,7 +205,8 @@ def _differs(temp: Path, pixels: Pixels) -> str:
 
 
 @functools.cache
-def _configure() -> None:
+def configure() -> None:
+    """Set OpenImageIO up, once."""
     for name, value in _SETTINGS.items():
         oiio.attribute(name, value)
 
@@ -251,11 +252,11 @@ def _check_size(path: Path, header: Header) -> None:
 def _text_of(ask: Any) -> str:
     """Return the pending error as one line; damaged files may put bytes into it that are no text."""
     try:
-        return _first_line(ask())
+        return first_line(ask())
     except UnicodeDecodeError:
         return "it cannot be decoded"
 
 
-def _first_line(text: str) -> str:
+def first_line(text: str) -> str:
     """Return the first line of an error, which is the one that a person can use."""
     return text.strip().partition("\n")[0].strip() or ""

@@ -1,8 +1,8 @@
 """PNG packed in memory: rows filtered simply and deflated fast, the same bytes for the same picture.
 
 A shadow layer is one colour under an alpha that is clear outside a box. As differences to the row above it is zero
-everywhere but in its first row and in the box, so a row buffer per thread is prepared once; a frame then writes its box
-alone and wipes the box of the frame before.
+everywhere but in its first row and in the box, so a row buffer per thread is prepared once; a frame then writes its
+colour and its box alone and wipes the box of the frame before.
 """
 
 import struct
@@ -29,11 +29,11 @@ _UP_FILTER: Final = 2
 
 
 class _Buffers(threading.local):
-    """The rows that this thread wrote last, their alpha bytes (H, W, depth), and where those are not blank."""
+    """The rows that this thread wrote last, their pixels' bytes (H, W, 4, depth), and where alpha is not blank."""
 
-    key: tuple[int, int, Color, str] | None = None
+    key: tuple[int, int, str] | None = None
     rows: NDArray[np.uint8]
-    alpha: NDArray[np.uint8]
+    pixels: NDArray[np.uint8]
     written: tuple[slice, slice] = (slice(0, 0), slice(0, 0))
 
 
@@ -56,15 +56,16 @@ def pack_layer(size_px: tuple[int, int], color: Color, alpha: Pixels, box: Box) 
     """
     width, height = size_px
     buffers = _buffers
-    key = (width, height, color, alpha.dtype.name)
+    key = (width, height, alpha.dtype.name)
     if buffers.key != key:
         buffers.key = None
-        buffers.rows, buffers.alpha = _blank_rows(width, height, color, alpha.dtype)
+        buffers.rows, buffers.pixels = _blank_rows(width, height, alpha.dtype)
         buffers.key = key
     else:
-        buffers.alpha[buffers.written] = 0
+        buffers.pixels[*buffers.written, 3] = 0
+    buffers.pixels[0, :, :3] = np.asarray(color, np.uint8)[:, None]
     buffers.written = slice(box.top, box.bottom + 1), slice(box.left, box.right)
-    _difference(alpha, buffers.alpha[buffers.written])
+    _difference(alpha, buffers.pixels[*buffers.written, 3])
     return _packed(size_px, alpha.dtype.itemsize * 8, buffers.rows)
 
 
@@ -83,15 +84,11 @@ def pack_rgba(rgba: Pixels) -> bytes:
     return _packed((width, height), bits, _rows(plain, _LEFT_FILTER if smaller else _NO_FILTER, step))
 
 
-def _blank_rows(
-    width: int, height: int, color: Color, dtype: np.dtype[Any]
-) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """Return the differences of rows of ``color`` with alpha 0, and a view (H, W, depth) on their alpha bytes."""
+def _blank_rows(width: int, height: int, dtype: np.dtype[Any]) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Return the differences of clear black rows, and a view (H, W, 4, depth) on their pixels."""
     rows = np.zeros((height, 1 + width * 4 * dtype.itemsize), np.uint8)
     rows[:, 0] = _UP_FILTER
-    pixels = rows[:, 1:].reshape(height, width, 4, dtype.itemsize)
-    pixels[0, :, :3] = np.asarray(color, np.uint8)[:, None]
-    return rows, pixels[:, :, 3]
+    return rows, rows[:, 1:].reshape(height, width, 4, dtype.itemsize)
 
 
 def _difference(alpha: Pixels, out: NDArray[np.uint8]) -> None:

@@ -39,7 +39,7 @@ PROJECT: Final[Fields] = MappingProxyType({
     "version": Field("whole number", "The format version; a program refuses a newer one than it knows."),
     "app_version": Field("text", "The program that wrote the file; only ever shown."),
     "canvas": Field("object", "Size and time of the cut."),
-    "background": Field("path or null", "The picture under everything."),
+    "background": Field("path, [path, part] or null", "The picture under everything."),
     "tracks": Field("object", "Property name → track, for the properties of the scene."),
     "layers": Field(f"list of at most {MAX_LAYERS} objects", "The character layers from bottom to top."),
     "work_area": Field("[first, last]", "The frames that are played and worked on, both included.", optional=True),
@@ -47,6 +47,11 @@ PROJECT: Final[Fields] = MappingProxyType({
     "notes": Field("list of objects", "What is said about properties.", optional=True),
     "set": Field(f"list of at most {MAX_PIECES} objects", "The set pieces; missing where there are none.",
                  optional=True),
+    "vanishing": Field("list of four [[x, y], [x, y]]",
+                       "Edges of the floor in the background picture by which the camera was matched, canvas px: two "
+                       "that run one way, and two square to them.", optional=True),
+    "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
+                    "none. Every layer has them in its own tracks too.", optional=True),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({
@@ -60,7 +65,8 @@ LAYER: Final[Fields] = MappingProxyType({
     "id": Field("text", "Unique and unchanging; never shown."),
     "name": Field("text", "Unique; part of property paths and of the names of rendered files."),
     "figure": Field("[left, top, right, bottom]", "Whole canvas px, half-open: the opaque part of the first drawing."),
-    "drawings": Field("list of [name, path]", "The cels; each lies centred on the canvas, pixel for pixel."),
+    "drawings": Field("list of [name, path] and [name, path, part]",
+                      "The cels; each lies centred on the canvas, pixel for pixel."),
     "exposures": Field("list of [frame, index]",
                        "From this frame on that drawing is seen, counted from 0, or none for null; frames go up."),
     "tracks": Field("object", "Property name → track, for the properties of the layer."),
@@ -70,6 +76,7 @@ PIECE: Final[Fields] = MappingProxyType({
     "id": Field("text", "Unique and unchanging; never shown."),
     "name": Field("text", "Unique in the set; part of property paths."),
     "tracks": Field("object", "Property name → track, for the properties of the piece."),
+    "source": Field("path", "The file of an imported set.", optional=True),
 })  # fmt: skip
 
 TRACK: Final[Fields] = MappingProxyType({

@@ -124,6 +124,7 @@ def _example_text() -> str:
         pieces=(
             Piece("piece-1", "wall", MappingProxyType({"position": Track((320.0, 250.0)), "width": Track(900.0)})),
         ),
+        linked=frozenset({"shadow.opacity"}),
     )
     return formatted({**tree_of(document, folder), "app_version": "0.1.0"})
 

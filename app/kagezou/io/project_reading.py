@@ -10,12 +10,25 @@ from typing import Final
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
+from kagezou.document.linking import LINKABLE
+from kagezou.document.model import (
+    Canvas,
+    Cels,
+    Document,
+    Drawing,
+    Exposure,
+    Layer,
+    PicturePart,
+    PictureSource,
+    Piece,
+    Tracks,
+)
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import MAX_PIECES
 from kagezou.errors import ProjectProblem, UsageProblem
 from kagezou.geometry.box import Box
+from kagezou.geometry.vanishing import Line, VanishingLines
 from kagezou.io import project_fields as fields
 from kagezou.io.project_json import Reader
 from kagezou.io.project_paths import MAX_PATH_CHARACTERS, local_path
@@ -41,13 +54,15 @@ def document_of(project: Reader, folder: Path) -> Document:
     review = read_review(found, {layer.id for layer in layers})
     document = Document(
         canvas=_canvas(found["canvas"]),
-        background=None if found["background"].value is None else _path(found["background"], folder),
+        background=_background(found["background"], folder),
         layers=layers,
         tracks=_tracks(found["tracks"], OF_DOCUMENT),
         work_area=review.work_area,
         markers=review.markers,
         notes=review.notes,
-        pieces=tuple(_piece(each) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
+        pieces=tuple(_piece(each, folder) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
+        vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
+        linked=_linked(found["linked"]) if "linked" in found else frozenset(),
     )
     if _row_count(document) > fields.MAX_ROWS:
         raise project.problem(f"more than {fields.MAX_ROWS} drawings, exposures and keys")
@@ -96,9 +111,25 @@ def _layer(reader: Reader, folder: Path) -> Layer:
     )
 
 
-def _piece(reader: Reader) -> Piece:
+def _linked(reader: Reader) -> frozenset[str]:
+    return frozenset(each.word(list(LINKABLE)) for each in reader.items(len(LINKABLE)))
+
+
+def _piece(reader: Reader, folder: Path) -> Piece:
     found = _record(reader, fields.PIECE)
-    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE))
+    source = _path(found["source"], folder) if "source" in found else None
+    return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE), source)
+
+
+def _vanishing(reader: Reader) -> VanishingLines:
+    first, second, third, fourth = (_line(each) for each in reader.items(4, least=4))
+    return VanishingLines((first, second), (third, fourth))
+
+
+def _line(reader: Reader) -> Line:
+    start, end = (each.items(2, least=2) for each in reader.items(2, least=2))
+    (ax, ay), (bx, by) = ((x.number(-_MAX_PX, _MAX_PX), y.number(-_MAX_PX, _MAX_PX)) for x, y in (start, end))
+    return ((ax, ay), (bx, by))
 
 
 def _name(reader: Reader) -> str:
@@ -122,8 +153,16 @@ def _cels(drawings: Reader, exposures: Reader, folder: Path) -> Cels:
 
 
 def _drawing(reader: Reader, folder: Path) -> Drawing:
-    name, path = reader.items(2, least=2)
-    return Drawing(name.text(MAX_PATH_CHARACTERS), _path(path, folder))
+    name, path, *part = reader.items(3, least=2)
+    address = part[0].text(MAX_PATH_CHARACTERS) if part else None
+    return Drawing(name.text(MAX_PATH_CHARACTERS), _path(path, folder), address)
+
+
+def _background(reader: Reader, folder: Path) -> PictureSource | None:
+    if isinstance(reader.value, list):
+        path, part = reader.items(2, least=2)
+        return PicturePart(_path(path, folder), part.text(MAX_PATH_CHARACTERS))
+    return None if reader.value is None else _path(reader, folder)
 
 
 def _path(reader: Reader, folder: Path) -> Path:

@@ -85,6 +85,15 @@ def save_style(folder: Path, style: Style) -> Path:
     stem = "".join(letter if letter.isalnum() or letter in " -_" else "_" for letter in name).strip()
     if not stem or len(stem) > 80:
         raise UsageProblem(f"a style cannot be named {name[:60]!r}: a name is 1 to 80 letters and digits")
+    path = folder / f"{stem}{SUFFIX}"
+    folder.mkdir(parents=True, exist_ok=True)
+    write_bytes(path, dumps_style(style).encode())
+    return path
+
+
+def dumps_style(style: Style) -> str:
+    """Return a style as the text of its file."""
+    name = style.name.en.strip()
     record: dict[str, object] = {
         "style": VERSION,
         "name": {"en": name, "ja": style.name.ja.strip() or name},
@@ -93,10 +102,15 @@ def save_style(folder: Path, style: Style) -> Path:
     }
     if style.scene:
         record["scene"] = dict(style.scene)
-    path = folder / f"{stem}{SUFFIX}"
-    folder.mkdir(parents=True, exist_ok=True)
-    write_bytes(path, (json.dumps(record, ensure_ascii=False, indent=2) + "\n").encode())
-    return path
+    return json.dumps(record, ensure_ascii=False, indent=2) + "\n"
+
+
+def loads_style(text: str) -> Style | None:
+    """Return the style that a text is, such as one from the clipboard; None if it is none."""
+    try:
+        return _style(Reader(parse(text))) if len(text) <= MAX_BYTES else None
+    except (ProjectProblem, UsageProblem):
+        return None
 
 
 def _files(folder: Path) -> list[Path]:

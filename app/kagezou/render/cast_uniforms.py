@@ -8,7 +8,7 @@ import numpy as np
 
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG, foot_of, grazing_strength
-from kagezou.geometry.shadow import Cast
+from kagezou.geometry.shadow import Cast, SpaceCast
 from kagezou.geometry.vectors import Matrix, Vector4, dot, height_over
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Uniform
@@ -17,6 +17,8 @@ from kagezou.render.targets import LAST_LEVEL
 NO_SWITCHES: frozenset[str] = frozenset()
 LAMP_IS_LOW = frozenset({"LAMP_IS_LOW"})
 TRANSLUCENT = frozenset({"TRANSLUCENT"})
+
+_NO_LIMIT = np.array([0.0, 0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +113,15 @@ class Edges:
             "u_right_fold": self.cast.right_fold @ canvas_from_pixel,
             "u_horizon": self.cast.horizon @ canvas_from_pixel,
         }
+
+
+def card_uniforms(cast: SpaceCast, matte: PlacedMatte, world_from_local: Matrix) -> dict[str, Uniform]:
+    """Return what ``card_in_space.glsl`` wants of a card piece, for a matte on unit 0 and places of a (4, 4) shift."""
+    corner = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
+    rows = corner @ cast.art_from_world @ world_from_local
+    forms = (cast.side, cast.left_fold, cast.right_fold)
+    limits = [_NO_LIMIT if form is None else form @ world_from_local for form in forms]
+    return {"u_matte": 0, "u_texel_rows": rows / np.abs(rows[2]).max(), "u_limits": np.array(limits)}
 
 
 def _balanced(matrix: Matrix) -> Matrix:

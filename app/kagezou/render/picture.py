@@ -2,22 +2,29 @@
 
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
+from kagezou.document.model import PictureSource
 from kagezou.geometry.box import Box, centred_offset
-from kagezou.io.images import Cel, read_cel
+from kagezou.io.cels import CelSource
+from kagezou.io.images import Cel
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.boxes import Boxes
 from kagezou.render.gl import GL
 from kagezou.render.look import look_uniforms, unit_rgb
+from kagezou.render.mesh_display import Display, SetPicture
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.shelf import Shelf
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import ShadowCast, ShadowLook
 
+COLOR_BUDGET_BYTES = 256 << 20
+
 _NO_COLOR = (0.0, 0.0, 0.0)
 _LINE_COLOR = (0xD5 / 255, 0x5E / 255, 0.0)
 """Vermilion: seen on paper, on dark drawings and by those who see few colours."""
+
+
+_WIRE_OPACITY = 0.8
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,21 +32,24 @@ class _Base:
     """What the lowest layer of the picture was made of."""
 
     backdrop: Backdrop
-    background: Path | None
+    background: PictureSource | None
+    sets: tuple[SetPicture, ...]
 
 
 class Picture:
     """A canvas-sized target of straight sRGB, drawn from the base up. Only what was drawn over is restored."""
 
-    def __init__(self, boxes: Boxes, canvas: Box, form: Format, color_budget_bytes: int) -> None:
+    def __init__(self, boxes: Boxes, canvas: Box, form: Format, cels: CelSource, square_px: int) -> None:
         self._boxes = boxes
+        self._cels = cels
+        self._square_px = square_px
         self._backdrop_program = Program("box.vert", "backdrop.frag")
         self._lay_programs = Variants("box.vert", "lay.frag")
         self._copy_program = Program("box.vert", "copy.frag")
         self._target = Target(canvas.width, canvas.height, form)
         self._base_target = Target(canvas.width, canvas.height, form)
         self._under_target = Target(canvas.width, canvas.height, form)
-        self._colors: Shelf[Texture] = Shelf(color_budget_bytes)
+        self._colors: Shelf[Texture] = Shelf(COLOR_BUDGET_BYTES)
         self._base: _Base | None = None
         self._drawn_over: list[Box] = []
 
@@ -48,9 +58,9 @@ class Picture:
         """Where the picture is."""
         return self._target
 
-    def begin(self, backdrop: Backdrop, background: Path | None) -> None:
-        """Start over from the base: the backdrop, and the background picture where it is asked for."""
-        base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None)
+    def begin(self, backdrop: Backdrop, background: PictureSource | None, sets: tuple[SetPicture, ...] = ()) -> None:
+        """Start over from the base: the backdrop, the background picture where it is asked for, and sets."""
+        base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None, sets)
         if base != self._base:
             self._base = None
             self._make_base(base)
@@ -119,12 +129,30 @@ class Picture:
                 "u_target_size_px": self._target.size_px,
                 "u_tone": tone,
                 "u_other_tone": other,
-                "u_square_px": 16,
+                "u_square_px": self._square_px,
             }
         )
         self._boxes.draw_one(self._base_target.box)
+        for picture in base.sets:
+            if picture.is_under:
+                self._lay_set(picture)
         if base.background is not None:
-            self._lay_cel(self._base_target, read_cel(base.background, white_is_clear=False))
+            self._lay_cel(self._base_target, self._cels.background(base.background))
+        for picture in base.sets:
+            if not picture.is_under:
+                self._lay_set(picture)
+
+    def _lay_set(self, picture: SetPicture) -> None:
+        is_wire = picture.display is Display.WIREFRAME
+        uniforms: dict[str, Uniform] = {
+            "u_source_corner_px": (0.0, 0.0),
+            "u_is_picture": not is_wire,
+            "u_color": _NO_COLOR,
+            "u_opacity": _WIRE_OPACITY if is_wire else 1.0,
+            "u_multiply": False,
+        }
+        switches = frozenset({"CONTRASTING"} if is_wire else ())
+        self._lay(self._base_target, self._base_target.box, picture.texture, uniforms, switches)
 
     def _lay_cel(self, target: Target, cel: Cel) -> None:
         if cel.matte.box is None:

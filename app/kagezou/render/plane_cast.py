@@ -109,7 +109,7 @@ class PlaneCast:
         alone = self._alone_of(whole)
         flat_from_target = np.eye(3)
         flat_from_target[:2, :2] = job.ground_from_blurred
-        target_from_flat = np.linalg.inv(flat_from_target @ window.canvas_from_target)
+        target_from_flat: Matrix = np.asarray(np.linalg.inv(flat_from_target @ window.canvas_from_target), np.float64)
         outlines = job.development.outlines(chart.number, beyond_of(job, chart))
         for number, group in groupby(outlines, key=lambda outline: outline.sheet):
             parts = [[moved(target_from_flat, each) for each in (outline.corners, *outline.over)] for outline in group]

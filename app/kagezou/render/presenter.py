@@ -28,6 +28,8 @@ class WindowView:
         Where the canvas' top left corner lies, device px, y down.
     surround
         The colour around the canvas, sRGB 0 to 1.
+    divisor
+        How many canvas px a pixel of the picture is wide: over 1 for a preview.
     """
 
     framebuffer: int
@@ -36,6 +38,7 @@ class WindowView:
     zoom: float
     origin_px: tuple[float, float]
     surround: tuple[float, float, float]
+    divisor: int = 1
 
 
 class Presenter:
@@ -54,7 +57,7 @@ class Presenter:
         GL.glColorMask(True, True, True, True)  # noqa: FBT003 - the call's own order
         picture.set_linear(magnified=view.zoom < BLOCKY_FROM_ZOOM, minified=True)
         picture.bind(0)
-        scale = 1.0 / view.zoom
+        scale = 1.0 / (view.zoom * view.divisor)
         self._program.use(
             {
                 "u_target_size_px": (float(view.width_px), float(view.height_px)),

@@ -4,26 +4,32 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
+from kagezou.io.cels import CelSource
 from kagezou.io.encode import ShadowImage
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.boxes import Boxes
 from kagezou.render.depth_map import DepthMapPass
 from kagezou.render.gl import GL, check
 from kagezou.render.info import read_info
 from kagezou.render.look import look_uniforms, unit_rgb
+from kagezou.render.mesh_display import Display
+from kagezou.render.mixing import mixed
 from kagezou.render.picture import Picture
 from kagezou.render.presenter import Presenter, WindowView
 from kagezou.render.program import Variants
+from kagezou.render.received import ReceivedCoverage
 from kagezou.render.shadow_layers import Coverage, ShadowLayers
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
-MATTE_BUDGET_BYTES = 128 << 20
-COLOR_BUDGET_BYTES = 256 << 20
+MATTE_BUDGET_BYTES = 256 << 20
+_SQUARE_PX = 16
+"""The checkered backdrop's, canvas px."""
 
 _DEPTHS = {8: np.uint8, 16: np.uint16}
+_MOST_COVERED = 65535
 
 
 class Renderer:
@@ -34,8 +40,10 @@ class Renderer:
 
     Parameters
     ----------
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and meshes come from.
+    divisor
+        How many px of the cut's own canvas are one of the scenes that are drawn, for previews.
 
     Raises
     ------
@@ -43,11 +51,12 @@ class Renderer:
         If the context is older than OpenGL 3.3 or the driver fails.
     """
 
-    def __init__(self, cels: CelCache) -> None:
+    def __init__(self, cels: CelSource, meshes: MeshCache | None = None, divisor: int = 1) -> None:
         self.info = read_info()
         self._cels = cels
+        self._divisor = divisor
         self._boxes = Boxes()
-        self._shadows = ShadowLayers(self._boxes, cels, MATTE_BUDGET_BYTES)
+        self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
         self._shade_programs = Variants("box.vert", "shade.frag")
         self._presenter = Presenter(self._boxes)
         self._picture: Picture | None = None
@@ -64,6 +73,11 @@ class Renderer:
         """How many of those shadows have been simplified."""
         return self._shadows.filters_drawn
 
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views; kept while they stay."""
+        return self._shadows.meshes_seen
+
     def shadow(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return a layer's shadow: straight alpha = covered part × opacity (spec 6), one colour unless it has a tip.
 
@@ -78,12 +92,26 @@ class Renderer:
         """
         return self._shaded_image(scene.canvas, self._shadows.coverage(scene, layer), layer.cast, layer.look, depth)
 
+    def received(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
+        """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are."""
+        shades = self._shadows.received(scene, layer)
+        if not shades:
+            looks = [shade.look for shade in layer.received.shades] if layer.received else []
+            return self._shaded_image(scene.canvas, None, None, looks[0] if looks else layer.look, depth)
+        images = [self._shaded_image(scene.canvas, shade, None, shade.look, depth) for shade in shades]
+        return mixed(images, multiply=shades[0].look.multiply)
+
     def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
         """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""
         return self._shaded_image(scene.canvas, self._shadows.set_coverage(scene), None, shadow.look, depth)
 
     def _shaded_image(
-        self, canvas: Box, coverage: Coverage | None, cast: ShadowCast | None, look: ShadowLook, depth: int
+        self,
+        canvas: Box,
+        coverage: Coverage | ReceivedCoverage | None,
+        cast: ShadowCast | None,
+        look: ShadowLook,
+        depth: int,
     ) -> ShadowImage:
         if coverage is None or coverage.box is None:
             return ShadowImage(
@@ -91,6 +119,10 @@ class Renderer:
             )
         box = coverage.box
         switches, uniforms = look_uniforms(cast, look, box)
+        if not switches:
+            covered = coverage.target.read(box)
+            check("drawing a shadow")
+            return ShadowImage(canvas.width, canvas.height, look.color, _alpha_of(covered, look.opacity, depth), box)
         forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
         target = self._shaded_target(canvas, forms[depth != 8])
         if look.tip:
@@ -119,6 +151,13 @@ class Renderer:
         check("drawing a depth map")
         return coverage
 
+    def received_coverage(self, scene: Scene, layer: LayerScene) -> Steps:
+        """Return the part of every pixel of a layer that others shade before opacity, (H, W) 16 bit."""
+        most = np.zeros((scene.canvas.height, scene.canvas.width), np.uint16)
+        for each in self._shadows.received(scene, layer):
+            np.maximum(most, each.target.read(scene.canvas), out=most)
+        return most
+
     def set_coverage(self, scene: Scene) -> Steps:
         """Return the covered parts of the shadow of the set itself before opacity, (H, W) 16 bit."""
         coverage = self._shadows.set_coverage(scene)
@@ -134,19 +173,27 @@ class Renderer:
         return coverage.target.read(scene.canvas)
 
     def draw_picture(
-        self, scene: Scene, backdrop: Backdrop = Backdrop.BACKGROUND, depth: int = 8, line_px: int = 0
+        self,
+        scene: Scene,
+        backdrop: Backdrop = Backdrop.BACKGROUND,
+        depth: int = 8,
+        line_px: int = 0,
+        *,
+        wireframes: bool = False,
     ) -> None:
         """Draw backdrop, shadows and characters; the result stays in the renderer until the next picture.
 
-        With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width.
+        With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width. With
+        ``wireframes`` imported sets show theirs, where that is asked of them.
         """
         form = Format.RGBA8 if depth == 8 else Format.RGBA16
         picture = self._picture_for(scene.canvas, form)
-        picture.begin(backdrop, scene.background)
+        displays = (Display.CLAY, Display.WIREFRAME) if wireframes else (Display.CLAY,)
+        picture.begin(backdrop, scene.background, self._shadows.set_pictures(scene, displays))
         self._lay_set_shadow(picture, scene)
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
-        cels = [self._cels.cel(layer.drawing.path) for layer in scene.layers if layer.drawing is not None]
+        cels = {each.id: self._cels.cel(each.drawing.source) for each in scene.layers if each.drawing is not None}
         outlines: list[tuple[Texture, Box]] = []
         for layer in scene.layers:
             coverage = self._shadows.coverage(scene, layer)
@@ -155,8 +202,14 @@ class Renderer:
                     outlines.append((coverage.target.texture, coverage.box))
                 else:
                     picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look)
-        for cel in cels:
-            picture.lay_cel(cel)
+        for layer in scene.layers:
+            if layer.drawing is not None:
+                picture.lay_cel(cels[layer.id])
+            for shade in self._shadows.received(scene, layer):
+                if line_px and shade.box is not None:
+                    outlines.append((shade.target.texture, shade.box))
+                elif shade.box is not None:
+                    picture.lay_shadow(shade.target.texture, shade.box, None, shade.look)
         for texture, box in outlines:
             picture.lay_outline(texture, box, line_px)
         check("drawing the picture")
@@ -206,7 +259,7 @@ class Renderer:
             old.close()
             self._picture = None
         if self._picture is None:
-            self._picture = Picture(self._boxes, canvas, form, COLOR_BUDGET_BYTES)
+            self._picture = Picture(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
         return self._picture
 
     def _shaded_target(self, canvas: Box, form: Format) -> Target:
@@ -217,3 +270,10 @@ class Renderer:
         if target is None:
             target = self._shaded[form] = Target(canvas.width, canvas.height, form)
         return target
+
+
+def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
+    """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
+    most = (1 << depth) - 1
+    alpha: Steps = np.rint(covered * np.float32(opacity * most / _MOST_COVERED)).astype(_DEPTHS[depth])
+    return alpha

@@ -1,7 +1,7 @@
 """Adding what is seen of one receiver's shadow to the picture of them all."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from kagezou.geometry.box import Box
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Laying, Stroke
 from kagezou.render.gl import GL
+from kagezou.render.mesh_screen import Screen
 from kagezou.render.program import Program, Uniform, Variants
 from kagezou.render.set_tiles import Flags, Mask, MaskStates, mask_states
 from kagezou.render.set_uniforms import TABLE_SIZES, fits, mask_uniforms
@@ -70,7 +71,7 @@ class Adding:
                 self._add_edge(edge.needed, aside, edge.tiling.boxes, target)
         return drawn
 
-    def add(self, mask: Mask, alone: Target, box: Box, target: Target) -> Box | None:
+    def add(self, mask: Mask, alone: Target, box: Box, target: Target, screen: Screen | None = None) -> Box | None:
         """Add the seen and lit part of a receiver's shadow; return the box it was added in, None for nowhere.
 
         Parameters
@@ -83,9 +84,13 @@ class Adding:
             Where that holds any.
         target
             What to add to.
+        screen
+            What meshes do to the receiver; None where there are none.
         """
         grid = whole_grid(box)
         states = mask_states(mask, grid.corners(), own_shadow=False)
+        if screen is not None:
+            states = screen.narrowed(states, box)
         whole = grid.tiling(target.box, states.whole)
         drawn = whole.box
         if drawn is not None:
@@ -96,11 +101,13 @@ class Adding:
         for tiles, needed in _parted(states, None):
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
-                self._add_edge(needed, alone, edge.boxes, target)
+                self._add_edge(needed, alone, edge.boxes, target, screen)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
 
-    def add_own(self, mask: Mask, shade: OwnShade, box: Box, target: Target) -> Box | None:
+    def add_own(
+        self, mask: Mask, shade: OwnShade, box: Box, target: Target, screen: Screen | None = None
+    ) -> Box | None:
         """Add the seen part of a receiver that bodies take from the light; return the box it was added in."""
         grid = whole_grid(box)
         states = mask_states(mask, grid.corners(), own_shadow="DARK_WHEN_TURNED" not in shade.switches)
@@ -109,6 +116,8 @@ class Adding:
             seen = mask_states(Mask(mask.outline, mask.hidden, ()), grid.corners(), own_shadow=False)
             all_mask = mask_states(mask, grid.corners(), own_shadow=True)
             states = MaskStates(all_mask.mask, np.zeros_like(seen.whole), seen.whole | seen.edge, all_mask.regions)
+        if screen is not None:
+            states = _taken(mask, states, screen, box)
         whole = grid.tiling(target.box, states.whole)
         drawn = whole.box
         if drawn is not None:
@@ -118,7 +127,7 @@ class Adding:
         for tiles, needed in _parted(states, None):
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
-                self._add_own_edge(needed, shade, edge.boxes, target)
+                self._add_own_edge(needed, shade, edge.boxes, target, screen)
                 drawn = edge.box if drawn is None else drawn.union(edge.box)
         return drawn
 
@@ -131,23 +140,29 @@ class Adding:
         self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
         self._boxes.draw_one(box)
 
-    def _add_edge(self, mask: Mask, alone: Target, boxes: TileBoxes, target: Target) -> None:
+    def _add_edge(
+        self, mask: Mask, alone: Target, boxes: TileBoxes, target: Target, screen: Screen | None = None
+    ) -> None:
         around = around_boxes(boxes)
         assert around is not None
         _begin(target, around)
         alone.texture.bind(0)
         origin = ((around.left + around.right) // 2 + 0.5, (around.top + around.bottom) // 2 + 0.5)
-        uniforms = mask_uniforms(mask, origin)
-        self._masked[TABLE_SIZES].use({"u_target_size_px": target.size_px, "u_coverage": 0, **uniforms})
+        switches, uniforms = _screened(screen, origin)
+        uniforms |= mask_uniforms(mask, origin)
+        self._masked[TABLE_SIZES | switches].use({"u_target_size_px": target.size_px, "u_coverage": 0, **uniforms})
         self._boxes.draw(boxes)
 
-    def _add_own_edge(self, mask: Mask, shade: OwnShade, boxes: TileBoxes, target: Target) -> None:
+    def _add_own_edge(
+        self, mask: Mask, shade: OwnShade, boxes: TileBoxes, target: Target, screen: Screen | None
+    ) -> None:
         _begin(target, around_boxes(boxes))
         # One origin for everything: grazing has its numbers around it.
         origin = shade.uniforms["u_origin_px"]
         assert isinstance(origin, tuple)
-        uniforms = mask_uniforms(mask, (origin[0], origin[1]))
-        switches = TABLE_SIZES | shade.switches | {"OWN_SHADOW"}
+        switches, uniforms = _screened(screen, (origin[0], origin[1]))
+        uniforms |= mask_uniforms(mask, (origin[0], origin[1]))
+        switches |= TABLE_SIZES | shade.switches | {"OWN_SHADOW"}
         self._masked[switches].use({"u_target_size_px": target.size_px, **shade.uniforms, **uniforms})
         self._boxes.draw(boxes)
 
@@ -174,6 +189,19 @@ def _sorted(mask: Mask, stroke: Stroke, canvas: Box) -> tuple[Tiling, list[_Edge
     tilings = [first, *(stroke.grid.tiling(canvas, tiles) for tiles, _ in parts[1:])]
     edges = [_Edge(stroke, tiling, needed) for tiling, (_, needed) in zip(tilings, parts, strict=False)]
     return whole, [edge for edge in edges if edge.tiling.box is not None]
+
+
+def _screened(screen: Screen | None, origin: tuple[float, float]) -> tuple[frozenset[str], dict[str, Uniform]]:
+    return (frozenset(), {}) if screen is None else (screen.switches, screen.uniforms(origin))
+
+
+def _taken(mask: Mask, states: MaskStates, screen: Screen, box: Box) -> MaskStates:
+    """Return the states of tiles asked what is taken of the light, with what meshes take and hide."""
+    taken = screen.may_be_taken(box)
+    if taken.any():
+        seen = mask_states(Mask(mask.outline, mask.hidden, ()), whole_grid(box).corners(), own_shadow=False)
+        states = replace(states, edge=states.edge | (seen.whole | seen.edge) & taken & ~states.whole)
+    return screen.narrowed(states, box)
 
 
 def _begin(target: Target, box: Box | None) -> None:

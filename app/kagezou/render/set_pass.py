@@ -5,6 +5,7 @@ seen and lit of a face adds up to the whole picture pixel by pixel: there is no 
 """
 
 from collections import OrderedDict
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,16 +20,19 @@ from kagezou.geometry.set_view import GROUND, Face
 from kagezou.geometry.shadow import plane_coordinates
 from kagezou.geometry.vectors import Vector4, height_over
 from kagezou.geometry.veils import Veil
+from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Stroke, Window, strokes
 from kagezou.render.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.mattes import PlacedMatte
+from kagezou.render.mesh_display import Display, SetPicture
+from kagezou.render.mesh_pass import MeshLit, MeshPass
+from kagezou.render.mesh_screen import Screen
 from kagezou.render.set_adding import Adding, OwnShade
 from kagezou.render.set_round import RoundLit, RoundPass
+from kagezou.render.set_shapes import blocks, casts, receivers_of, views_of
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Mask
-from kagezou.render.shape_charts import Receivers
-from kagezou.render.shape_job import View
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Target
 from kagezou.scene.pieces import PieceScene, SetCast
@@ -50,6 +54,7 @@ class _Lit:
     stage: Stage
     light: Vector4
     veils: dict[int, Veil]
+    meshes: MeshLit | None
 
 
 _Character = tuple[ShadowCast, PlacedMatte]
@@ -61,11 +66,12 @@ _Shaped = dict[Face, tuple[Target, Box | None]]
 class SetPass:
     """Draws characters' shadows on a set, and the set's own."""
 
-    def __init__(self, boxes: Boxes, caster: CastPass, shaper: ShapePass) -> None:
+    def __init__(self, boxes: Boxes, caster: CastPass, shaper: ShapePass, meshes: MeshCache) -> None:
         self._caster = caster
         self._shaper = shaper
         self._adding = Adding(boxes, caster)
         self._round = RoundPass(boxes)
+        self._mesh = MeshPass(boxes, meshes)
         self._stages: OrderedDict[int, Stage] = OrderedDict()
         self._scratches: dict[str, Target] = {}
 
@@ -73,9 +79,19 @@ class SetPass:
         """Give the memory back."""
         self._adding.close()
         self._round.close()
+        self._mesh.close()
         for target in self._scratches.values():
             target.close()
         self._scratches.clear()
+
+    def forget_meshes(self) -> None:
+        """Give back the memory of meshes."""
+        self._mesh.forget()
+
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views."""
+        return self._mesh.views_drawn, self._mesh.maps_drawn
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
         """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
@@ -86,8 +102,9 @@ class SetPass:
         stage = self._stage(cast.camera, target.box, cast.receivers[0], cast.pieces)
         shaped = self._shaped(stage, cast, matte, target) if cast.is_filtered else None
         drawn: Box | None = None
+        ground = cast.receivers[0] if cast.ground_receives else None
         for light in cast.lights:
-            lit = _Lit(stage, light, stage.veils(light, _blocks))
+            lit = self._lit(stage, light, ground, blocks)
             own = target if len(cast.lights) == 1 else self._scratch("light", target)
             box = self._draw_light(lit, cast, matte, own, shaped)
             drawn = self._united(own, box, target, drawn)
@@ -102,19 +119,31 @@ class SetPass:
             target.clear(old)
         stage = self._stage(cast.camera, target.box, cast.ground, cast.pieces)
         drawn: Box | None = None
+        ground = cast.ground if cast.ground_receives else None
         for light in cast.lights:
-            lit = _Lit(stage, light, stage.veils(light, _casts))
+            lit = self._lit(stage, light, ground, casts)
             own = target if len(cast.lights) == 1 else self._scratch("light", target)
             box: Box | None = None
             for face in stage.faces:
-                box = _around(box, self._add_own(lit, face, own))
+                if face.body != GROUND or ground is not None:
+                    box = _around(box, self._add_own(lit, face, own))
+            if lit.meshes is not None:
+                box = _around(box, self._mesh.draw_own(lit.meshes, own))
             for each in stage.rounds:
                 alone = self._scratch("face", target)
-                round_lit = RoundLit(stage, each, light, lit.veils)
+                round_lit = RoundLit(stage, each, light, lit.veils, self._screen(lit, each))
                 dark = self._round.draw_own(round_lit, alone, is_caster=stage.is_caster(each))
-                box = _around(box, self._add_round(each, alone, dark, own))
+                box = _around(box, self._add_round(lit, each, dark, own))
             drawn = self._united(own, box, target, drawn)
         return drawn
+
+    def pictures(self, cast: SetCast, canvas: Box, displays: Iterable[Display]) -> tuple[SetPicture, ...]:
+        """Return what is to be shown of meshes themselves, those under the background first."""
+        ways = {display.value for display in displays}
+        if not any(piece.mesh is not None and piece.display in ways for piece in cast.pieces):
+            return ()
+        view = self._mesh.view(self._stage(cast.camera, canvas, cast.ground, cast.pieces), canvas)
+        return () if view is None else self._mesh.pictures(view, displays)
 
     def coverage(self, cast: ShadowCast, face: Face, light: Vector4, matte: PlacedMatte, target: Target) -> Box | None:
         """Draw the shadow on the plane of one face as if nothing else were there; return the box that may hold it."""
@@ -129,21 +158,23 @@ class SetPass:
         drawn: Box | None = None
         single: list[tuple[Mask, Stroke]] = []
         for face in stage.faces:
-            if not stage.receives(face):
+            if not stage.receives(face) or (face.body == GROUND and not cast.ground_receives):
                 continue
             of_face = None if shaped is None else shaped.get(face)
-            if of_face is None and len(cast.card.pieces) == 1:
+            if of_face is None and len(cast.card.pieces) == 1 and lit.meshes is None:
                 found = strokes(cast, (face.plane, lit.light), matte, Window(face.box))
                 single += [(self._mask(lit, face), each) for each in found if each.grid.touched.any()]
             else:
                 drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_face))
         asides = [self._scratch(f"edges {number}", target) for number in range(min(len(single), _MOST_ASIDES))]
         drawn = _around(drawn, self._adding.add_strokes(single, asides, target) if single else None)
+        if lit.meshes is not None:
+            drawn = _around(drawn, self._mesh.draw(lit.meshes, cast, matte, target))
         for round_face in stage.rounds:
             if stage.receives(round_face):
-                alone = self._scratch("face", target)
-                box = self._round.draw(RoundLit(stage, round_face, lit.light, lit.veils), cast, matte, alone)
-                drawn = _around(drawn, self._add_round(round_face, alone, box, target))
+                round_lit = RoundLit(stage, round_face, lit.light, lit.veils, self._screen(lit, round_face))
+                box = self._round.draw(round_lit, cast, matte, self._scratch("face", target))
+                drawn = _around(drawn, self._add_round(lit, round_face, box, target))
         return drawn
 
     def _add_face(
@@ -157,64 +188,68 @@ class SetPass:
         """Add what is seen and lit of a face, its shadow drawn for it or given as it was shaped."""
         if shaped is not None:
             alone, box = shaped
-            return None if box is None else self._adding.add(self._mask(lit, face), alone, box, target)
+            screen = self._screen(lit, face)
+            return None if box is None else self._adding.add(self._mask(lit, face), alone, box, target, screen)
         cast, matte = character
         alone = self._scratch("face", target)
         box = self.coverage(cast, face, lit.light, matte, alone)
         if box is None:
             return None
-        drawn = self._adding.add(self._mask(lit, face), alone, box, target)
+        drawn = self._adding.add(self._mask(lit, face), alone, box, target, self._screen(lit, face))
         alone.clear(box)
         return drawn
+
+    def _lit(self, stage: Stage, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]) -> _Lit:
+        view = self._mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
+        meshes = None if view is None else self._mesh.lit(view, stage, light, ground, wanted)
+        return _Lit(stage, light, stage.veils(light, wanted), meshes)
+
+    def _screen(self, lit: _Lit, face: Face | RoundFace) -> Screen | None:
+        return None if lit.meshes is None else self._mesh.screen(lit.meshes, face)
 
     @staticmethod
     def _mask(lit: _Lit, face: Face) -> Mask:
         return lit.stage.mask(face, face.unlit(lit.veils))
 
-    def _add_round(self, face: RoundFace, alone: Target, box: Box | None, target: Target) -> Box | None:
+    def _add_round(self, lit: _Lit, face: RoundFace, box: Box | None, target: Target) -> Box | None:
         """Add what is seen of a round face, and empty the scratch it was drawn in."""
         if box is None:
             return None
-        drawn = self._adding.add(Stage.round_mask(face), alone, box, target)
+        alone = self._scratch("face", target)
+        drawn = self._adding.add(Stage.round_mask(face), alone, box, target, self._screen(lit, face))
         alone.clear(box)
         return drawn
 
     def _shaped(self, stage: Stage, cast: ShadowCast, matte: PlacedMatte, target: Target) -> _Shaped:
         """Draw the filtered shadow on the ground and on every flat face it reaches, each as if it were seen alone."""
-        ground = next((face for face in stage.faces if face.body == GROUND), None)
-        if ground is None:
-            return {}
-        bodies = {index: body for index, body in enumerate(stage.bodies) if stage.owners[index].receives}
-        unlit = ground.unlit(stage.veils(cast.lights[0], _blocks))
-        blurred = self._shaper.blurred(replace(cast, pieces=()), matte, Receivers(bodies, unlit))
-        if blurred is None:
-            return {}
-        views = {ground: View.of_ground(blurred.job, ground.box)}
-        for number, sheet in enumerate(blurred.job.development.sheets):
-            for face in stage.faces:
-                if sheet.chart and not sheet.is_guest and face.body == sheet.face.body and face.plane == sheet.face.plane:
-                    views[face] = View.of_sheet(blurred.job, number, face.box)
+        blurred = self._shaper.blurred(replace(cast, pieces=()), matte, receivers_of(stage, cast.lights[0]))
         shaped: _Shaped = {}
-        for number, (face, view) in enumerate(views.items()):
+        if blurred is None:
+            return shaped
+        for number, (face, view) in enumerate(views_of(stage, blurred.job)):
             alone = self._scratch(f"shaped {number}", target)
             shaped[face] = alone, self._shaper.show(blurred, view, alone)
         return shaped
 
     def _add_own(self, lit: _Lit, face: Face, target: Target) -> Box | None:
         """Add what the set takes from one light on one face."""
-        stage = lit.stage
+        stage, screen = lit.stage, self._screen(lit, face)
         is_caster = stage.is_caster(face)
         if height_over(face.plane.equation, lit.light) <= 0:
             if not is_caster:
                 return None
-            return self._adding.add_own(stage.mask(face, (EVERYWHERE,)), _shade(face, None, face.box), face.box, target)
+            shade = _shade(face, None, face.box)
+            return self._adding.add_own(stage.mask(face, (EVERYWHERE,)), shade, face.box, target, screen)
         unlit = face.unlit(lit.veils)
-        shade = _shade(face, lit.light if unlit or is_caster else None, face.box)
+        by_mesh = screen is not None and screen.light_map is not None
+        shade = _shade(face, lit.light if unlit or is_caster or by_mesh else None, face.box)
         if is_caster and not shade.is_even:
             # It passes over into a face that is turned away: every tile is a little dark.
             dark = OwnShade(shade.switches | {"DARK_WHEN_TURNED"}, shade.uniforms, is_even=False)
-            return self._adding.add_own(stage.mask(face, unlit), dark, face.box, target)
-        return self._adding.add_own(stage.mask(face, unlit), shade, face.box, target) if unlit else None
+            return self._adding.add_own(stage.mask(face, unlit), dark, face.box, target, screen)
+        if not unlit and not by_mesh:
+            return None
+        return self._adding.add_own(stage.mask(face, unlit), shade, face.box, target, screen)
 
     def _united(self, own: Target, box: Box | None, target: Target, drawn: Box | None) -> Box | None:
         if box is not None and own is not target:
@@ -244,14 +279,6 @@ class SetPass:
             kept = self._scratches[name] = Target(target.box.width, target.box.height, target.texture.form)
             kept.clear()
         return kept
-
-
-def _blocks(piece: PieceScene) -> bool:
-    return piece.blocks
-
-
-def _casts(piece: PieceScene) -> bool:
-    return piece.casts
 
 
 def _around(box: Box | None, other: Box | None) -> Box | None:

@@ -12,22 +12,23 @@ from kagezou.geometry.pieces import Ball
 from kagezou.geometry.round_view import RoundFace
 from kagezou.geometry.shadow import SpaceCast, cast_in_space
 from kagezou.geometry.vectors import Matrix, Vector4
-from kagezou.geometry.veils import Cone, Veil
+from kagezou.geometry.veils import Veil
 from kagezou.render.boxes import Boxes
+from kagezou.render.cast_uniforms import card_uniforms
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
+from kagezou.render.mesh_screen import Screen, light_uniforms
 from kagezou.render.program import Uniform, Variants
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Flags, region_states
-from kagezou.render.set_uniforms import LAST, LIGHT, MAX_CONICS, MAX_LINES, MAX_REGIONS, OVERLAPS, TABLE_SIZES
+from kagezou.render.set_uniforms import LIGHT
 from kagezou.render.targets import Target
 from kagezou.render.tiles import TileGrid, Tiling, whole_grid
+from kagezou.render.veil_tables import VeilTables
 from kagezou.scene.scene import ShadowCast
 
 _PATCH_MARGIN = 0.5
 """How far beyond its corners' picture a curved patch may reach, as a part of that."""
-
-_NO_LIMIT = np.array([0.0, 0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,6 +39,12 @@ class RoundLit:
     face: RoundFace
     light: Vector4
     veils: dict[int, Veil]
+    screen: Screen | None = None
+
+    @property
+    def switches(self) -> frozenset[str]:
+        """The switches of ``set_round.frag`` that meshes ask for."""
+        return frozenset() if self.screen is None or self.screen.light_map is None else frozenset({"MESHES"})
 
     @property
     def world_from_local(self) -> Matrix:
@@ -60,45 +67,29 @@ class RoundLit:
             "u_radius": shape.radius_px,
             "u_axis": axis,
             "u_grazing_sine": (sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG))),
-            **self._tables(),
+            **self._light(),
         }
+
+    def _light(self) -> dict[str, Uniform]:
+        if self.screen is None or self.screen.light_map is None:
+            return {}
+        view = self.screen.view
+        return light_uniforms(self.screen.light_map, view, self.face.centre - view.on_card.origin)
 
     def piece_uniforms(self, cast: SpaceCast, matte: PlacedMatte) -> dict[str, Uniform]:
         """Return what it wants of one card piece, for a matte on unit 0."""
-        corner = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
-        rows = corner @ cast.art_from_world @ self.world_from_local
-        forms = (cast.side, cast.left_fold, cast.right_fold)
-        limits = [_NO_LIMIT if form is None else form @ self.world_from_local for form in forms]
-        return {"u_matte": 0, "u_texel_rows": rows / np.abs(rows[2]).max(), "u_limits": np.array(limits)}
+        return card_uniforms(cast, matte, self.world_from_local)
 
     def _local(self, point: Vector4) -> Matrix:
         shifted = np.array(point)
         shifted[:3] -= point[3] * self.face.centre
         return shifted
 
-    def _tables(self) -> dict[str, Uniform]:
-        regions: list[tuple[float, float, float, float]] = []
-        planes: list[Matrix] = []
-        quadrics: list[Matrix] = []
-        for veil, flags in self._others():
-            cones = [cone for cone in _cones(veil) if self._may_hold(cone)]
-            for index, cone in enumerate(cones):
-                first = len(planes)
-                planes += list(cone.planes @ self.world_from_local)
-                number = -1
-                if cone.quadric is not None:
-                    number = len(quadrics)
-                    local = self.world_from_local.T @ cone.quadric @ self.world_from_local
-                    quadrics.append(local / np.abs(local).max())
-                last = LAST if index == len(cones) - 1 else 0
-                regions.append((first, len(planes), number, flags | last | (OVERLAPS if veil.overlaps else 0)))
-        uniforms: dict[str, Uniform] = {"u_region_count": min(len(regions), MAX_REGIONS)}
-        if regions:
-            uniforms["u_regions"] = np.array(regions[:MAX_REGIONS], dtype=np.float64)
-            uniforms["u_planes"] = np.array(planes[:MAX_LINES])
-        if quadrics:
-            uniforms["u_quadrics"] = np.concatenate(quadrics[:MAX_CONICS])
-        return uniforms
+    def tables(self, tables: VeilTables) -> dict[str, Uniform]:
+        """Return what ``veils.glsl`` wants."""
+        shape = self.face.shape
+        reach = shape.radius_px if isinstance(shape, Ball) else float(np.hypot(shape.radius_px, shape.height_px / 2))
+        return tables.uniforms(self._others(), self.world_from_local, (self.face.centre, reach))
 
     def _others(self) -> Iterator[tuple[Veil, int]]:
         """Yield what other bodies hide from the eye, then what they take of the light."""
@@ -108,12 +99,6 @@ class RoundLit:
         for index, veil in self.veils.items():
             if index != self.face.body:
                 yield veil, LIGHT
-
-    def _may_hold(self, cone: Cone) -> bool:
-        """Whether any point of the body may lie within a cone: none does that lies beyond one of its planes."""
-        shape = self.face.shape
-        reach = shape.radius_px if isinstance(shape, Ball) else float(np.hypot(shape.radius_px, shape.height_px / 2))
-        return bool((cone.planes @ np.append(self.face.centre, 1.0) > -reach).all())
 
 
 def _tiles(lit: RoundLit) -> tuple[TileGrid, Flags, Flags]:
@@ -159,10 +144,12 @@ class RoundPass:
     def __init__(self, boxes: Boxes) -> None:
         self._boxes = boxes
         self._programs = Variants("box.vert", "set_round.frag")
+        self._tables = VeilTables()
 
     def close(self) -> None:
         """Give the memory back."""
         self._programs.close()
+        self._tables.close()
 
     def draw(self, lit: RoundLit, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Box | None:
         """Draw what a character casts; return the box that may hold it."""
@@ -171,9 +158,9 @@ class RoundPass:
         tiling = _shaded_tiles(lit, pieces, matte, target.box)
         if tiling.box is None:
             return None
-        switches = TABLE_SIZES | ({"TRANSLUCENT"} if cast.translucent else set())
+        switches = lit.switches | ({"TRANSLUCENT"} if cast.translucent else set())
         self._begin(lit, target)
-        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms()}
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(), **lit.tables(self._tables)}
         for piece in pieces:
             matte.texture.bind(0)
             self._programs[switches].use(uniforms | lit.piece_uniforms(piece, matte))
@@ -182,9 +169,10 @@ class RoundPass:
 
     def draw_own(self, lit: RoundLit, target: Target, *, is_caster: bool) -> Box:
         """Draw what the set takes of the light; return the box that may hold it."""
-        switches = TABLE_SIZES | {"OWN_SHADOW"} | ({"DARK_WHEN_TURNED"} if is_caster else set())
+        switches = lit.switches | {"OWN_SHADOW"} | ({"DARK_WHEN_TURNED"} if is_caster else set())
         self._begin(lit, target)
-        self._programs[switches].use({"u_target_size_px": target.size_px, **lit.uniforms()})
+        uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(), **lit.tables(self._tables)}
+        self._programs[switches].use(uniforms)
         self._boxes.draw_one(lit.face.box)
         return lit.face.box
 
@@ -194,7 +182,3 @@ class RoundPass:
         # Pieces of a folded card meet at their folds, where their parts of a pixel add up.
         GL.glEnable(GL.GL_BLEND)
         GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
-
-
-def _cones(veil: Veil) -> tuple[Cone, ...]:
-    return veil.cones if veil.inside is None else (*veil.cones, veil.inside)

@@ -49,7 +49,9 @@ class Stage:
         owners = tuple(piece for _, piece in pairs)
         faces = faces_of(camera, canvas, ground, bodies)
         rounds = round_faces_of(camera, canvas, bodies)
-        eye_veils = tuple(veil_of(body, camera.eye) for body in bodies) if rounds else ()
+        eye_veils = (
+            tuple(veil_of(body, camera.eye) for body in bodies) if rounds or any(piece.mesh for piece in pieces) else ()
+        )
         return Stage(camera, ground, pieces, bodies, owners, faces, rounds, eye_veils)
 
     def is_of(self, camera: Camera, ground: Plane, pieces: tuple[PieceScene, ...]) -> bool:
@@ -57,7 +59,7 @@ class Stage:
         return self.pieces == pieces and self.camera == camera and self.ground == ground
 
     def receives(self, face: Face | RoundFace) -> bool:
-        """Whether characters' shadows are to be shown on a face."""
+        """Whether characters' shadows are to be shown on a face; the ground is asked about elsewhere."""
         return face.body == GROUND or self.owners[face.body].receives
 
     def is_caster(self, face: Face | RoundFace) -> bool:

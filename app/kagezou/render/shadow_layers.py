@@ -1,17 +1,22 @@
 """The covered parts of each layer's shadow, kept as long as nothing that shapes them changes."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
+from kagezou.geometry.mesh import Mesh
+from kagezou.io.cels import CelSource
 from kagezou.io.images import Matte
+from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
+from kagezou.render.mesh_display import Display, SetPicture
+from kagezou.render.received import ReceivedCoverage, ReceivedLayers
 from kagezou.render.set_pass import SetPass
 from kagezou.render.shape_pass import ShapePass
 from kagezou.render.targets import Format, Target
-from kagezou.scene.pieces import SetCast
+from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
 
@@ -23,27 +28,35 @@ class Coverage:
     box: Box | None = None
     cast: ShadowCast | None = None
     matte: Matte | None = None
+    meshes: tuple[Mesh, ...] = ()
 
 
 class ShadowLayers:
     """Casts a layer's shadow unless the last one of the same cast is still there."""
 
-    def __init__(self, boxes: Boxes, cels: CelCache, matte_budget_bytes: int) -> None:
+    def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, matte_budget_bytes: int) -> None:
         self._cels = cels
         self._mattes = Mattes(boxes, matte_budget_bytes)
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
-        self._set = SetPass(boxes, self._cast, self._shape)
+        self._set = SetPass(boxes, self._cast, self._shape, meshes)
+        self._received = ReceivedLayers(boxes, self._cast, cels, self._mattes)
         self._of_set: Coverage | None = None
-        self._set_cast: SetCast | None = None
+        self._meshes = meshes
+        self._set_cast: tuple[SetCast, tuple[Mesh, ...]] | None = None
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
         self.filters_drawn = 0
 
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views."""
+        return self._set.meshes_seen
+
     def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
         """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
         return (
-            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.path), scene.canvas)
+            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.source), scene.canvas)
         )
 
     def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
@@ -51,37 +64,50 @@ class ShadowLayers:
         if layer.cast is None:
             return None
         kept = self._kept(scene.canvas, layer.id)
-        matte = self._cels.matte(layer.cast.drawing.path)
-        if kept.cast != layer.cast or kept.matte is not matte:
+        matte = self._cels.matte(layer.cast.drawing.source)
+        meshes = self._meshes_of(layer.cast.pieces)
+        if kept.cast != layer.cast or kept.matte is not matte or kept.meshes != meshes:
             placed = self._mattes.placed(matte, scene.canvas)
             # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.
             old, kept.box, kept.cast = kept.box, scene.canvas, None
             plain = self._shape.draw if layer.cast.is_filtered else self._cast.draw
             draw = self._set.draw if layer.cast.pieces else plain
             kept.box = draw(layer.cast, placed, kept.target, old)
-            kept.cast, kept.matte = layer.cast, matte
+            kept.cast, kept.matte, kept.meshes = layer.cast, matte, meshes
             self.casts_drawn += 1
             self.filters_drawn += layer.cast.is_filtered
         return kept if kept.box is not None else None
+
+    def received(self, scene: Scene, layer: LayerScene) -> tuple[ReceivedCoverage, ...]:
+        """Return the covered parts of a character, on which others cast, by the looks of their shadows."""
+        return self._received.coverages(scene, layer)
 
     def set_coverage(self, scene: Scene) -> Coverage | None:
         """Return the covered parts of the shadow of the set itself, or None where it has none."""
         if scene.set_shadow is None:
             return None
         kept = _fitting(self._of_set, scene.canvas)
-        if kept is not self._of_set or self._set_cast != scene.set_shadow.cast:
+        cast = (scene.set_shadow.cast, self._meshes_of(scene.set_shadow.cast.pieces))
+        if kept is not self._of_set or self._set_cast != cast:
             self._of_set = kept
             old, kept.box, self._set_cast = kept.box, scene.canvas, None
             kept.box = self._set.draw_own(scene.set_shadow.cast, kept.target, old)
-            self._set_cast = scene.set_shadow.cast
+            self._set_cast = cast
             self.casts_drawn += 1
         return kept if kept.box is not None else None
 
+    def set_pictures(self, scene: Scene, displays: Sequence[Display]) -> tuple[SetPicture, ...]:
+        """Return what is to be shown of meshes themselves, those under the background first."""
+        return self._set.pictures(SetCast(scene.camera, scene.ground, scene.pieces, ()), scene.canvas, displays)
+
     def forget_except(self, scene: Scene) -> None:
-        """Give back the memory of layers that the scene no longer has."""
+        """Give back the memory of layers that the scene no longer has, and of meshes where it has none."""
+        if not any(piece.mesh for piece in scene.pieces):
+            self._set.forget_meshes()
         alive = {layer.id for layer in scene.layers}
         for layer_id in [each for each in self._by_layer if each not in alive]:
             self._by_layer.pop(layer_id).target.close()
+        self._received.forget_except(alive)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -90,10 +116,15 @@ class ShadowLayers:
         self._by_layer.clear()
         if self._of_set is not None:
             self._of_set.target.close()
+        self._received.close()
         self._set.close()
         self._shape.close()
         self._cast.close()
         self._mattes.close()
+
+    def _meshes_of(self, pieces: tuple[PieceScene, ...]) -> tuple[Mesh, ...]:
+        """Return the meshes of pieces, which are told by identity: a changed file gives another one."""
+        return tuple(self._meshes.mesh(piece.mesh.path) for piece in pieces if piece.mesh is not None)
 
     def _kept(self, canvas: Box, layer_id: str) -> Coverage:
         kept = self._by_layer[layer_id] = _fitting(self._by_layer.get(layer_id), canvas)

@@ -1,4 +1,4 @@
-"""The charts of a job: which faces of a set its shadow reaches, laid flat, and the part of each picture that is known."""
+"""The charts of a job: which faces of a set its shadow reaches, laid flat, and how much of each picture is known."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -8,15 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of
-from kagezou.geometry.development import Development, FlatFace, lines_of, moved, unfolded
+from kagezou.geometry.development import FlatFace, lines_of
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.pieces import Body, Facet, Solid
 from kagezou.geometry.regions import Group
+from kagezou.geometry.unfolding import unfolded
 from kagezou.geometry.vectors import Matrix, height_over
 from kagezou.render.atlas import Strip, laid_out
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.shape_job import Chart, Job, View, beyond_of, extent_of
-from kagezou.render.shape_uniforms import MAX_BANDS
+from kagezou.render.shape_uniforms import MAX_BANDS, inverse
 from kagezou.scene.scene import ShadowCast
 
 _MOST_CHARTS = 6
@@ -56,7 +57,7 @@ def _flat_face(index: int, facet: Facet, *, is_turned: bool) -> FlatFace:
 
 
 def charted(job: Job, receivers: Receivers) -> Job:
-    """Return a job with the faces that its shadow reaches laid flat on charts of their own; itself if there are none."""
+    """Return a job with its charts: the ground alone, and those with the faces that its shadow reaches laid flat."""
     flat = laid_out(bands_of(job.blur, job.extent))
     alone = replace(job, charts=(Chart(job.extent, flat),))
     faces = [face for face in flat_faces(job.cast, receivers) if _is_reached(job, face)]
@@ -93,8 +94,10 @@ def counted_texels(job: Job, receivers: Receivers, chart: Chart, strip: Strip, m
     places = np.tensordot(stretch @ strip.plane_from_atlas, texels, axes=1)
     result = np.zeros(x.shape, np.bool_)
     for sheet in job.development.sheets:
-        if sheet.chart == chart.number and not sheet.is_guest:
-            result |= np.logical_and.reduce([np.tensordot(line, places, axes=1) >= 0 for line in lines_of(sheet.corners)])
+        if sheet.chart == chart.number and sheet.is_looked_up:
+            result |= np.logical_and.reduce(
+                [np.tensordot(line, places, axes=1) >= 0 for line in lines_of(sheet.corners)]
+            )
     return result
 
 
@@ -140,16 +143,16 @@ def _shadow_on(cast: ShadowCast, matte: PlacedMatte, face: FlatFace, plane_from_
 
 def _extent(job: Job, number: int) -> Extent:
     """Return the part of a chart that has to be known: the reached part of its sheets and what is blurred into that."""
-    development: Development = job.development
+    development = job.development
     stretch = job.ground_from_blurred
     parts: list[Extent] = []
     for index in development.charts[number]:
         sheet = development.sheets[index]
-        if sheet.chart != number or sheet.is_guest:
+        if sheet.chart != number or not sheet.is_looked_up:
             continue
         view = View.of_sheet(job, index, job.matte.box)
         cast = replace(job.cast, receivers=(view.receiver,))
-        corners = moved(_affine(np.linalg.inv(stretch)), sheet.corners)
+        corners = sheet.corners @ inverse(stretch).T
         shadow = extent_of(cast, job.matte, view.canvas_from_blurred)
         farthest = float(np.abs(corners[:, 1]).max())
         reached = None if shadow is None else _cut(corners, _grown(shadow, _reach(job.blur, farthest)))
@@ -165,12 +168,6 @@ def _extent(job: Job, number: int) -> Extent:
     )
     u, v = job.moved_px
     return _grown(around, _reach(job.blur, max(abs(around.low), abs(around.high))) + max(u, v))
-
-
-def _affine(matrix: Matrix) -> Matrix:
-    result = np.eye(3)
-    result[:2, :2] = matrix
-    return result
 
 
 def _grown(extent: Extent, by: float) -> Extent:

@@ -9,6 +9,7 @@ from kagezou.geometry.bands import FINEST_SIGMA_PX, SHARP_SIGMA_PX
 from kagezou.geometry.box import Box
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
+from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip
 from kagezou.render.cast_uniforms import Frame, Grazing
 from kagezou.render.program import Uniform
@@ -40,7 +41,7 @@ def strength(view: View, box: Box) -> tuple[frozenset[str], Uniforms]:
     light = job.cast.lights[0]
     frame = _frame(view, box)
     grazing = Grazing.of(receiver, light)
-    receiver_from_canvas = np.linalg.inv(canvas_from_plane(job.cast.camera, receiver))
+    receiver_from_canvas = inverse(canvas_from_plane(job.cast.camera, receiver))
     uniforms: Uniforms = {"u_origin_px": frame.origin}
     return grazing.switches(receiver_from_canvas, frame), uniforms | grazing.uniforms(receiver_from_canvas, frame)
 
@@ -92,6 +93,11 @@ def join_uniforms(view: View) -> Uniforms:
     }
 
 
+def inverse(matrix: Matrix) -> Matrix:
+    """Return the map back; that of a homography has its w positive where it is seen."""
+    return np.asarray(np.linalg.inv(matrix), np.float64)
+
+
 def _frame(view: View, box: Box) -> Frame:
     """Return the part of a canvas box in which the receiver is seen."""
     return Frame(clipped(box_polygon(box), shifted(distance_form(view.blurred_from_canvas[2]), -0.01)))
@@ -120,7 +126,7 @@ def _edge_uniforms(job: Job, edge: Edge, level: float) -> Uniforms:
         "u_penumbra": edge.penumbra * float(job.ground_from_blurred[1, 1]),
         "u_grow_px": edge.grow_px,
         "u_level_deviations": NormalDist().inv_cdf(min(max(level, 1e-5), 1 - 1e-5)),
-        "u_blurred_from_ground": np.linalg.inv(job.ground_from_blurred).ravel(),
+        "u_blurred_from_ground": inverse(job.ground_from_blurred).ravel(),
     }
 
 

@@ -1,7 +1,8 @@
 """Textures and framebuffers; nothing else makes any."""
 
-from ctypes import c_void_p
+from ctypes import c_uint, c_void_p
 from enum import Enum
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,24 +16,38 @@ LAST_LEVEL = 5
 """The coarsest mipmap; a texture whose sides are multiples of 2 to this power has exact means in every level."""
 
 
+Component: TypeAlias = type[np.uint8] | type[np.uint16] | type[np.uint32] | type[np.float32]
+
+_COMPONENTS: dict[int, Component] = {
+    GL.GL_UNSIGNED_BYTE: np.uint8,
+    GL.GL_UNSIGNED_SHORT: np.uint16,
+    GL.GL_UNSIGNED_INT: np.uint32,
+    GL.GL_FLOAT: np.float32,
+}
+
+
 class Format(Enum):
     """Internal format, pixel format and component type of a texture."""
 
     ALPHA8 = (GL.GL_R8, GL.GL_RED, GL.GL_UNSIGNED_BYTE)
     ALPHA16 = (GL.GL_R16, GL.GL_RED, GL.GL_UNSIGNED_SHORT)
     FLOAT = (GL.GL_R32F, GL.GL_RED, GL.GL_FLOAT)
+    FLOAT2 = (GL.GL_RG32F, GL.GL_RG, GL.GL_FLOAT)
+    FLOAT4 = (GL.GL_RGBA32F, GL.GL_RGBA, GL.GL_FLOAT)
+    COUNT = (GL.GL_R32UI, GL.GL_RED_INTEGER, GL.GL_UNSIGNED_INT)
+    COUNT4 = (GL.GL_RGBA32UI, GL.GL_RGBA_INTEGER, GL.GL_UNSIGNED_INT)
     RGBA8 = (GL.GL_RGBA8, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)
     RGBA16 = (GL.GL_RGBA16, GL.GL_RGBA, GL.GL_UNSIGNED_SHORT)
 
     @property
-    def dtype(self) -> type[np.uint8] | type[np.uint16]:
+    def dtype(self) -> Component:
         """The numpy type of one component."""
-        return np.uint8 if self.value[2] == GL.GL_UNSIGNED_BYTE else np.uint16
+        return _COMPONENTS[self.value[2]]
 
     @property
     def components(self) -> int:
         """How many components a pixel has."""
-        return 1 if self.value[1] == GL.GL_RED else 4
+        return {GL.GL_RG: 2, GL.GL_RGBA: 4, GL.GL_RGBA_INTEGER: 4}.get(self.value[1], 1)
 
 
 class Texture:
@@ -69,11 +84,11 @@ class Texture:
         GL.glActiveTexture(GL.GL_TEXTURE0 + unit)
         GL.glBindTexture(GL.GL_TEXTURE_2D, self.id)
 
-    def upload(self, pixels: Steps) -> None:
-        """Fill the texture with pixels (H, W) or (H, W, 4) of the format's type."""
+    def upload(self, pixels: Steps | NDArray[np.float32]) -> None:
+        """Fill the texture with C-contiguous pixels (H, W) or (H, W, 4) of the format's type."""
         self.upload_part(pixels, Box(0, 0, self.width_px, self.height_px))
 
-    def upload_part(self, pixels: Steps, box: Box) -> None:
+    def upload_part(self, pixels: Steps | NDArray[np.float32], box: Box) -> None:
         """Fill the texture with a box of its size out of C-contiguous pixels (H, W) or (H, W, 4)."""
         _, order, component = self.form.value
         self.bind(0)
@@ -159,12 +174,13 @@ class Target:
         return pixels
 
     def read_floats(self, box: Box) -> NDArray[np.float32]:
-        """Return the red of a box, (h, w), top row first."""
-        pixels = np.empty((box.height, box.width), np.float32)
+        """Return a box as floats, (h, w) or with two or four components (h, w, 2) or (h, w, 4), top row first."""
+        count = self.texture.form.components
+        pixels = np.empty((box.height, box.width) if count == 1 else (box.height, box.width, count), np.float32)
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
         GL.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1)
         start = c_void_p(pixels.ctypes.data)
-        GL.glReadPixels(box.left, box.top, box.width, box.height, GL.GL_RED, GL.GL_FLOAT, start)
+        GL.glReadPixels(box.left, box.top, box.width, box.height, self.texture.form.value[1], GL.GL_FLOAT, start)
         return pixels
 
     def texture_alone(self) -> Texture:
@@ -175,6 +191,36 @@ class Target:
     def close(self) -> None:
         """Give the memory back."""
         self.texture_alone().close()
+
+
+class DeepTarget(Target):
+    """A target in which the nearest counts, of numbers (COUNT) or floats; it starts with zero, infinitely far away."""
+
+    def __init__(self, width_px: int, height_px: int, form: Format) -> None:
+        super().__init__(width_px, height_px, form)
+        self._depth = made(GL.glGenRenderbuffers)
+        GL.glBindRenderbuffer(GL.GL_RENDERBUFFER, self._depth)
+        GL.glRenderbufferStorage(GL.GL_RENDERBUFFER, GL.GL_DEPTH_COMPONENT32F, width_px, height_px)
+        GL.glFramebufferRenderbuffer(GL.GL_FRAMEBUFFER, GL.GL_DEPTH_ATTACHMENT, GL.GL_RENDERBUFFER, self._depth)
+
+    def begin(self) -> None:
+        """Draw from now on, starting with nothing."""
+        self.bind()
+        GL.glEnable(GL.GL_DEPTH_TEST)
+        GL.glDepthFunc(GL.GL_LESS)
+        GL.glDepthMask(True)  # noqa: FBT003 - the call's own order
+        GL.glClearDepth(1.0)
+        GL.glClear(GL.GL_DEPTH_BUFFER_BIT)
+        if self.texture.form is Format.COUNT:
+            GL.glClearBufferuiv(GL.GL_COLOR, 0, (c_uint * 4)())
+        else:
+            GL.glClearColor(0.0, 0.0, 0.0, 0.0)
+            GL.glClear(GL.GL_COLOR_BUFFER_BIT)
+
+    def texture_alone(self) -> Texture:
+        """Give up drawing and return what was drawn."""
+        deleted(GL.glDeleteRenderbuffers, self._depth)
+        return super().texture_alone()
 
 
 class DepthTarget:

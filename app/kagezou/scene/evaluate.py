@@ -14,6 +14,7 @@ from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
+from kagezou.scene.receiving import with_received
 from kagezou.scene.scene import Edge, Fade, LayerScene, Scene, SetShadow, ShadowCast, ShadowLook, Simplify, Tip, Water
 
 LEAST_PX = 0.01
@@ -27,12 +28,15 @@ def evaluate(document: Document, frame: int) -> Scene:
     camera = camera_at(document, frame)
     ground = ground_at(document, frame)
     pieces = pieces_at(document, frame, camera, ground)
+    has_ground = bool(_value(document.tracks, set_properties.GROUND_RECEIVES, frame))
     layers = tuple(
-        _on_set(_layer_scene(document, layer, frame, camera, ground), pieces)
+        _on_set(_layer_scene(document, layer, frame, camera, ground), pieces, has_ground=has_ground)
         for layer in document.layers
         if _value(layer.tracks, properties.VISIBLE, frame)
     )
-    set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, ()))
+    receiving = {layer.id for layer in document.layers if _value(layer.tracks, properties.RECEIVES, frame)}
+    layers = with_received(layers, receiving)
+    set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))
     return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow)
 
 
@@ -101,10 +105,10 @@ def _layer_scene(document: Document, layer: Layer, frame: int, camera: Camera, g
     return LayerScene(layer.id, layer.name, drawing, cast, _look(layer.tracks, moment))
 
 
-def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...]) -> LayerScene:
-    if layer.cast is None or not pieces:
+def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...], *, has_ground: bool) -> LayerScene:
+    if layer.cast is None or (not pieces and has_ground):
         return layer
-    return replace(layer, cast=replace(layer.cast, pieces=pieces))
+    return replace(layer, cast=replace(layer.cast, pieces=pieces, ground_receives=has_ground))
 
 
 def _set_shadow(document: Document, frame: int, dark: SetCast) -> SetShadow | None:

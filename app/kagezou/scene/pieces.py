@@ -2,6 +2,9 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
 
 from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
@@ -15,6 +18,22 @@ from kagezou.geometry.vectors import Point2, Vector4
 
 
 @dataclass(frozen=True, slots=True)
+class MeshPlacement:
+    """Where the mesh of a file stands.
+
+    Parameters
+    ----------
+    path
+        The file.
+    world_from_mesh
+        (4, 4), row by row, affine: from the file's units and axes to the world, px.
+    """
+
+    path: Path
+    world_from_mesh: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class PieceScene:
     """A set piece of one frame.
 
@@ -23,13 +42,19 @@ class PieceScene:
     id, name
         Those of the document's piece.
     bodies
-        What it is made of.
+        What it is made of; nothing for a mesh.
     receives
         Whether the characters' shadows fall on it.
     blocks
         Whether they end where it takes the light.
     casts
         Whether its own shadow is drawn.
+    mesh
+        For an imported set, its mesh.
+    display
+        How a mesh is drawn: "none", "wireframe" (in the window only) or "clay" (in composites, too).
+    is_under
+        Whether it is drawn under the background picture rather than over it.
     """
 
     id: str
@@ -38,6 +63,9 @@ class PieceScene:
     receives: bool
     blocks: bool
     casts: bool
+    mesh: MeshPlacement | None = None
+    display: str = "none"
+    is_under: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,12 +80,15 @@ class SetCast:
         All there are; those that cast throw the shadow, and all of them receive and hide it.
     lights
         Homogeneous, over the ground.
+    ground_receives
+        Whether the flat ground is there at all, or only the pieces are.
     """
 
     camera: Camera
     ground: Plane
     pieces: tuple[PieceScene, ...]
     lights: tuple[Vector4, ...]
+    ground_receives: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,14 +113,14 @@ def pieces_at(document: Document, frame: float, camera: Camera, ground: Plane) -
 def _piece_scene(piece: Piece, frame: float, camera: Camera, ground: Plane) -> PieceScene | None:
     if not _value(piece, lines.PIECE_PRESENT, frame):
         return None
-    position = _value(piece, lines.PIECE_POSITION, frame)
-    x, y = (part for part in position if isinstance(part, float)) if isinstance(position, tuple) else (0.0, 0.0)
+    x, y = _point(piece, lines.PIECE_POSITION, frame)
     numbers = (lines.PIECE_WIDTH, lines.PIECE_HEIGHT, lines.PIECE_DEPTH, lines.PIECE_ANGLE, lines.PIECE_LEAN)
     width, height, depth, angle, lean = (_number(piece, line, frame) for line in numbers)
     count = round(_number(piece, lines.PIECE_COUNT, frame))
     measures = _Measures(str(_value(piece, lines.PIECE_KIND, frame)), width, height, depth, angle, lean, count)
-    bodies = _bodies(measures, (x, y), camera, ground)
-    if not bodies:
+    placement = _placement(piece, frame, camera, ground) if measures.kind == lines.MESH else None
+    bodies = () if measures.kind == lines.MESH else _bodies(measures, (x, y), camera, ground)
+    if not bodies and placement is None:
         return None
     casts = bool(_value(piece, lines.PIECE_CASTS, frame))
     return PieceScene(
@@ -99,7 +130,32 @@ def _piece_scene(piece: Piece, frame: float, camera: Camera, ground: Plane) -> P
         receives=bool(_value(piece, lines.PIECE_RECEIVES, frame)),
         blocks=casts or bool(_value(piece, lines.PIECE_BLOCKS, frame)),
         casts=casts,
+        mesh=placement,
+        display=str(_value(piece, lines.PIECE_DISPLAY, frame)),
+        is_under=bool(_value(piece, lines.PIECE_UNDER, frame)),
     )
+
+
+def _placement(piece: Piece, frame: float, camera: Camera, ground: Plane) -> MeshPlacement | None:
+    """Return where an imported set stands; None without a file, or above the horizon."""
+    if piece.source is None:
+        return None
+    (x, y), anchor = (_point(piece, line, frame) for line in (lines.PIECE_POSITION, lines.PIECE_ANCHOR))
+    place = place_on(camera, ground, (x, y))
+    if place is None:
+        return None
+    scale = _number(piece, lines.PIECE_SCALE, frame) * float(camera.canvas_from_world()[2] @ (*place, 1.0))
+    stand = shapes.stand_on(ground, place, _number(piece, lines.PIECE_ANGLE, frame))
+    right, front, above = (scale * np.array(axis) for axis in (stand.u, stand.v, stand.normal))
+    is_z_up = _value(piece, lines.PIECE_UP, frame) == "z"
+    linear = np.column_stack([right, -front, above] if is_z_up else [right, above, front])
+    rows = np.column_stack([linear, np.array(place) - linear @ anchor])
+    return MeshPlacement(piece.source, (*(tuple(map(float, row)) for row in rows), (0.0, 0.0, 0.0, 1.0)))
+
+
+def _point(piece: Piece, line: Property, frame: float) -> tuple[float, ...]:
+    value = _value(piece, line, frame)
+    return tuple(part for part in value if isinstance(part, float)) if isinstance(value, tuple) else ()
 
 
 @lru_cache(maxsize=256)

@@ -1,9 +1,9 @@
 """The frozen record of one frame."""
 
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 
-from kagezou.document.model import Drawing
+from kagezou.document.model import Drawing, PictureSource
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
@@ -87,6 +87,8 @@ class ShadowCast:
         How the united shape is rounded, what becomes of its outline, and the waves it lies on; None for not at all.
     pieces
         The set that stands on the ground.
+    ground_receives
+        Whether the flat ground is there at all, or only the pieces are.
     """
 
     drawing: Drawing
@@ -99,6 +101,7 @@ class ShadowCast:
     edge: Edge | None = None
     water: Water | None = None
     pieces: tuple[PieceScene, ...] = ()
+    ground_receives: bool = True
 
     @property
     def is_filtered(self) -> bool:
@@ -159,14 +162,48 @@ class ShadowLook:
 
 
 @dataclass(frozen=True, slots=True)
+class Shade:
+    """What falls on a character from others whose shadows look alike: their casts unite by maximum.
+
+    The casts have no receivers, those are the pieces of the character's card; nothing is done to their shape.
+    """
+
+    casts: tuple[ShadowCast, ...]
+    look: ShadowLook
+
+
+@dataclass(frozen=True, slots=True)
+class Received:
+    """The shadows of other characters on one character.
+
+    Parameters
+    ----------
+    drawing
+        Of the character on which they fall; they are cut to its alpha.
+    card
+        The surface it stands on.
+    shades
+        By their looks, in the order of the lowest layers that cast them.
+    """
+
+    drawing: Drawing
+    card: Card
+    shades: tuple[Shade, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class LayerScene:
-    """One visible character layer: its drawing and shadow, both None while its cel is empty."""
+    """One visible character layer: its drawing and shadow, both None while its cel is empty.
+
+    ``received`` is what others cast on it, None where it does not receive.
+    """
 
     id: str
     name: str
     drawing: Drawing | None
     cast: ShadowCast | None
     look: ShadowLook
+    received: Received | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +224,21 @@ class Scene:
     canvas: Box
     camera: Camera
     ground: Plane
-    background: Path | None
+    background: PictureSource | None
     layers: tuple[LayerScene, ...]
     pieces: tuple[PieceScene, ...] = ()
     set_shadow: SetShadow | None = None
+
+
+def without_pieces(scene: Scene, ids: Collection[str]) -> Scene:
+    """Return a scene in which some set pieces are not there."""
+    pieces = tuple(piece for piece in scene.pieces if piece.id not in ids)
+    layers = tuple(
+        layer if layer.cast is None else replace(layer, cast=replace(layer.cast, pieces=pieces))
+        for layer in scene.layers
+    )
+    dark = scene.set_shadow
+    if dark is not None:
+        casts = any(piece.casts for piece in pieces)
+        dark = replace(dark, cast=replace(dark.cast, pieces=pieces)) if casts else None
+    return replace(scene, layers=layers, pieces=pieces, set_shadow=dark)

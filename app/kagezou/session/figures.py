@@ -1,17 +1,17 @@
 """What the staging has to know of drawings' pixels: where the figure is, where it stands, how far it moves."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from pathlib import Path
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import Drawing
+from kagezou.document.model import Drawing, PictureSource
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vectors import Matrix, Point2
 from kagezou.io.images import read_matte
+from kagezou.session.watching import Part, Watch, unwatched
 
 _POINTS = 600
 _OUTLINE_ROWS = 80
@@ -57,6 +57,11 @@ class Figure:
         """Whether it reaches the lower edge of its drawing, so that its feet may be missing."""
         return bool(self.solid[-1].any())
 
+    def on(self, canvas: Box) -> "Figure":
+        """Return it as it lies on another canvas."""
+        height, width = self.solid.shape
+        return replace(self, offset=centred_offset(canvas, width, height))
+
     def points(self) -> Matrix:
         """Return the centres of some of its pixels, evenly spread, (N, 2), canvas px, y down."""
         y, x = np.nonzero(self.solid)
@@ -90,15 +95,15 @@ class Figure:
         return np.column_stack([x, y]) + (np.asarray(self.offset) + 0.5)
 
 
-def figure_in(path: Path, canvas: Box) -> Figure | None:
-    """Return the figure of the drawing at ``path``, or None where nothing in it is solid.
+def figure_in(source: PictureSource, canvas: Box) -> Figure | None:
+    """Return the figure of the drawing from ``source``, or None where nothing in it is solid.
 
     Raises
     ------
     InputProblem
         The drawing cannot be read.
     """
-    alpha = read_matte(path).alpha
+    alpha = read_matte(source).alpha
     solid = alpha > np.iinfo(alpha.dtype).max // 2
     height, width = solid.shape
     return Figure(solid, centred_offset(canvas, width, height)) if solid.any() else None
@@ -123,26 +128,30 @@ class Look:
     notes: tuple[str, ...]
 
 
-def look_at(drawings: Sequence[Drawing], canvas: Box) -> Look:
+def look_at(drawings: Sequence[Drawing], canvas: Box, watch: Watch = unwatched) -> Look:
     """Return the figure of the first drawing that has one, and where the figure goes later."""
     notes: list[str] = []
     first: Figure | None = None
     seen = 0
     for drawing in drawings:
+        watch(Part.MEASURING, 0, LATER_DRAWINGS + 1)
         seen += 1
         first = _tried(drawing, canvas, notes)
         if first is not None:
             break
     rest = drawings[seen:]
     chosen = rest[:: max(len(rest) // LATER_DRAWINGS, 1)] if rest else ()
-    others = [_tried(drawing, canvas, notes) for drawing in chosen]
+    others = []
+    for index, drawing in enumerate(chosen):
+        watch(Part.MEASURING, index + 1, len(chosen) + 1)
+        others.append(_tried(drawing, canvas, notes))
     later = [figure.outline() for figure in others if figure is not None]
     return Look(first, np.concatenate(later) if later else np.empty((0, 2)), tuple(notes))
 
 
 def _tried(drawing: Drawing, canvas: Box, notes: list[str]) -> Figure | None:
     try:
-        return figure_in(drawing.path, canvas)
+        return figure_in(drawing.source, canvas)
     except InputProblem as problem:
         notes.append(str(problem))
         return None

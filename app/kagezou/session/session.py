@@ -22,11 +22,15 @@ class State:
     frame
         The frame looked at, from 1.
     layer_id
-        The layer worked on.
+        The layer worked on; None while a set piece is.
     selection
         Selected properties.
     keys
         Selected keys; every one of them is there.
+    piece_id
+        The set piece worked on.
+    others
+        The layers that are chosen beside ``layer_id`` and edited with it.
     """
 
     document: Document
@@ -34,6 +38,8 @@ class State:
     layer_id: str | None = None
     selection: tuple[Address, ...] = ()
     keys: Refs = frozenset()
+    piece_id: str | None = None
+    others: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +80,11 @@ class Session:
     def is_saved(self) -> bool:
         """Whether the document now is the one last saved."""
         return self._state.document is self._saved
+
+    @property
+    def is_in_gesture(self) -> bool:
+        """Whether something is under way that will be one step, such as a drag."""
+        return self._gesture is not None
 
     @property
     def steps_made(self) -> int:
@@ -156,7 +167,15 @@ class Session:
 
     def select(self, layer_id: str | None, selection: tuple[Address, ...] = ()) -> None:
         """Work on a layer and select properties."""
-        self._show(replace(self._state, layer_id=layer_id, selection=selection))
+        self._show(replace(self._state, layer_id=layer_id, selection=selection, piece_id=None, others=frozenset()))
+
+    def select_layers(self, layer_id: str, others: frozenset[str]) -> None:
+        """Work on a layer, and edit others with it."""
+        self._show(replace(self._state, layer_id=layer_id, selection=(), piece_id=None, others=others))
+
+    def select_piece(self, piece_id: str, selection: tuple[Address, ...] = ()) -> None:
+        """Work on a set piece instead of a layer and select properties."""
+        self._show(replace(self._state, layer_id=None, selection=selection, piece_id=piece_id, others=frozenset()))
 
     def select_keys(self, keys: Refs) -> None:
         """Select keys; those that are not there are left out."""
@@ -228,14 +247,22 @@ def _same(a: State, b: State) -> bool:
 
 
 def _looked_at(state: State) -> tuple[object, ...]:
-    return state.frame, state.layer_id, state.selection, state.keys
+    return state.frame, state.layer_id, state.selection, state.keys, state.piece_id, state.others
 
 
 def _within(state: State) -> State:
     """Return the state with its frame and selection kept to what the document has."""
     document = state.document
-    ids = {layer.id for layer in document.layers}
-    layer_id = state.layer_id if state.layer_id in ids else (document.layers[-1].id if document.layers else None)
-    selection = tuple(address for address in state.selection if address.layer_id in (None, *ids))
+    ids, pieces = {layer.id for layer in document.layers}, {piece.id for piece in document.pieces}
+    piece_id = state.piece_id if state.piece_id in pieces else None
+    layer_id = state.layer_id if state.layer_id in ids else None
+    if piece_id is None and layer_id is None and document.layers:
+        layer_id = document.layers[-1].id
+    selection = tuple(
+        address
+        for address in state.selection
+        if address.layer_id in (None, *ids) and address.piece_id in (None, *pieces)
+    )
     frame = min(max(state.frame, 1), document.canvas.length_frames)
-    return State(document, frame, layer_id, selection, present_keys(document, state.keys))
+    others = frozenset() if layer_id is None else state.others & (ids - {layer_id})
+    return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id, others)

@@ -9,25 +9,38 @@ import numpy as np
 
 from kagezou.document.address import Address
 from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
-from kagezou.document.model import Canvas, Document
+from kagezou.document.model import Canvas, Document, PicturePart, PictureSource
 from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
+from kagezou.io.faults import shown
 from kagezou.io.images import probe
 from kagezou.io.project_paths import absolute
+from kagezou.io.timesheet import Timesheet
 from kagezou.io.xdts import read_timesheet
 from kagezou.scene.evaluate import camera_at, ground_at
-from kagezou.session.exposing import CharacterSource, NewCels, cels_of
+from kagezou.session.exposing import CharacterSource, NewCels, held_by
 from kagezou.session.figures import Figure, Look, look_at
 from kagezou.session.first_light import first_light
 from kagezou.session.timing import timed
+from kagezou.session.watching import Part, Watch, unwatched
 
 STILL_LENGTH_FRAMES = 24
 """The cut of a project that has only stills."""
 
 MAX_SIDE_PX = 16384
 DEFAULT_SIZE_PX = (1920, 1080)
-__all__ = ["CharacterSource", "Staged", "new_document", "with_characters", "with_timesheet"]
+__all__ = [
+    "Brought",
+    "CharacterSource",
+    "Staged",
+    "brought",
+    "exposed",
+    "new_document",
+    "put_in",
+    "with_characters",
+    "with_timesheet",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,12 +62,35 @@ class Staged:
     layer_ids: tuple[str, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Brought:
+    """Characters whose files have been read, to be put into a document without reading any more.
+
+    Parameters
+    ----------
+    arrivals
+        Their cels, from bottom to top.
+    looks
+        What was seen of each one's drawings.
+    notes
+        What the user should know of the files, one sentence each.
+    backgrounds
+        Opaque layers that could be the background.
+    """
+
+    arrivals: tuple[NewCels, ...]
+    looks: tuple[Look, ...]
+    notes: tuple[str, ...]
+    backgrounds: tuple[PicturePart, ...] = ()
+
+
 def new_document(
     sources: Sequence[CharacterSource],
     *,
     background: Path | None = None,
     size: tuple[int, int] | None = None,
     frame_rate: Fraction = Fraction(24),
+    watch: Watch = unwatched,
 ) -> Staged:
     """Return a new document with characters, a ground under the lowest of them and a lamp in front.
 
@@ -68,6 +104,8 @@ def new_document(
         Canvas width and height, px; else the background's size, else that of the largest drawing.
     frame_rate
         Frames a second.
+    watch
+        Told how far it is.
 
     Raises
     ------
@@ -76,11 +114,14 @@ def new_document(
     UsageProblem
         A name is no name for a layer.
     """
-    arrivals, notes = _arrivals(sources)
-    width, height = size or _natural_size(background, arrivals)
+    read = _read(sources, watch)
+    own = None if background is None else absolute(background)
+    width, height = size or _natural_size(own or next(iter(read.backgrounds), None), read.arrivals)
     document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
-    document = set_background(document, None if background is None else absolute(background))
-    return _settled(document, arrivals, notes)
+    document = set_background(document, own)
+    read = replace(read, looks=_looks(read.arrivals, document.canvas.box, watch))
+    watch(Part.LIGHTING, 0, 0)
+    return put_in(document, read)
 
 
 def with_characters(document: Document, sources: Sequence[CharacterSource]) -> Staged:
@@ -91,8 +132,28 @@ def with_characters(document: Document, sources: Sequence[CharacterSource]) -> S
     InputProblem, UsageProblem
         As for :func:`new_document`.
     """
-    arrivals, notes = _arrivals(sources)
-    return _settled(document, arrivals, notes)
+    return put_in(document, brought(sources, document.canvas.box))
+
+
+def brought(sources: Sequence[CharacterSource], canvas: Box, watch: Watch = unwatched) -> Brought:
+    """Return characters with everything read that is needed to put them into any document.
+
+    Parameters
+    ----------
+    sources
+        The characters from bottom to top.
+    canvas
+        Where they will probably lie.
+    watch
+        Told how far it is.
+
+    Raises
+    ------
+    InputProblem, UsageProblem
+        As for :func:`new_document`.
+    """
+    read = _read(sources, watch)
+    return replace(read, looks=_looks(read.arrivals, canvas, watch))
 
 
 def with_timesheet(document: Document, path: Path) -> Staged:
@@ -103,22 +164,44 @@ def with_timesheet(document: Document, path: Path) -> Staged:
     InputProblem
         The timesheet cannot be read.
     """
-    changed, notes = timed(document, read_timesheet(path))
+    return exposed(document, read_timesheet(path))
+
+
+def exposed(document: Document, sheet: Timesheet) -> Staged:
+    """Return the document exposed as a timesheet says, and as long."""
+    changed, notes = timed(document, sheet)
     before = {layer.id: layer for layer in document.layers}
     return Staged(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
 
 
-def _arrivals(sources: Sequence[CharacterSource]) -> tuple[list[NewCels], list[str]]:
+def _read(sources: Sequence[CharacterSource], watch: Watch) -> Brought:
+    """Return what the sources hold, not looked at yet."""
     arrivals: list[NewCels] = []
     notes: list[str] = []
+    backgrounds: list[PicturePart] = []
     for source in sources:
-        layers, about_source = cels_of(source)
-        arrivals += layers
-        notes += about_source
-    return arrivals, notes
+        held = held_by(source, watch)
+        arrivals += held.layers
+        notes += held.notes
+        backgrounds += held.backgrounds
+    return Brought(tuple(arrivals), (), tuple(notes), tuple(backgrounds))
 
 
-def _natural_size(background: Path | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
+def _with_background(document: Document, found: Sequence[PicturePart], notes: list[str]) -> Document:
+    """Put the first of what was found under everything, unless there is a background; the others are told."""
+    taken = found[:1] if document.background is None else ()
+    notes += [
+        f"{shown(each.path)}: the layer {each.address!r} was left out, as there is a background already"
+        for each in found[len(taken) :]
+    ]
+    return set_background(document, taken[0]) if taken else document
+
+
+def _looks(arrivals: Sequence[NewCels], canvas: Box, watch: Watch) -> tuple[Look, ...]:
+    return tuple(look_at(arrival.cels.drawings, canvas, watch) for arrival in arrivals)
+
+
+def _natural_size(background: PictureSource | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
     if background is not None:
         info = probe(background)
         size = (info.width_px, info.height_px)
@@ -134,20 +217,28 @@ def _natural_size(background: Path | None, arrivals: Sequence[NewCels]) -> tuple
     return size
 
 
-def _settled(document: Document, arrivals: Sequence[NewCels], notes: list[str]) -> Staged:
-    """Add the layers, and for the first ones place ground and lamp and give the cut its length."""
+def put_in(document: Document, read: Brought) -> Staged:
+    """Return the document with the characters on top; for the first ones ground, lamp and the cut's length are set.
+
+    Raises
+    ------
+    UsageProblem
+        A name is no name for a layer.
+    """
     is_first = not document.layers
     stage = document.canvas.box
+    notes = list(read.notes)
+    document = _with_background(document, read.backgrounds, notes)
     looks: dict[str, Look] = {}
-    for arrival in arrivals:
-        look = look_at(arrival.cels.drawings, stage)
+    for arrival, seen in zip(read.arrivals, read.looks, strict=True):
+        look = replace(seen, figure=seen.figure.on(stage)) if seen.figure else seen
         document = add_layer(document, arrival.name, arrival.cels, look.figure.box if look.figure else stage)
         layer = document.layers[-1]
         looks[layer.id] = look
         told = (note for note in look.notes if note not in arrival.notes)
         notes += [*arrival.notes, *told, *_notes_on(layer.name, arrival, look.figure, stage)]
-    if is_first and arrivals:
-        document = _with_length(document, arrivals)
+    if is_first and read.arrivals:
+        document = _with_length(document, read.arrivals)
         document = _with_ground_and_lamp(document, looks)
     return Staged(document, tuple(notes), tuple(looks))
 

@@ -15,11 +15,18 @@ What the window uses
 ``hit(handles, view, view_px, radius, view_size)``, ``place_in_view(handle, view, view_size)`` for drawing,
 ``clamped``, ``OffView``, ``HIT_RADIUS_PX``, ``PEN_HIT_RADIUS_PX``.
 
-``handles``: ``handles_of(document, frame, layer_id, view)``, ``drag_of(handle, document, frame, view)``,
-``nudge(handle, document, frame, dx, dy, view)``.
+``handles``: ``handles_of(document, frame, layer_id, view, piece_id)``, ``matching_handles_of(document, frame, view)``,
+``drag_of(handle, document, frame, view)``, ``nudge(handle, document, frame, dx, dy, view)``.
 
 ``grounding``: ``add_grounding(document, layer_id, frame, canvas_px)``, and
 ``remove_grounding(document, layer_id, frame, index)`` with ``handle.index``.
+
+``placing``: ``add_placed(document, frame, layer_id, kind, name)``.
+
+``corner``: ``drawing(document, lay)`` is a drag that draws a line; what it lays is ``ground_line(document, frame)`` or
+``wall_line(document, frame, layer_id, name)``; ``is_on_ground(document, frame, canvas_px)``.
+
+``set_outlines``: ``outlines_of(document, frame)``, ``piece_at(outlines, view, view_px, reach)``.
 
 ``readout``: ``readout(handle, before, after, frame, language)``.
 

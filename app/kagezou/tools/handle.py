@@ -41,6 +41,10 @@ class Shape(StrEnum):
     """The tip of the shadow."""
     ARROW = "arrow"
     """The end of a wave's arrow."""
+    PEG = "peg"
+    """Where a set piece stands."""
+    GRIP = "grip"
+    """A side of a set piece."""
 
 
 class Cursor(StrEnum):
@@ -61,7 +65,9 @@ class Handle:
     id
         Stable while the same thing is edited: ``light.lamp``, ``light.foot``, ``light.sun``, ``ground.position``,
         ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``filter.distance``, ``filter.wave1``,
-        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …
+        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …, ``match.horizon``, ``match.horizon_end``,
+        ``match.end.0`` …, and of the set piece worked on ``piece.position``, ``piece.turn``, ``piece.width``,
+        ``piece.depth``, ``piece.height``, ``piece.lean``.
     shape
         Its look, of constant size on screen.
     canvas_px
@@ -74,8 +80,8 @@ class Handle:
         Which way it can be moved.
     also
         Further properties it edits.
-    layer_id
-        The layer it was made for.
+    layer_id, piece_id
+        The layer or set piece it was made for.
     index
         Its place in a list of points.
     stays_in_view
@@ -92,6 +98,7 @@ class Handle:
     layer_id: str | None = None
     index: int | None = None
     stays_in_view: bool = False
+    piece_id: str | None = None
 
     @property
     def addresses(self) -> tuple[Address, ...]:
@@ -121,6 +128,26 @@ class GuideKind(StrEnum):
     """Across the shadow, where simplifying is at its full strength."""
     WAVE = "wave"
     """From crest to crest."""
+    PIECE_EDGE = "piece-edge"
+    """An edge of the set piece worked on."""
+    PIECE_HIDDEN = "piece-hidden"
+    """The same where the piece itself hides it."""
+    PIECE_TOUCHED = "piece-touched"
+    """An edge of the set piece under the pointer."""
+    PIECE_OTHER = "piece-other"
+    """An edge of another piece of the set."""
+    PIECE_ARM = "piece-arm"
+    """From where a piece stands out of its front."""
+    LEAN_ARM = "lean-arm"
+    """A wall seen from its side."""
+    LEAN_ARC = "lean-arc"
+    FLOOR_FIRST = "floor-first"
+    """An edge of the floor in the background picture."""
+    FLOOR_SECOND = "floor-second"
+    """One square to it."""
+    FLOOR_RAY = "floor-ray"
+    """From an edge to where it vanishes."""
+    HORIZON = "horizon"
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,6 +165,8 @@ class HandleSet:
 
     handles: tuple[Handle, ...] = ()
     guides: tuple[Guide, ...] = ()
+    note: Words | None = None
+    """What keeps the handles from having an effect now."""
 
     def find(self, handle_id: str | None) -> Handle | None:
         """Return the handle with this id, None where it is not shown now."""

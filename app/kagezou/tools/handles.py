@@ -3,14 +3,14 @@
 from types import MappingProxyType
 
 from kagezou.document.model import Document
-from kagezou.tools import filters, ground, grounding, light, shadow, sun, tilt
+from kagezou.tools import filters, ground, grounding, light, matching, set_piece, set_size, shadow, sun, tilt
 from kagezou.tools.drag import Drag, Move, dragging
 from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.pointer import Modifiers, Pointer
 from kagezou.tools.setting import Setting
 from kagezou.tools.view import View
 
-_ROOMS = (ground, tilt, filters, grounding, shadow, light, sun)
+_ROOMS = (ground, tilt, filters, grounding, shadow, set_size, set_piece, light, sun)
 """Whose handles lie over whose: the last one's are topmost."""
 
 _MOVES: MappingProxyType[str, Move] = MappingProxyType(
@@ -27,21 +27,38 @@ _MOVES: MappingProxyType[str, Move] = MappingProxyType(
         light.FOOT: light.move_foot,
         light.LAMP: light.move_lamp,
         sun.SUN: sun.move_sun,
+        set_piece.POSITION: set_piece.move_position,
+        set_piece.TURN: set_piece.move_turn,
+        set_piece.LEAN: set_piece.move_lean,
+        set_size.WIDTH: set_size.move_size,
+        set_size.DEPTH: set_size.move_size,
+        set_size.HEIGHT: set_size.move_size,
+        matching.END: matching.move_end,
+        matching.HORIZON: matching.move_horizon,
+        matching.HORIZON_END: matching.move_horizon_end,
     }
 )
 
 
-def handles_of(document: Document, frame: int, layer_id: str | None, view: View) -> HandleSet:
-    """Return what lies over the picture while a layer is worked on, or none is.
+def handles_of(
+    document: Document, frame: int, layer_id: str | None, view: View, piece_id: str | None = None
+) -> HandleSet:
+    """Return what lies over the picture while a layer or a set piece is worked on, or neither is.
 
-    The view only matters for what hangs on arms and dials of constant length on screen: sun, tilt, declination and the
-    end of the ground line.
+    The view only matters for what hangs on arms and dials of constant length on screen: sun, tilt, declination, the
+    end of the ground line, and a piece's turn and lean.
     """
-    setting = Setting.of(document, frame, layer_id, view)
+    setting = Setting.of(document, frame, layer_id, view, piece_id)
     return HandleSet(
         tuple(handle for room in _ROOMS for handle in room.handles(setting)),
         tuple(guide for room in _ROOMS for guide in room.guides(setting)),
     )
+
+
+def matching_handles_of(document: Document, frame: int, view: View) -> HandleSet:
+    """Return what lies over the picture while the camera is matched to it."""
+    setting = Setting.of(document, frame, None, view)
+    return HandleSet(matching.handles(setting), matching.guides(setting), matching.note_of(setting))
 
 
 def drag_of(handle: Handle, document: Document, frame: int, view: View) -> Drag:
@@ -50,7 +67,7 @@ def drag_of(handle: Handle, document: Document, frame: int, view: View) -> Drag:
     Each answer is a whole document made of ``document``, so cancelling is showing that one again.
     """
     name = handle.id if handle.index is None else handle.id.removesuffix(f".{handle.index}")
-    return dragging(Setting.of(document, frame, handle.layer_id, view), handle, _MOVES[name])
+    return dragging(Setting.of(document, frame, handle.layer_id, view, handle.piece_id), handle, _MOVES[name])
 
 
 def nudge(handle: Handle, document: Document, frame: int, dx: float, dy: float, view: View) -> Document:

@@ -13,7 +13,7 @@ class Modifiers:
     Parameters
     ----------
     constrain
-        Keep to one axis, or to steps of 15°.
+        Keep to one axis, to steps of 15°, or to a piece's proportions.
     fine
         Move at a tenth of the pointer's speed.
     symmetric

@@ -14,6 +14,7 @@ from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Point2, Vector3, Vector4
 from kagezou.scene.evaluate import camera_at, card_at, contact_of, ground_at, light_at
+from kagezou.scene.piece_frames import PieceFrame, piece_frame
 from kagezou.tools.view import View
 
 
@@ -21,8 +22,8 @@ from kagezou.tools.view import View
 class Setting:
     """One frame seen by one person: the document, the layer worked on, the view, and the geometry that follows.
 
-    ``layer`` and ``card`` are both None where no layer is worked on. The view gives handles on arms their constant
-    length on screen.
+    ``layer`` and ``card`` are both None where no layer is worked on, ``piece_id`` where no set piece is; ``piece`` is
+    None also where that piece is not seen. The view gives handles on arms their constant length on screen.
     """
 
     document: Document
@@ -33,14 +34,20 @@ class Setting:
     ground: Plane
     light: Vector4
     card: Card | None
+    piece_id: str | None = None
+    piece: PieceFrame | None = None
 
     @classmethod
-    def of(cls, document: Document, frame: int, layer_id: str | None, view: View) -> "Setting":
-        """Work a frame out; KeyError where the document has no such layer."""
+    def of(
+        cls, document: Document, frame: int, layer_id: str | None, view: View, piece_id: str | None = None
+    ) -> "Setting":
+        """Work a frame out; KeyError where the document has no such layer or set piece."""
         camera, ground = camera_at(document, frame), ground_at(document, frame)
         layer = None if layer_id is None else document.layer(layer_id)
         card = None if layer is None else card_at(layer, frame, camera, ground)
-        return cls(document, frame, view, layer, camera, ground, light_at(document, frame, ground), card)
+        piece = None if piece_id is None else piece_frame(document.piece(piece_id), frame, camera, ground)
+        light = light_at(document, frame, ground)
+        return cls(document, frame, view, layer, camera, ground, light, card, piece_id, piece)
 
     @property
     def is_sun(self) -> bool:
@@ -65,7 +72,9 @@ class Setting:
         return (-y, x)
 
     def address(self, line: Property) -> Address:
-        """Return where a property of the document, or of the layer worked on, lives."""
+        """Return where a property of the document, or of the layer or set piece worked on, lives."""
+        if line.name in properties.OF_PIECE:
+            return Address(line, piece_id=self.piece_id)
         return Address(line, self.layer.id if self.layer is not None and line.name in properties.OF_LAYER else None)
 
     def value(self, line: Property, document: Document | None = None) -> Value:

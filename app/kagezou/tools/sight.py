@@ -5,7 +5,7 @@ handles' picture therefore divides by no less than ``MIN_DEPTH``: equal to the c
 depth, continuous beyond it, and still invertible on every plane.
 """
 
-from math import copysign, sqrt
+from math import copysign, hypot, sqrt
 
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.vectors import Point2, Vector3, Vector4, dot
@@ -79,6 +79,25 @@ def place_seen_at(camera: Camera, start: Vector3, normal: Vector3, canvas_px: Po
     along = moved(ray, (-dot(ray, normal), normal))
     length = sqrt(dot(along, along))
     return moved(start, (_BEYOND_HORIZON_PX / length, along)) if length > 0 else None
+
+
+def part_seen_at(camera: Camera, base: Vector3, way: Vector3, canvas_px: Point2) -> float | None:
+    """Return how many times ``way`` must be gone from ``base`` to be seen as near to a canvas point as can be.
+
+    None where the line is seen end-on, or the place would lie beside the eye.
+    """
+    ex, ey, distance, w = camera.eye
+    near, falls = 1.0 - w * base[2] / distance, -w * way[2] / distance
+    start, toward = (base[0] - w * ex, base[1] - w * ey), (canvas_px[0] - w * ex, canvas_px[1] - w * ey)
+    # A line is seen as a line: this is its direction on the canvas, whatever the part.
+    dx, dy = (way[i] * near - start[i] * falls for i in (0, 1))
+    if hypot(dx, dy) <= EDGE_ON * sqrt(dot(way, way)) * max(near, MIN_DEPTH):
+        return None
+    gain = (way[0] - toward[0] * falls) * dx + (way[1] - toward[1] * falls) * dy
+    if abs(gain) < 1e-12:
+        return None
+    part = ((toward[0] * near - start[0]) * dx + (toward[1] * near - start[1]) * dy) / gain
+    return part if near + part * falls > MIN_DEPTH else None
 
 
 def within_reach(start: Vector3, end: Vector3) -> Vector3:

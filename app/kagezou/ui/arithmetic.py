@@ -37,6 +37,12 @@ def evaluate(text: str, current: float) -> float:
     return result
 
 
+def is_relative(text: str) -> bool:
+    """Return whether a text asks for a change of what is there."""
+    typed = text.strip().replace("×", "*")
+    return typed.endswith("%") or typed.startswith(("+", "*", "/", "-="))
+
+
 def _relative(typed: str, current: float) -> float:
     if typed.endswith("%"):
         return current * _number(typed[:-1]) / 100

@@ -1,15 +1,17 @@
 """What files dropped on the window or picked in a dialog are meant to be."""
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from kagezou.io.signatures import is_picture
+from kagezou.io.meshes import is_mesh
+from kagezou.io.signatures import is_picture, is_psd
+from kagezou.session.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.session.staging import CharacterSource
 
 PROJECT_SUFFIX = ".kage"
-TIMESHEET_SUFFIXES = (".xdts", ".tdts", ".sts")
 _OPAQUE = (".jpg", ".jpeg")
 _NUMBER = re.compile(r"[0-9]{1,6}(?=[A-Za-z]{0,2}$)")
 
@@ -28,17 +30,20 @@ class Arrivals:
         A picture without transparency that came alone.
     timesheet
         A timesheet, if there is one among the files and no project.
+    set_file
+        A set, if there is one among the files and neither of those.
     """
 
     project: Path | None = None
     characters: tuple[CharacterSource, ...] = ()
     background: Path | None = None
     timesheet: Path | None = None
+    set_file: Path | None = None
 
     @property
     def is_empty(self) -> bool:
         """Whether there is nothing the program can use."""
-        return not (self.project or self.characters or self.background or self.timesheet)
+        return not (self.project or self.characters or self.background or self.timesheet or self.set_file)
 
 
 def arrivals_of(paths: Iterable[Path]) -> Arrivals:
@@ -50,6 +55,9 @@ def arrivals_of(paths: Iterable[Path]) -> Arrivals:
     timesheet = next((path for path in given if path.suffix.lower() in TIMESHEET_SUFFIXES), None)
     if timesheet is not None:
         return Arrivals(timesheet=timesheet)
+    set_file = next((path for path in given if is_mesh(path)), None)
+    if set_file is not None:
+        return Arrivals(set_file=set_file)
     if len(given) == 1 and given[0].suffix.lower() in _OPAQUE:
         return Arrivals(background=given[0])
     folders = [CharacterSource(None, path) for path in given if path.is_dir()]
@@ -58,7 +66,12 @@ def arrivals_of(paths: Iterable[Path]) -> Arrivals:
 
 
 def whole_sequence(path: Path) -> Path:
-    """Return the pattern of the sequence a numbered picture belongs to, or the picture itself."""
+    """Return the pattern of the sequence a numbered picture belongs to, or the picture itself.
+
+    A PSD file is never one of a sequence: its number is rather that of the cut, and the cels are in it.
+    """
+    if is_psd(path):
+        return path
     stem, hits = _NUMBER.subn("#", path.stem)
     return path.with_name(stem + path.suffix) if hits else path
 
@@ -66,9 +79,6 @@ def whole_sequence(path: Path) -> Path:
 def _sequences(pictures: list[Path]) -> list[Path]:
     """Return a pattern for pictures that differ only in their number, and the others as they are."""
     patterns = [whole_sequence(path) for path in pictures]
-    found: list[Path] = []
-    for path, pattern in zip(pictures, patterns, strict=True):
-        source = pattern if patterns.count(pattern) > 1 else path
-        if source not in found:
-            found.append(source)
-    return found
+    counts = Counter(patterns)
+    sources = (pattern if counts[pattern] > 1 else path for path, pattern in zip(pictures, patterns, strict=True))
+    return list(dict.fromkeys(sources))

@@ -11,6 +11,7 @@ from kagezou.errors import Problem
 from kagezou.io import keepsake
 from kagezou.io.keepsake import SUFFIX, Keepsake
 from kagezou.ui.desk import Desk
+from kagezou.ui.sentences import sentence_of
 
 EVERY_MS = 120_000
 EVERY_STEPS = 20
@@ -118,7 +119,7 @@ class _Job(QRunnable):
         try:
             self._do()
         except Problem as problem:
-            self._owner.failed.emit(str(problem))
+            self._owner.failed.emit(sentence_of(problem))
         else:
             self._owner.kept.emit()
 

@@ -45,8 +45,20 @@ class Bridge(QObject):
 
     @property
     def layer_id(self) -> str | None:
-        """The layer worked on."""
+        """The layer worked on; None while a set piece is."""
         return self._session.state.layer_id
+
+    @property
+    def piece_id(self) -> str | None:
+        """The set piece worked on."""
+        return self._session.state.piece_id
+
+    @property
+    def layer_ids(self) -> tuple[str, ...]:
+        """Every layer that is chosen: the one worked on, then those edited with it as they lie; none with a piece."""
+        state = self._session.state
+        others = tuple(layer.id for layer in state.document.layers if layer.id in state.others)
+        return () if state.layer_id is None else (state.layer_id, *others)
 
     def open(self, session: Session) -> None:
         """Put another session in the place of this one and say that everything changed."""
@@ -70,7 +82,7 @@ class Bridge(QObject):
     def _changed(self, before: State, after: State) -> None:
         if after.document is not before.document:
             self.document_changed.emit()
-        if (after.layer_id, after.selection) != (before.layer_id, before.selection):
+        if _chosen(after) != _chosen(before):
             self.selection_changed.emit()
         if after.keys != before.keys:
             self.keys_changed.emit()
@@ -87,3 +99,7 @@ class Bridge(QObject):
         if history != self._history:
             self._history = history
             self.history_changed.emit()
+
+
+def _chosen(state: State) -> tuple[object, ...]:
+    return state.layer_id, state.piece_id, state.selection, state.others

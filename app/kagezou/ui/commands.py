@@ -78,6 +78,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("save_increment", translate("Commands", "Save Ne&xt Version"), ("Ctrl+Alt+Shift+S",)),
         Command("import", translate("Commands", "&Import Character…"), ("Ctrl+I",), "add"),
         Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
+        Command("import_set", translate("Commands", "Import &3-D Set…")),
         Command("import_timesheet", translate("Commands", "Import &Timesheet…")),
         Command("export_timesheet", translate("Commands", "Export Times&heet…")),
         Command("background", translate("Commands", "Set &Background…")),
@@ -93,6 +94,8 @@ def edit_commands() -> tuple[Command, ...]:
         Command("undo", translate("Commands", "&Undo"), ("Ctrl+Z",), "undo"),
         Command("redo", translate("Commands", "&Redo"), ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
         Command("delete", translate("Commands", "&Delete"), ("Del", "Backspace")),
+        Command("copy_look", translate("Commands", "&Copy Look"), ("Ctrl+Alt+C",)),
+        Command("paste_look", translate("Commands", "&Paste Look"), ("Ctrl+Alt+V",)),
         Command("rename_layer", translate("Commands", "Re&name Layer"), ("F2",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )
@@ -120,6 +123,23 @@ def key_commands() -> tuple[Command, ...]:
     )
 
 
+def drawing_commands() -> tuple[Command, ...]:
+    """Return the commands about when drawings are exposed."""
+    return (
+        Command("drawing_split", translate("Commands", "&Split Drawing Here"), ("Ctrl+Shift+D",)),
+        Command("drawing_empty", translate("Commands", "&Empty Cel"), ("Shift+X",)),
+        Command("drawing_remove", translate("Commands", "&Remove, Hold the Drawing Before")),
+        Command("drawing_longer", translate("Commands", "Hold 1 Frame &Longer"), ("Ctrl+Alt+Right",)),
+        Command("drawing_shorter", translate("Commands", "Hold 1 Frame S&horter"), ("Ctrl+Alt+Left",)),
+        Command("on_ones", translate("Commands", "Expose on &Ones")),
+        Command("on_twos", translate("Commands", "Expose on &Twos")),
+        Command("on_threes", translate("Commands", "E&xpose on Threes")),
+        Command("on_fours", translate("Commands", "Expose on &Fours")),
+        Command("drawing_copy", translate("Commands", "&Copy Drawings"), ("Ctrl+Shift+C",)),
+        Command("drawing_paste", translate("Commands", "&Paste Drawings")),
+    )
+
+
 def view_commands() -> tuple[Command, ...]:
     """Return the commands about looking."""
     return (
@@ -132,6 +152,8 @@ def view_commands() -> tuple[Command, ...]:
         Command("view_outline", translate("Commands", "View O&utline"), ("Alt+3",), checkable=True),
         Command("view_matte", translate("Commands", "View &Matte"), ("Alt+4",), checkable=True),
         Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
+        Command("settle_set", translate("Commands", "Camera and Size of the 3-D Set")),
+        Command("match_camera", translate("Commands", "Match Ca&mera to Picture"), ("Ctrl+Alt+M",), checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
         Command("field_guide", translate("Commands", "Field &Guide"), ("Ctrl+'", "Ctrl+Shift+G"), checkable=True),
@@ -172,6 +194,7 @@ def playback_commands() -> tuple[Command, ...]:
         Command("drawing_next", translate("Commands", "Next Dra&wing"), ("Ctrl+.",)),
         Command("work_in", translate("Commands", "Work Area &Begins Here"), ("B",)),
         Command("work_out", translate("Commands", "Work Are&a Ends Here"), ("N",)),
+        Command("read_ahead", translate("Commands", "Read the Work Area &into Memory")),
         Command("work_clear", translate("Commands", "&Clear Work Area"), ("Ctrl+Alt+B",)),
         Command("work_first", translate("Commands", "First Frame of the Work Area"), ("Shift+Home",)),
         Command("work_last", translate("Commands", "Last Frame of the Work Area"), ("Shift+End",)),
@@ -188,14 +211,31 @@ def timeline_commands() -> tuple[Command, ...]:
         Command("timeline_in", translate("Commands", "Zoom &In on Time"), ("=", "Ctrl+Alt+Up")),
         Command("timeline_out", translate("Commands", "Zoom &Out of Time"), ("-", "Ctrl+Alt+Down")),
         Command("reveal_animated", translate("Commands", "Show Keyed Properties; Again: Cha&nged Ones"), ("U",)),
-        Command("reveal_light", translate("Commands", "Show &Light"), ("P",)),
-        Command("reveal_ground", translate("Commands", "Show &Ground"), ("G",)),
-        Command("reveal_contacts", translate("Commands", "Show Grounding &Points"), ("C",)),
-        Command("reveal_shape", translate("Commands", "Show &Shape"), ("S",)),
-        Command("reveal_tilt", translate("Commands", "Show &Body Tilt"), ("R",)),
-        Command("reveal_opacity", translate("Commands", "Show Op&acity and Fading"), ("T",)),
-        Command("reveal_waves", translate("Commands", "Show &Waves"), ("W",)),
-        Command("reveal_softness", translate("Commands", "Show So&ftness"), ("Y",)),
+        Command("reveal_light", translate("Commands", "Show &Light"), ("P", "Shift+P")),
+        Command("reveal_ground", translate("Commands", "Show &Ground"), ("G", "Shift+G")),
+        Command("reveal_contacts", translate("Commands", "Show Grounding &Points"), ("C", "Shift+C")),
+        Command("reveal_shape", translate("Commands", "Show &Shape"), ("S", "Shift+S")),
+        Command("reveal_tilt", translate("Commands", "Show &Body Tilt"), ("R", "Shift+R")),
+        Command("reveal_opacity", translate("Commands", "Show Op&acity and Fading"), ("T", "Shift+T")),
+        Command("reveal_waves", translate("Commands", "Show &Waves"), ("W", "Shift+W")),
+        Command("reveal_softness", translate("Commands", "Show So&ftness"), ("Y", "Shift+Y")),
+    )
+
+
+def set_commands() -> tuple[Command, ...]:
+    """Return the commands about the set."""
+    return (
+        Command("add_wall", translate("Commands", "Add &Wall"), (), "wall"),
+        Command("add_box", translate("Commands", "Add &Box"), (), "box"),
+        Command("add_steps", translate("Commands", "Add &Steps"), (), "steps"),
+        Command("add_ramp", translate("Commands", "Add &Ramp"), (), "ramp"),
+        Command("add_cylinder", translate("Commands", "Add &Cylinder"), (), "cylinder"),
+        Command("add_sphere", translate("Commands", "Add S&phere"), (), "sphere"),
+        Command("draw_corner", translate("Commands", "Draw &Ground and Wall Line"), (), "corner"),
+        Command("draw_wall", translate("Commands", "Draw Wall &Line"), (), ""),
+        Command("duplicate_piece", translate("Commands", "&Duplicate Set Piece"), ("Ctrl+D",), "duplicate"),
+        Command("rename_piece", translate("Commands", "Re&name Set Piece")),
+        Command("remove_piece", translate("Commands", "Re&move Set Piece"), (), "remove"),
     )
 
 
@@ -214,9 +254,11 @@ def command_groups() -> tuple[CommandGroup, ...]:
         CommandGroup(translate("Commands", "File"), file_commands()),
         CommandGroup(translate("Commands", "Edit"), edit_commands()),
         CommandGroup(translate("Commands", "Keys"), key_commands()),
+        CommandGroup(translate("Commands", "Drawings"), drawing_commands()),
         CommandGroup(translate("Commands", "Time"), playback_commands()),
         CommandGroup(translate("Commands", "View"), view_commands()),
         CommandGroup(translate("Commands", "Timeline"), timeline_commands()),
+        CommandGroup(translate("Commands", "Set"), set_commands()),
         CommandGroup(translate("Commands", "Window"), window_commands()),
         CommandGroup(translate("Commands", "Help"), help_commands()),
     )

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, QThread, Signal
 
 from kagezou.errors import Problem
 from kagezou.ui.message_bar import MessageBar, Severity
+from kagezou.ui.sentences import sentence_of
 
 MakeDemo: TypeAlias = Callable[[Path, Callable[[int, int], None]], Path]
 """Makes the demo's files in a folder, telling how many of how many are done, and returns the project."""
@@ -46,7 +47,7 @@ class DemoJob(QThread):
         try:
             project = self._make(self._folder, self.progressed.emit)
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         else:
             self.made.emit(project)
 

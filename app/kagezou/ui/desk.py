@@ -1,27 +1,35 @@
-"""The project on the desk: where its file lies, and opening, saving and bringing things in."""
+"""The project on the desk: where its file lies, and opening, saving and bringing things in.
+
+What takes time comes as a ``Load``: read beside the window, then put on the desk at once.
+"""
 
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.edits import set_background
-from kagezou.document.model import Canvas, Document
+from kagezou.document.model import Canvas, Document, PictureSource
+from kagezou.errors import Problem
 from kagezou.io import project_file
 from kagezou.io.cels import CelCache
 from kagezou.io.keepsake import Keepsake
-from kagezou.io.xdts import write_xdts
+from kagezou.io.meshes import MeshCache
+from kagezou.io.timesheet import Timesheet
+from kagezou.io.xdts import read_timesheet, write_xdts
 from kagezou.session.session import Session
-from kagezou.session.sheet_project import document_of_sheet
-from kagezou.session.staging import CharacterSource, new_document, with_characters, with_timesheet
+from kagezou.session.sheet_project import document_of_sheet, timed_from_beside
+from kagezou.session.staging import Brought, CharacterSource, Staged, brought, exposed, new_document, put_in
 from kagezou.session.timing import sheet_of
+from kagezou.session.watching import Part, Watch
 from kagezou.ui.arrivals import PROJECT_SUFFIX
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.load import AnyLoad, Load
 
 BLANK_SIZE_PX = (1920, 1080)
 
 
 class Desk(QObject):
-    """One project at a time. Every method may raise a Problem; then everything is as it was.
+    """One project at a time. Every method and every load may raise a Problem; then everything is as it was.
 
     Outlives the window, which is made anew when the language changes.
     """
@@ -33,6 +41,7 @@ class Desk(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.cels = CelCache()
+        self.meshes = MeshCache()
         self.bridge = Bridge(Session(blank_document()))
         self._path: Path | None = None
         self._seen = ""
@@ -45,8 +54,7 @@ class Desk(QObject):
     @property
     def is_blank(self) -> bool:
         """Whether there is nothing to see."""
-        document = self.bridge.document
-        return not document.layers and document.background is None
+        return _is_blank(self.bridge.document)
 
     @property
     def is_saved(self) -> bool:
@@ -57,19 +65,28 @@ class Desk(QObject):
         """Begin with nothing."""
         self._put(Session(blank_document()), None)
 
-    def new(self, sources: tuple[CharacterSource, ...]) -> None:
+    def new(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
         """Begin a project with characters; it has no file yet and counts as unsaved."""
-        staged = new_document(sources)
-        session = Session(blank_document())
-        session.edit(self.tr("New from cels"), staged.document)
-        self._put(session, None)
-        self._say(staged.notes)
 
-    def open(self, path: Path) -> None:
+        def read(watch: Watch) -> Staged:
+            return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
+
+        return Load(_names(sources), read, lambda staged: self._begin(self.tr("New from cels"), staged), replaces=True)
+
+    def open(self, path: Path) -> AnyLoad:
         """Open a project file."""
-        seen = project_file.fingerprint(path)
-        self._put(Session(project_file.load(path)), path)
-        self._seen = seen
+
+        def read(watch: Watch) -> tuple[Document, str]:
+            watch(Part.FINDING, 0, 0)
+            seen, document = project_file.fingerprint(path), project_file.load(path)
+            self._read_first(document, watch)
+            return document, seen
+
+        def put(found: tuple[Document, str]) -> None:
+            self._put(Session(found[0]), path)
+            self._seen = found[1]
+
+        return Load(path.name, read, put, replaces=True)
 
     def recover(self, work: Keepsake) -> None:
         """Put unsaved work back as it was put aside; it counts as unsaved."""
@@ -93,40 +110,113 @@ class Desk(QObject):
         session.mark_saved()
         self.path_changed.emit()
 
-    def bring(self, sources: tuple[CharacterSource, ...]) -> None:
+    def bring(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
         """Add characters as one step; into nothing they come with a canvas, a ground and a lamp of their own."""
-        session = self.bridge.session
-        staged = new_document(sources) if self.is_blank else with_characters(session.document, sources)
-        session.edit(self.tr("Import character"), staged.document)
-        if staged.layer_ids:
-            session.select(staged.layer_ids[-1])
-        self._say(staged.notes)
 
-    def time_by(self, path: Path) -> None:
+        def read(watch: Watch) -> Staged | Brought:
+            over = self.bridge.document
+            if _is_blank(over):
+                return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
+            return brought(sources, over.canvas.box, watch)
+
+        def put(found: Staged | Brought) -> None:
+            if isinstance(found, Brought):
+                # The document may have gone on meanwhile; what was read fits any.
+                self._edit(self.tr("Import character"), put_in(self.bridge.document, found))
+            elif self.is_blank:
+                self._edit(self.tr("Import character"), found)
+            else:
+                self.bring(sources).at_once()
+
+        return Load(_names(sources), read, put)
+
+    def time_by(self, path: Path) -> AnyLoad:
         """Expose the drawings as a timesheet says; with nothing on the desk they are looked for beside it."""
-        if self.is_blank:
-            staged = document_of_sheet(path)
-            session = Session(blank_document())
-            session.edit(self.tr("New from timesheet"), staged.document)
-            self._put(session, None)
-        else:
-            staged = with_timesheet(self.bridge.document, path)
-            self.bridge.session.edit(self.tr("Apply timesheet"), staged.document)
-        self._say(staged.notes)
+
+        def read(watch: Watch) -> Staged | Timesheet:
+            return self._first_seen(document_of_sheet(path, watch), watch) if self.is_blank else read_timesheet(path)
+
+        def put(found: Staged | Timesheet) -> None:
+            if isinstance(found, Timesheet):
+                self._edit(self.tr("Apply timesheet"), exposed(self.bridge.document, found))
+            elif self.is_blank:
+                self._begin(self.tr("New from timesheet"), found)
+            else:
+                self.time_by(path).at_once()
+
+        return Load(path.name, read, put)
 
     def write_timesheet(self, path: Path, name: str) -> None:
         """Write when which drawing is exposed, as XDTS; a name without suffix gets one."""
         whole = path if path.suffix.lower() == ".xdts" else path.with_name(path.name + ".xdts")
         write_xdts(whole, sheet_of(self.bridge.document, name))
 
-    def put_background(self, path: Path | None) -> None:
-        """Put a picture under everything, or take it away; into nothing it brings its size."""
+    def put_background(self, path: Path) -> AnyLoad:
+        """Put a picture under everything; into nothing it brings its size."""
+
+        def read(watch: Watch) -> Document:
+            over = self.bridge.document
+            document = new_document((), background=path, watch=watch).document if _is_blank(over) else over
+            self._read_first(set_background(document, path), watch)
+            return document
+
+        def put(found: Document) -> None:
+            document = found if self.is_blank else self.bridge.document
+            self.bridge.session.edit(self.tr("Set background"), set_background(document, path))
+
+        return Load(path.name, read, put)
+
+    def reading_ahead(self) -> AnyLoad:
+        """Decode the drawings of the work area, as many as memory is meant to hold, so that they play smoothly."""
+
+        def read(watch: Watch) -> None:
+            sources = played_drawings(self.bridge.document)
+            for index, source in enumerate(sources):
+                watch(Part.READING, index, len(sources))
+                try:
+                    size = self.cels.cel(source).nbytes
+                except Problem:
+                    continue
+                if self.cels.nbytes + size > self.cels.limit_bytes:
+                    break
+
+        return Load(self.tr("the work area"), read, lambda _nothing: None, gives_way=True)
+
+    def remove_background(self) -> None:
+        """Leave nothing under the characters."""
         session = self.bridge.session
-        if path is not None and self.is_blank:
-            document = new_document((), background=path).document
-        else:
-            document = set_background(session.document, path)
-        session.edit(self.tr("Set background"), document)
+        session.edit(self.tr("Set background"), set_background(session.document, None))
+
+    def _begin(self, step: str, staged: Staged) -> None:
+        """Put a new project on the desk, which has no file yet."""
+        session = Session(blank_document())
+        session.edit(step, staged.document)
+        self._put(session, None)
+        self._say(staged.notes)
+
+    def _first_seen(self, staged: Staged, watch: Watch) -> Staged:
+        self._read_first(staged.document, watch)
+        return staged
+
+    def _read_first(self, document: Document, watch: Watch) -> None:
+        """Read what the first frame shows, so that the viewport finds it there."""
+        wanted = [(self.cels.background, document.background)] if document.background else []
+        first = (layer.cels.drawing_at(1) for layer in document.layers)
+        wanted += [(self.cels.cel, drawing.source) for drawing in first if drawing is not None]
+        for index, (read, source) in enumerate(wanted):
+            watch(Part.READING, index, len(wanted))
+            try:
+                read(source)
+            except Problem:
+                # The viewport meets the same file, and says what is wrong with it.
+                continue
+
+    def _edit(self, step: str, staged: Staged) -> None:
+        session = self.bridge.session
+        session.edit(step, staged.document)
+        if staged.layer_ids:
+            session.select(staged.layer_ids[-1])
+        self._say(staged.notes)
 
     def _put(self, session: Session, path: Path | None) -> None:
         self._path = path
@@ -136,6 +226,22 @@ class Desk(QObject):
     def _say(self, notes: tuple[str, ...]) -> None:
         for note in notes:
             self.noted.emit(note)
+
+
+def _is_blank(document: Document) -> bool:
+    return not document.layers and not document.pieces and document.background is None
+
+
+def _names(sources: tuple[CharacterSource, ...]) -> str:
+    first = sources[0].path.name if sources else ""
+    return f"{first}, …" if len(sources) > 1 else first
+
+
+def played_drawings(document: Document) -> tuple[PictureSource, ...]:
+    """Return the drawings of the work area, each once, in the order in which they are seen."""
+    first, last = document.played
+    seen = (layer.cels.drawing_at(frame) for frame in range(first, last + 1) for layer in document.layers)
+    return tuple(dict.fromkeys(drawing.source for drawing in seen if drawing is not None))
 
 
 def blank_document() -> Document:

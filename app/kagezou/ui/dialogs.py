@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from kagezou.io.meshes import MESH_SUFFIXES
 from kagezou.io.signatures import FORMATS
 from kagezou.ui.arrivals import PROJECT_SUFFIX
 from kagezou.ui.settings import Settings
@@ -64,6 +65,13 @@ class Dialogs:
         title = QCoreApplication.translate("Dialogs", "Choose a Background")
         chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("background"), _picture_filter())
         return self._remembered("background", chosen)
+
+    def set_file(self) -> Path | None:
+        """Ask for a set from a 3-D program."""
+        title = QCoreApplication.translate("Dialogs", "Import Set")
+        words = QCoreApplication.translate("Dialogs", "Sets") + f" ({' '.join(f'*{each}' for each in MESH_SUFFIXES)})"
+        chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("set"), words)
+        return self._remembered("set", chosen)
 
     def timesheet(self) -> Path | None:
         """Ask for a timesheet."""

@@ -51,6 +51,8 @@ def drop_words(paths: Sequence[Path]) -> str:
     first = paths[0].name
     if arrivals.project is not None or paths[0].suffix.lower() == PROJECT_SUFFIX:
         return translate("DropHint", "Open %1").replace("%1", first)
+    if arrivals.set_file is not None:
+        return translate("DropHint", "Put %1 behind the characters").replace("%1", arrivals.set_file.name)
     if arrivals.background is not None:
         return translate("DropHint", "Put %1 under everything").replace("%1", first)
     if len(paths) == 1:

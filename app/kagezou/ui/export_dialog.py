@@ -6,26 +6,25 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QCheckBox,
-    QComboBox,
     QDialog,
     QFileDialog,
-    QFormLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QPushButton,
     QRadioButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
 
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.export.request import DEPTHS, SUFFIXES
+from kagezou.io.video import is_there as video_is_there
+from kagezou.ui.export_options import GAP_PX, ExportOptions
 from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, preview, sound
+from kagezou.ui.export_preset_row import PresetRow
+from kagezou.ui.sentences import sentence_of
 
 
 class ExportDialog(QDialog):
@@ -39,19 +38,24 @@ class ExportDialog(QDialog):
         What was chosen the last time.
     place
         Where it went the last time, and what the project is called.
+    preset_folder
+        Where the presets lie.
     """
 
     chosen = Signal(object, object)
     """A plan, and the place it goes to."""
 
-    def __init__(self, document: Document, plan: ExportPlan, place: Place, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, document: Document, plan: ExportPlan, place: Place, preset_folder: Path, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export"))
         self._document, self._place = document, place
-        self.plan = sound(plan)
         self.kinds = QButtonGroup(self)
-        self.folder = QLineEdit(str(place.folder))
-        self.format_box, self.depth_box = QComboBox(), QComboBox()
+        self._buttons: dict[ExportKind, QRadioButton] = {}
+        self.presets = PresetRow(preset_folder)
+        self.folder_label, self.folder = QLabel(self.tr("Folder")), QLineEdit(str(place.folder))
+        self.options = ExportOptions(document)
         self.preview = QListWidget()
         self.preview.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self.preview.setAccessibleName(self.tr("What will be written"))
@@ -59,32 +63,56 @@ class ExportDialog(QDialog):
         self.says.setWordWrap(True)
         self.says.setObjectName("problem")
         self.go = QPushButton(self.tr("Export"))
-        self._rows: list[tuple[QWidget, tuple[ExportKind, ...]]] = []
+        self._formats: dict[ExportKind, str] = {}
         self._lay_out()
-        self._show_formats()
+        self.plan = self._possible(plan)
+        self.presets.picked.connect(self.show_plan)
+        self.presets.failed.connect(self._say)
+        self.options.changed.connect(lambda what: self.change(**what))
+        self.show_plan(self.plan)
+        self.presets.reload()
+        self.go.setFocus()
+
+    def show_plan(self, plan: ExportPlan) -> None:
+        """Stand as a plan says, as far as this document and this machine allow."""
+        self.plan = self._possible(plan)
+        self._formats[self.plan.kind] = self.plan.format
+        self._buttons[self.plan.kind].setChecked(True)
+        self.options.show_plan(self.plan)
+        self.presets.show_plan(self.plan)
         self.refresh()
 
+    def change(self, **what: object) -> None:
+        """Choose something else; each kind keeps the format that was chosen for it."""
+        changed = replace(self.plan, **what)  # type: ignore[arg-type]
+        if changed.kind is not self.plan.kind:
+            changed = replace(changed, format=self._formats.get(changed.kind, changed.format))
+        self.show_plan(changed)
+
     def refresh(self) -> None:
-        """Show the options of the kind, and what would be written."""
-        for widget, kinds in self._rows:
-            widget.setVisible(self.plan.kind in kinds)
+        """Show what would be written, or why nothing can be."""
         self.preview.clear()
         problem = ""
         try:
             self.preview.addItems(list(preview(self._document, self.plan, self._place_now())))
         except UsageProblem as refused:
-            problem = str(refused)
+            problem = sentence_of(refused)
         if not problem and not self.folder.text().strip():
             problem = self.tr("Choose a folder.")
-        self.says.setText(problem[:1].upper() + problem[1:])
-        self.says.setVisible(bool(problem))
+        self._say(problem)
         self.go.setEnabled(not problem)
 
-    def change(self, **what: object) -> None:
-        """Choose something else."""
-        self.plan = sound(replace(self.plan, **what))  # type: ignore[arg-type]
-        self._show_formats()
-        self.refresh()
+    def _say(self, problem: str) -> None:
+        self.says.setText(problem[:1].upper() + problem[1:])
+        self.says.setVisible(bool(problem))
+
+    def _possible(self, plan: ExportPlan) -> ExportPlan:
+        """Return the plan without what this document or this machine does not have."""
+        if plan.video_layer not in [layer.name for layer in self._document.layers]:
+            plan = replace(plan, video_layer="")
+        if plan.kind is ExportKind.VIDEO and not self._buttons[ExportKind.VIDEO].isEnabled():
+            plan = replace(plan, kind=ExportKind.LAYERS)
+        return sound(plan)
 
     def _place_now(self) -> Place:
         return replace(self._place, folder=Path(self.folder.text().strip()).expanduser())
@@ -93,8 +121,17 @@ class ExportDialog(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 14)
         column.setSpacing(10)
+        column.addWidget(self.presets)
         column.addLayout(self._kind_row())
-        column.addLayout(self._options())
+        if not self._buttons[ExportKind.VIDEO].isEnabled():
+            why = QLabel(self._buttons[ExportKind.VIDEO].toolTip())
+            why.setObjectName("welcome_hint")
+            column.addWidget(why)
+        column.addLayout(self._folder_row())
+        column.addWidget(self.options)
+        labels = (self.presets.label, self.folder_label, *self.options.labels)
+        for label in labels:
+            label.setMinimumWidth(max(each.sizeHint().width() for each in labels))
         heading = QLabel(self.tr("What will be written"))
         heading.setObjectName("heading")
         column.addWidget(heading)
@@ -110,80 +147,39 @@ class ExportDialog(QDialog):
         buttons.addWidget(self.go)
         column.addLayout(buttons)
         letter = self.fontMetrics().horizontalAdvance("0")
-        self.resize(76 * letter, 30 * self.fontMetrics().height())
+        self.resize(84 * letter, 34 * self.fontMetrics().height())
 
     def _kind_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         words = {
             ExportKind.LAYERS: self.tr("Shadow layers"),
+            ExportKind.LAYERED: self.tr("Layered frames"),
+            ExportKind.VIDEO: self.tr("Video"),
             ExportKind.AFTER_EFFECTS: self.tr("After Effects"),
             ExportKind.FARM: self.tr("Render farm job"),
         }
         for kind, text in words.items():
-            button = QRadioButton(text)
-            button.setChecked(kind is self.plan.kind)
-            button.toggled.connect(lambda on, each=kind: self.change(kind=each) if on else None)
+            button = self._buttons[kind] = QRadioButton(text)
+            button.clicked.connect(lambda _on, each=kind: self.change(kind=each))
             self.kinds.addButton(button)
             row.addWidget(button)
+        if not video_is_there():
+            self._buttons[ExportKind.VIDEO].setEnabled(False)
+            self._buttons[ExportKind.VIDEO].setToolTip(self.tr("Video needs PyAV: pip install 'kagezou[video]'"))
         row.addStretch(1)
         return row
 
-    def _options(self) -> QFormLayout:
-        form = QFormLayout()
-        every = tuple(ExportKind)
-        layers, effects, farm = every
+    def _folder_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(GAP_PX)
+        self.folder_label.setBuddy(self.folder)
         browse = QPushButton(self.tr("Browse…"))
+        browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)
         self.folder.textChanged.connect(self.refresh)
-        form.addRow(self.tr("Folder"), _beside(self.folder, browse))
-        self.format_box.activated.connect(lambda _index: self.change(format=self.format_box.currentData()))
-        self.depth_box.activated.connect(lambda _index: self.change(depth=self.depth_box.currentData()))
-        form.addRow(self.tr("Format"), _beside(self.format_box, self.depth_box))
-        self._tick(form, self.tr("Composite with background and characters"), "composite", (layers, farm))
-        self._tick(form, self.tr("Only the work area"), "only_work_area", (layers, farm))
-        self._tick(form, self.tr("Each different shadow once, held by time remapping"), "per_drawing", (effects,))
-        self._tick(form, self.tr("Copy characters and background into the folder"), "copies", (effects,))
-        for matte, words in self._matte_words().items():
-            box = QCheckBox(words)
-            box.setChecked(matte in self.plan.mattes)
-            box.toggled.connect(lambda on, each=matte: self._choose_matte(each, on=on))
-            self._add(form, box, (effects,))
-        chunk = QSpinBox()
-        chunk.setRange(1, 1000)
-        chunk.setValue(self.plan.chunk)
-        chunk.setSuffix(self.tr(" frames a task"))
-        chunk.valueChanged.connect(lambda value: self.change(chunk=value))
-        self._add(form, chunk, (farm,))
-        self._tick(form, self.tr("Leave frames alone that would come out the same"), "skip_existing", (layers, effects))
-        return form
-
-    def _matte_words(self) -> dict[str, str]:
-        return {
-            "shadow": self.tr("Matte: the shadow alone"),
-            "core": self.tr("Matte: the part near the feet"),
-            "distance": self.tr("Matte: distance from the feet"),
-            "lit": self.tr("Matte: what no shadow lies on"),
-        }
-
-    def _tick(self, form: QFormLayout, words: str, name: str, kinds: tuple[ExportKind, ...]) -> None:
-        box = QCheckBox(words)
-        box.setChecked(bool(getattr(self.plan, name)))
-        box.toggled.connect(lambda on: self.change(**{name: on}))
-        self._add(form, box, kinds)
-
-    def _add(self, form: QFormLayout, widget: QWidget, kinds: tuple[ExportKind, ...]) -> None:
-        form.addRow("", widget)
-        self._rows.append((widget, kinds))
-
-    def _choose_matte(self, matte: str, *, on: bool) -> None:
-        left = tuple(each for each in self.plan.mattes if each != matte)
-        self.change(mattes=(*left, matte) if on else left)
-
-    def _show_formats(self) -> None:
-        formats = ("png", "exr") if self.plan.kind is ExportKind.AFTER_EFFECTS else tuple(SUFFIXES)
-        _fill(self.format_box, {each.upper(): each for each in formats}, self.plan.format)
-        depths = {self.tr("%1 bit").replace("%1", str(each)): each for each in DEPTHS[self.plan.format]}
-        _fill(self.depth_box, depths, self.plan.depth)
+        for widget in (self.folder_label, self.folder, browse):
+            row.addWidget(widget)
+        return row
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(self, self.tr("Export To"), self.folder.text())
@@ -193,17 +189,3 @@ class ExportDialog(QDialog):
     def _accept(self) -> None:
         self.chosen.emit(self.plan, self._place_now())
         self.accept()
-
-
-def _fill(box: QComboBox, choices: dict[str, str] | dict[str, int], chosen: object) -> None:
-    box.clear()
-    for words, value in choices.items():
-        box.addItem(words, value)
-    box.setCurrentIndex(box.findData(chosen))
-
-
-def _beside(first: QWidget, second: QWidget) -> QHBoxLayout:
-    row = QHBoxLayout()
-    row.addWidget(first, 1)
-    row.addWidget(second)
-    return row

@@ -1,30 +1,39 @@
-"""What an export from the window is to make, as a value that can be remembered, previewed and run."""
+"""What an export from the window is to make, as a value that can be remembered and previewed."""
 
 import json
-import os
-from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields, replace
 from enum import StrEnum
 from pathlib import Path
+from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.export.after_effects.export import HandOffRequest, export_to_after_effects
 from kagezou.export.after_effects.mattes import MATTES
-from kagezou.export.farm import FarmRequest, write_bundle
-from kagezou.export.frames import export_frames
-from kagezou.export.jobs import planned
+from kagezou.export.jobs import LayeredContent, planned
+from kagezou.export.layered import part_names
 from kagezou.export.names import safe_names
-from kagezou.export.request import DEPTHS, SUFFIXES, Cancelled, ExportRequest, Progress, Summary
-from kagezou.render.context import OpenContext
+from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
+from kagezou.export.video import VideoRequest, video_jobs
 
 
 class ExportKind(StrEnum):
     """Whom the export is for."""
 
     LAYERS = "layers"
+    LAYERED = "layered"
+    VIDEO = "video"
     AFTER_EFFECTS = "after effects"
     FARM = "farm"
+
+
+FORMATS: Final[dict[ExportKind, tuple[str, ...]]] = {
+    ExportKind.LAYERS: tuple(SUFFIXES),
+    ExportKind.LAYERED: tuple(LAYERED_SUFFIXES),
+    ExportKind.VIDEO: ("mp4", "mov"),
+    ExportKind.AFTER_EFFECTS: ("png", "exr"),
+    ExportKind.FARM: tuple(SUFFIXES),
+}
+"""The formats of each kind, the usual one first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,12 +46,16 @@ class ExportPlan:
         Whom it is for.
     only_work_area
         Whether frames outside the work area are left out; a hand-off to After Effects always has them all.
-    format, depth, composite, skip_existing
+    format
+        One of those of its kind.
+    depth, composite, skip_existing
         As of `ExportRequest`.
     per_drawing, copies, mattes
         As of `HandOffRequest`.
     chunk
         Frames a task of a farm.
+    video_layer
+        The name of the layer whose shadow a video shows; empty for the finished picture.
     """
 
     kind: ExportKind = ExportKind.LAYERS
@@ -55,17 +68,7 @@ class ExportPlan:
     copies: bool = True
     mattes: tuple[str, ...] = ()
     chunk: int = 10
-
-
-@dataclass(frozen=True, slots=True)
-class ExportOutcome:
-    """What came of it: files asked for and new, whether it was stopped, the first problem, and where to look."""
-
-    files: int
-    written: int
-    cancelled: bool
-    problem: str
-    where: Path
+    video_layer: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,15 +82,19 @@ class Place:
 
 def dumps_plan(plan: ExportPlan) -> str:
     """Return a plan as text to remember it by."""
-    return json.dumps(asdict(plan))
+    return json.dumps(asdict(plan), ensure_ascii=False)
 
 
 def loads_plan(text: str) -> ExportPlan:
     """Return a remembered plan; whatever is not understood has its usual value."""
     try:
-        found = json.loads(text)
+        return plan_of(json.loads(text))
     except ValueError:
         return ExportPlan()
+
+
+def plan_of(found: object) -> ExportPlan:
+    """Return the plan that JSON was made of; whatever is not understood has its usual value."""
     usual = ExportPlan()
     given = found if isinstance(found, dict) else {}
     plain = {
@@ -106,28 +113,40 @@ def loads_plan(text: str) -> ExportPlan:
     )
 
 
+def depths_of(form: str) -> tuple[int, ...]:
+    """Return the bits a channel that a format may have, the usual one first."""
+    return DEPTHS.get(form, (8,))
+
+
 def sound(plan: ExportPlan) -> ExportPlan:
     """Return the plan with a format that its kind has and a depth that its format has."""
-    formats = tuple(SUFFIXES) if plan.kind is not ExportKind.AFTER_EFFECTS else ("png", "exr")
-    form = plan.format if plan.format in formats else "png"
-    depth = plan.depth if plan.depth in DEPTHS[form] else DEPTHS[form][0]
+    formats = FORMATS[plan.kind]
+    form = plan.format if plan.format in formats else formats[0]
+    depth = plan.depth if plan.depth in depths_of(form) else depths_of(form)[0]
     return replace(plan, format=form, depth=depth, chunk=min(max(plan.chunk, 1), 1000))
 
 
 def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ...]:
-    """Return what would be written, folder by folder.
+    """Return what would be written, folder by folder; below it, indented, what is in its files.
 
     Raises
     ------
     UsageProblem
         There is nothing to export, or the project must be saved first.
     """
-    made = planned(document, _request(document, plan, place))
+    if plan.kind is ExportKind.VIDEO:
+        return _video_preview(document, plan, place)
+    made = planned(document, frames_request(document, plan, place.folder, workers=1))
     length = len(made.jobs) and made.files // max(len(made.folders), 1)
-    suffix = SUFFIXES[plan.format]
+    suffix = f".{plan.format}" if plan.kind is ExportKind.LAYERED else SUFFIXES[plan.format]
     match plan.kind:
         case ExportKind.LAYERS:
             return tuple(f"{folder.name}/  {length} × {suffix}" for folder in made.folders)
+        case ExportKind.LAYERED:
+            content = made.jobs[0].content
+            names = part_names(content) if isinstance(content, LayeredContent) else ()
+            # As a list of layers has them: the uppermost first.
+            return (f"{made.folders[0].name}/  {length} × {suffix}", *(f"    {name}" for name in reversed(names)))
         case ExportKind.AFTER_EFFECTS:
             script = f"{safe_names([place.name])[place.name]}.jsx"
             lines = [f"shadows/{folder.name}/  {suffix}" for folder in made.folders]
@@ -140,73 +159,37 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
             return ("template.json", "parameter_values.json", "asset_references.json", f"{tasks} × {plan.chunk}")
 
 
-Work = Callable[[OpenContext, Progress, Cancelled], ExportOutcome]
+def _video_preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ...]:
+    request = video_request(document, plan, place, workers=1)
+    length = sum(len(job.targets) for job in video_jobs(document, request))
+    canvas = document.canvas
+    rate = f"{float(canvas.frame_rate):.6g}"
+    return (f"{request.path.name}  {length} @ {rate} fps  {canvas.width_px} × {canvas.height_px}",)
 
 
-def work_of(document: Document, plan: ExportPlan, place: Place) -> Work:
-    """Return what carries a plan out, on any thread; it may raise a Problem."""
-
-    def work(open_context: OpenContext, progress: Progress, cancelled: Cancelled) -> ExportOutcome:
-        match plan.kind:
-            case ExportKind.LAYERS:
-                summary = export_frames(document, _request(document, plan, place), open_context, progress, cancelled)
-                return _outcome((summary,), place.folder)
-            case ExportKind.AFTER_EFFECTS:
-                done = export_to_after_effects(document, _hand_off(plan, place), open_context, progress, cancelled)
-                return _outcome(done.exports, done.script or place.folder)
-            case ExportKind.FARM:
-                files = write_bundle(document, _farm(document, plan, place), place.folder)
-                return ExportOutcome(len(files), len(files), cancelled=False, problem="", where=place.folder)
-
-    return work
+def video_request(document: Document, plan: ExportPlan, place: Place, workers: int) -> VideoRequest:
+    """Return what a video is asked for with; it is called as the project, and as the layer it shows."""
+    wanted = f"{place.name}_{plan.video_layer}_shadow" if plan.video_layer else place.name
+    path = place.folder / f"{safe_names([wanted])[wanted]}.{plan.format}"
+    return VideoRequest(path, _frames(document, plan), plan.video_layer or None, workers)
 
 
-def _outcome(summaries: tuple[Summary, ...], where: Path) -> ExportOutcome:
-    failures = [failure.sentence for summary in summaries for failure in summary.failures]
-    return ExportOutcome(
-        files=sum(summary.files for summary in summaries),
-        written=sum(summary.written for summary in summaries),
-        cancelled=any(summary.cancelled for summary in summaries),
-        problem=failures[0] if failures else "",
-        where=where,
-    )
-
-
-def _request(document: Document, plan: ExportPlan, place: Place) -> ExportRequest:
-    first, last = document.played
-    partly = plan.only_work_area and plan.kind is not ExportKind.AFTER_EFFECTS and document.work_area is not None
+def frames_request(document: Document, plan: ExportPlan, folder: Path, workers: int) -> ExportRequest:
+    """Return what numbered frames are asked for with."""
     return ExportRequest(
-        folder=place.folder,
-        frames=tuple(range(first, last + 1)) if partly else None,
+        folder=folder,
+        frames=None if plan.kind is ExportKind.AFTER_EFFECTS else _frames(document, plan),
         format=plan.format,
         depth=plan.depth,
-        composite=plan.composite and plan.kind is not ExportKind.AFTER_EFFECTS,
+        composite=plan.composite and plan.kind in (ExportKind.LAYERS, ExportKind.FARM),
         skip_existing=plan.skip_existing,
-        workers=_workers(),
+        workers=workers,
+        layered=plan.kind is ExportKind.LAYERED,
     )
 
 
-def _hand_off(plan: ExportPlan, place: Place) -> HandOffRequest:
-    return HandOffRequest(
-        folder=place.folder,
-        name=place.name,
-        per_drawing=plan.per_drawing,
-        copies=plan.copies,
-        mattes=plan.mattes,
-        format=plan.format,
-        depth=plan.depth if plan.format == "png" else 8,
-        skip_existing=plan.skip_existing,
-        workers=_workers(),
-    )
-
-
-def _farm(document: Document, plan: ExportPlan, place: Place) -> FarmRequest:
-    if place.project is None:
-        raise UsageProblem("a farm renders a saved project; save this one first")
-    output = place.project.with_name(f"{place.project.stem}_shadows")
-    return FarmRequest(place.project, replace(_request(document, plan, place), folder=output), plan.chunk)
-
-
-def _workers() -> int:
-    """Return how many threads write: one core is left to the window."""
-    return max((os.cpu_count() or 2) - 1, 1)
+def _frames(document: Document, plan: ExportPlan) -> tuple[int, ...] | None:
+    if not plan.only_work_area or document.work_area is None:
+        return None
+    first, last = document.played
+    return tuple(range(first, last + 1))

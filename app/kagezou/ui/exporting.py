@@ -7,10 +7,11 @@ from PySide6.QtCore import QThread, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from kagezou.errors import Problem
-from kagezou.ui.export_plan import ExportOutcome, Work
+from kagezou.ui.export_work import ExportOutcome, Work
 from kagezou.ui.icons import icon
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.offscreen_context import OffscreenSurface
+from kagezou.ui.sentences import sentence_of, spoken
 
 _KEY = "export"
 
@@ -42,7 +43,7 @@ class ExportJob(QThread):
         try:
             outcome = self._work(self._surface.open, self.progressed.emit, self._stop.is_set)
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         else:
             self.done.emit(outcome)
 
@@ -127,7 +128,7 @@ class Exporting(QWidget):
 
     def _say_done(self, outcome: ExportOutcome) -> None:
         if outcome.problem:
-            self._bar.say(_KEY, outcome.problem)
+            self._bar.say(_KEY, spoken(outcome.problem))
         elif outcome.cancelled:
             words = self.tr("Export stopped; %n file(s) are written and whole.", "", outcome.written)
             self._bar.say(_KEY, words, Severity.NOTE)

@@ -12,6 +12,7 @@ from platformdirs import user_log_path
 from PySide6.QtCore import QMessageLogContext, QObject, QtMsgType, Signal, qInstallMessageHandler
 
 from kagezou.errors import Problem
+from kagezou.ui.sentences import sentence_of
 
 _LEVELS = {
     QtMsgType.QtDebugMsg: logging.DEBUG,
@@ -57,7 +58,7 @@ class Incidents(QObject):
 
     def _sentence(self, error: BaseException) -> str:
         if isinstance(error, Problem):
-            return str(error)
+            return sentence_of(error)
         words = self.tr("Something went wrong inside the program (%1). Save your project. Details: %2")
         where = str(self.log_file) if self.log_file else self.tr("no log could be written")
         return words.replace("%1", f"{type(error).__name__}: {error}"[:200]).replace("%2", where)

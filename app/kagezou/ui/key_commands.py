@@ -17,7 +17,7 @@ from kagezou.document.key_edits import (
     remove_keys,
 )
 from kagezou.document.model import Document
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.review import set_work_area
 from kagezou.ui.bridge import Bridge
 
@@ -25,6 +25,7 @@ from kagezou.ui.bridge import Bridge
 class KeyCommands(QObject):
     """Copying, pasting, moving, easing and setting keys, and the work area; each is one step with a name."""
 
+    copied = Signal()
     refused = Signal(str)
     """One sentence on why nothing happened."""
 
@@ -45,6 +46,7 @@ class KeyCommands(QObject):
             self.refused.emit(self.tr("No keys are selected."))
         else:
             self._clip = clip
+            self.copied.emit()
 
     def cut(self) -> None:
         """Remember the selected keys and take them away."""
@@ -73,7 +75,7 @@ class KeyCommands(QObject):
             self._edit(self.tr("Move keys"), *move_keys(self._bridge.document, self.chosen, frames))
 
     def select_all(self) -> None:
-        """Select every key of the scene and of the layer worked on."""
+        """Select every key of the scene and of the layers or the set piece worked on."""
         self._bridge.session.select_keys(
             frozenset().union(*(all_keys(self._bridge.document, each) for each in self._worked_on()))
         )
@@ -141,6 +143,9 @@ class KeyCommands(QObject):
             gesture.show(document, keys)
 
     def _worked_on(self) -> list[Address]:
-        layer_id = self._bridge.layer_id
-        scene = [Address(line) for line in OF_DOCUMENT.values()]
-        return scene + ([] if layer_id is None else [Address(line, layer_id) for line in OF_LAYER.values()])
+        piece_id = self._bridge.piece_id
+        found = [Address(line) for line in OF_DOCUMENT.values()]
+        found += [Address(line, each) for each in self._bridge.layer_ids for line in OF_LAYER.values()]
+        if piece_id is not None:
+            found += [Address(line, piece_id=piece_id) for line in OF_PIECE.values()]
+        return found

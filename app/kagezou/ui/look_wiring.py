@@ -2,10 +2,12 @@
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QActionGroup, QImage
 
 from kagezou.ui.viewport.onion_skin import MOST, OnionSkin
 from kagezou.ui.viewport.picture_view import PictureView
+from kagezou.ui.viewport.resolution import Resolution
 from kagezou.ui.viewport.sheets import Guides, Snapshot
 
 if TYPE_CHECKING:
@@ -26,6 +28,20 @@ def connect_views(window: "MainWindow") -> None:
                 viewport.show_view(chosen)
 
         actions.on_toggled(f"view_{view.value}", show)
+
+
+def connect_resolution(window: "MainWindow") -> None:
+    """Connect the choice of the preview's resolution, and tell in the status bar when it is not the full one."""
+    viewport, settings = window.viewport, window.settings
+
+    def choose(resolution: Resolution) -> None:
+        viewport.show_resolution(resolution)
+        settings.set_word("resolution", resolution.value)
+
+    kept = settings.word("resolution", Resolution.AUTO.value)
+    viewport.show_resolution(Resolution(kept) if kept in list(Resolution) else Resolution.AUTO)
+    window.menus.add_resolutions(viewport.resolution, choose)
+    viewport.divisor_changed.connect(window.status.show_divisor, Qt.ConnectionType.QueuedConnection)
 
 
 def connect_sheets(window: "MainWindow") -> None:

@@ -16,23 +16,39 @@ from kagezou.ui.drop_hint import DropHint, drop_words
 from kagezou.ui.exporting import Exporting
 from kagezou.ui.key_commands import KeyCommands
 from kagezou.ui.keyboard import Keyboard
-from kagezou.ui.look_wiring import connect_sheets, connect_views
+from kagezou.ui.look_wiring import connect_resolution, connect_sheets, connect_views
+from kagezou.ui.match_wiring import connect_match
 from kagezou.ui.menus import Menus
 from kagezou.ui.message_bar import MessageBar
 from kagezou.ui.panel_layout import PanelLayout
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
+from kagezou.ui.panels.set_list import LayersAndSet, SetList
 from kagezou.ui.panels.style_list import StyleList
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
 from kagezou.ui.prefetch import Prefetch
 from kagezou.ui.project_actions import ProjectActions
+from kagezou.ui.set_bar import SetBar
+from kagezou.ui.set_commands import SetCommands
+from kagezou.ui.set_import_wiring import connect_set_import
+from kagezou.ui.set_imports import SetImports
+from kagezou.ui.set_wiring import connect_set
 from kagezou.ui.settings import Settings
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.status import Status
-from kagezou.ui.time_wiring import connect_curves, connect_jumps, connect_keys, connect_playback, connect_timeline
+from kagezou.ui.time_wiring import (
+    connect_curves,
+    connect_drawings,
+    connect_jumps,
+    connect_keys,
+    connect_playback,
+    connect_timeline,
+)
 from kagezou.ui.timeline.timeline import Timeline
+from kagezou.ui.top_bars import TopBars
 from kagezou.ui.transport import Transport
+from kagezou.ui.viewport.corner_sheet import CornerSheet
 from kagezou.ui.viewport.onion_skin import OnionSkin
 from kagezou.ui.viewport.sheets import Guides, Snapshot
 from kagezou.ui.viewport.viewport import Viewport
@@ -46,6 +62,7 @@ _DOCKS = 4
 
 _DOCK_LETTERS = 38
 _LAYERS_SHARE = 36
+_TIMELINE_SHARE = 27
 """Of 100 parts of the height."""
 
 
@@ -77,12 +94,17 @@ class MainWindow(QMainWindow):
         self.welcome.offer_demo(offered=make_demo is not None)
         self._lay_out()
         connect_project(self)
+        connect_set(self)
         connect_view(self)
         connect_views(self)
+        connect_resolution(self)
         connect_sheets(self)
+        connect_match(self)
+        connect_set_import(self)
         connect_playback(self)
         connect_jumps(self)
         connect_keys(self)
+        connect_drawings(self)
         connect_timeline(self)
         connect_curves(self)
         connect_messages(self)
@@ -117,7 +139,8 @@ class MainWindow(QMainWindow):
 
     def show_handles(self) -> None:
         """Show the handles if they are wanted; while the cut runs they would only stand in the way of seeing it."""
-        shown = self.actions_of["handles"].isChecked() and not self.player.is_playing
+        is_free = not self.player.is_playing and not self.corner_sheet.is_on
+        shown = self.actions_of["handles"].isChecked() and is_free
         self.viewport.show_handles(shown=shown)
 
     def close_unasked(self) -> None:
@@ -131,10 +154,12 @@ class MainWindow(QMainWindow):
         if not self._may_close_unasked and not self.project.may_leave():
             event.ignore()
             return
+        self.project.loading.finish()
         self.exporting.finish()
         self.project.put_away()
         if self.demo is not None:
             self.demo.finish()
+        self.viewport.finish()
         self.thumbnails.wait()
         self.styles.pictures.finish()
         self.welcome.pictures.finish()
@@ -184,17 +209,22 @@ class MainWindow(QMainWindow):
         self.space = SpaceBar()
         self.thumbnails = Thumbnails()
         self.welcome = Welcome(self.settings.picture_folder)
-        self.viewport = Viewport(bridge, self.desk.cels, self.space)
+        self.viewport = Viewport(bridge, self.desk.cels, self.desk.meshes, self.space)
         self.layers = LayerList(bridge, self.thumbnails)
         self.inspector = Inspector(bridge)
         self.styles = StyleList(bridge, self.settings.style_folder)
         self.transport = Transport(bridge, self.player, [self.actions_of[name] if name else None for name in _BUTTONS])
-        self.timeline = Timeline(bridge, self.desk.cels.kept_paths)
+        self.timeline = Timeline(bridge, self.desk.cels.kept_sources)
         self.keys = KeyCommands(bridge)
         self.exporting = Exporting(self.bar)
         self.status = Status(bridge, self.exporting)
         self.project = ProjectActions(self.desk, Dialogs(self, self.settings), self.bar, self.settings)
+        self.set_bar = SetBar()
+        self.set_imports = SetImports(self.desk, self.set_bar, self.viewport.picking)
         self.menus = Menus(self, self.actions_of)
+        self.set_commands = SetCommands(bridge)
+        self.corner_sheet = CornerSheet(self.viewport, bridge, self.space)
+        self.set_list = SetList(bridge, self.set_commands, self.menus.fill_set)
         self.curves = CurvesPanel(bridge, self.menus.fill_keys)
         self.keyboard = Keyboard(self, self.actions_of, self.settings, self.bar)
 
@@ -206,15 +236,15 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(middle)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self.bar)
         column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self.setCentralWidget(middle)
+        self.top_bars = TopBars(self.pages, (self.bar, self.project.loading, self.set_bar))
         self.drop_hint = DropHint(middle)
         self.addToolBar(self.menus.tool_bar())
         self.setStatusBar(self.status)
         self.docks = (
-            Dock("layers", self.tr("Layers"), self.layers),
+            Dock("layers", self.tr("Layers"), LayersAndSet(self.layers, self.set_list)),
             Dock("inspector", self.tr("Inspector"), self.inspector),
             Dock("styles", self.tr("Styles"), self.styles),
             Dock("timeline", self.tr("Timeline"), self.timeline),
@@ -243,7 +273,7 @@ class MainWindow(QMainWindow):
         # In letters, so that it holds at any font size.
         letter = self.fontMetrics().horizontalAdvance("0")
         self.resizeDocks([layers, inspector], [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)
-        self.resizeDocks([timeline], [11 * self.timeline.rows.row_px], Qt.Orientation.Vertical)
+        self.resizeDocks([timeline], [self.height() * _TIMELINE_SHARE // 100], Qt.Orientation.Vertical)
         self.resizeDocks([layers, inspector], [_LAYERS_SHARE, 100 - _LAYERS_SHARE], Qt.Orientation.Vertical)
 
     def _restore_layout(self) -> None:

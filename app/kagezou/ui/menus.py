@@ -13,12 +13,19 @@ from kagezou.ui.actions import Actions
 from kagezou.ui.commands import plain, timeline_commands
 from kagezou.ui.icons import icon, icon_size
 from kagezou.ui.language import LANGUAGES
+from kagezou.ui.viewport.resolution import Resolution
 
 _SEPARATOR = ""
 _ON_KEYS = (
     *("set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete", _SEPARATOR),
     *("ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
 )
+_ON_DRAWINGS = (
+    *("drawing_split", "drawing_empty", "drawing_remove", _SEPARATOR, "drawing_longer", "drawing_shorter", _SEPARATOR),
+    *("on_ones", "on_twos", "on_threes", "on_fours", _SEPARATOR, "drawing_copy", "drawing_paste"),
+)
+_ADD_TO_SET = ("add_wall", "add_box", "add_steps", "add_ramp", "add_cylinder", "add_sphere")
+_DRAW = ("draw_corner", "draw_wall", "import_set")
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
@@ -44,6 +51,7 @@ class Menus(QObject):
         self.views = QMenu(self.tr("Loo&k At"), window)
         self.onion = QMenu(self.tr("Onion Skin &Drawings"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
+        self.resolutions = QMenu(self.tr("Preview &Resolution"), window)
         self._build()
 
     def add_backdrops(self, current: Backdrop, choose: Callable[[Backdrop], None]) -> None:
@@ -57,6 +65,17 @@ class Menus(QObject):
         }
         choices = [(words[backdrop], backdrop is current, partial(choose, backdrop)) for backdrop in words]
         self._exclusive(self.backdrops, choices)
+
+    def add_resolutions(self, current: Resolution, choose: Callable[[Resolution], None]) -> None:
+        """Fill the choice of the preview's resolution."""
+        words = {
+            Resolution.AUTO: self.tr("Automatic: Lower While Dragging"),
+            Resolution.FULL: self.tr("Full"),
+            Resolution.HALF: self.tr("Half"),
+            Resolution.QUARTER: self.tr("Quarter"),
+        }
+        choices = [(words[each], each is current, partial(choose, each)) for each in words]
+        self._exclusive(self.resolutions, choices)
 
     def add_onion_counts(self, most: int, current: int, choose: Callable[[int], None]) -> None:
         """Fill the choice of how many drawings the onion skin shows on each side."""
@@ -97,6 +116,14 @@ class Menus(QObject):
         """Fill a menu with what can be done to the selected keys."""
         self._fill(menu, _ON_KEYS)
 
+    def fill_drawings(self, menu: QMenu) -> None:
+        """Fill a menu with what can be done to the chosen drawings of the timeline."""
+        self._fill(menu, _ON_DRAWINGS)
+
+    def fill_set(self, menu: QMenu) -> None:
+        """Fill a menu with the pieces that can be added to the set."""
+        self._fill(menu, [*_ADD_TO_SET, _SEPARATOR, *_DRAW])
+
     def tool_bar(self) -> QToolBar:
         """Return the tool bar."""
         bar = QToolBar(self.tr("Tools"), self._window)
@@ -119,18 +146,29 @@ class Menus(QObject):
         file = self._menu(bar, self.tr("F&ile"), ["new", "open"])
         file.addMenu(self.recent)
         self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures"])
-        self._fill(file, ["import_timesheet", "background"])
+        self._fill(file, ["import_set", "import_timesheet", "background"])
         self._fill(file, ["no_background", _SEPARATOR, "export", "export_timesheet", _SEPARATOR, "quit"])
         self._menu(
-            bar, self.tr("&Edit"), ["undo", "redo", _SEPARATOR, "rename_layer", "delete", _SEPARATOR, "edit_shortcuts"]
+            bar,
+            self.tr("&Edit"),
+            [
+                *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
+                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts"),
+            ],
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
+        self._menu(bar, self.tr("&Drawings"), _ON_DRAWINGS)
+        self._menu(
+            bar,
+            self.tr("&Set"),
+            [*_ADD_TO_SET, _SEPARATOR, *_DRAW, _SEPARATOR, "rename_piece", "duplicate_piece", "remove_piece"],
+        )
         bar.addMenu(self.view)
         self._build_view()
         time = self._menu(bar, self.tr("&Playback"), ["play", "loop", "ping_pong", "every_frame", _SEPARATOR])
         self._fill(time, ["first", "back_10", "back", "forward", "forward_10", "last", "go_to_frame", _SEPARATOR])
         self._fill(time, ["key_previous", "key_next", "drawing_previous", "drawing_next", _SEPARATOR])
-        self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", _SEPARATOR])
+        self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", "read_ahead", _SEPARATOR])
         self._fill(time, ["marker", "marker_previous", "marker_next"])
         self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
 
@@ -139,7 +177,8 @@ class Menus(QObject):
         self._fill(self.views, ["view_composite", "view_shadow", "view_outline", "view_matte"])
         self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
-        self._fill(self.view, ["handles", "onion_skin"])
+        self.view.addMenu(self.resolutions)
+        self._fill(self.view, ["handles", "match_camera", "settle_set", "onion_skin"])
         self.view.addMenu(self.onion)
         self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self._fill(self.view, ["snapshot_wipe"])

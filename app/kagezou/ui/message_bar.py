@@ -40,6 +40,7 @@ class MessageBar(QWidget):
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._count = QLabel()
+        self._sign = QLabel()
         self._going = QTimer(self)
         self._going.setSingleShot(True)
         self._going.timeout.connect(self._drop_notes)
@@ -76,8 +77,6 @@ class MessageBar(QWidget):
         return max(reversed(self._messages), key=lambda key: weights.index(self._messages[key].severity))
 
     def _lay_out(self) -> None:
-        sign = QLabel()
-        sign.setPixmap(icon("warning").pixmap(QSize(16, 16)))
         close = QToolButton()
         close.setIcon(icon("close"))
         close.setToolTip(self.tr("Dismiss"))
@@ -87,7 +86,7 @@ class MessageBar(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(10, 5, 6, 5)
         row.setSpacing(8)
-        row.addWidget(sign)
+        row.addWidget(self._sign)
         row.addWidget(self._text, 1)
         row.addWidget(self._count)
         row.addWidget(close)
@@ -105,6 +104,8 @@ class MessageBar(QWidget):
         if self._messages:
             foremost = self._messages[self._foremost]
             self._text.setText(foremost.text)
+            sign = "info" if foremost.severity is Severity.NOTE else "warning"
+            self._sign.setPixmap(icon(sign).pixmap(QSize(16, 16)))
             more = len(self._messages) - 1
             self._count.setText(self.tr("and %n more", "", more) if more else "")
             self.setProperty("severity", foremost.severity.value)

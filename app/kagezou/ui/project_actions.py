@@ -1,20 +1,26 @@
 """What the commands about files do: ask, act, and say in the message bar what went wrong."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
 from kagezou.errors import Problem
 from kagezou.io.keepsake import Keepsake, forget
 from kagezou.io.project_file import next_version
+from kagezou.io.signatures import is_psd
+from kagezou.session.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.session.staging import CharacterSource
-from kagezou.ui.arrivals import PROJECT_SUFFIX, TIMESHEET_SUFFIXES, arrivals_of, whole_sequence
+from kagezou.ui.arrivals import PROJECT_SUFFIX, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
+from kagezou.ui.load import AnyLoad
+from kagezou.ui.loading import Loading
 from kagezou.ui.message_bar import MessageBar, Severity
 from kagezou.ui.project_lock import ProjectLock
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.settings import Settings
 
 _KEY = "project"
@@ -36,6 +42,8 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
+    set_arrived = Signal(Path)
+    """A set from a 3-D program was dropped or chosen."""
 
     def __init__(self, desk: Desk, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()
@@ -43,6 +51,7 @@ class ProjectActions(QObject):
         self.dialogs = dialogs
         self._bar = bar
         self._settings = settings
+        self.loading = Loading(self._say, self._is_free)
         self._lock = ProjectLock()
         desk.path_changed.connect(lambda: self._lock.hold(desk.path))
         self._lock.hold(desk.path)
@@ -50,7 +59,7 @@ class ProjectActions(QObject):
     def new(self) -> None:
         """Begin a project from a folder of cels."""
         if self.may_leave() and (folder := self.dialogs.folder_of_cels()):
-            self._try(lambda: self._desk.new((CharacterSource(None, folder),)))
+            self._load(self._desk.new((CharacterSource(None, folder),)))
 
     def open(self) -> None:
         """Open another project."""
@@ -63,19 +72,25 @@ class ProjectActions(QObject):
             self.open_path(path)
 
     def open_path(self, path: Path) -> bool:
-        """Open a project without asking about the old one; false if it cannot be opened.
+        """Open a project without asking about the old one; false if it turns out at once that it cannot be opened.
 
-        A timesheet, which drawing programs start us with, begins a project of the drawings beside it.
+        A timesheet, which drawing programs start us with, begins a project of the drawings beside it, and a PSD file
+        one of what is in it.
         """
+        if is_psd(path):
+            return self._try(lambda: self._desk.bring((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
             return self.time_by(path)
         holder = self._lock.holder_of(path)
         if holder and not self.dialogs.open_twice(path.name, holder):
             return False
-        opened = self._try(lambda: self._desk.open(path))
-        if opened:
+        load = self._desk.open(path)
+
+        def put(found: object) -> None:
+            load.put(found)
             self._remember(path)
-        return opened
+
+        return self._load(replace(load, put=put))
 
     def save(self) -> bool:
         """Save where it was saved before, or ask; false if it is not saved after that."""
@@ -95,6 +110,8 @@ class ProjectActions(QObject):
         """Put unsaved work back on the desk; what was put aside goes once it is there."""
         if not self.may_leave():
             return
+
+        self.loading.cancel()
 
         def bring_back() -> None:
             self._desk.recover(work)
@@ -121,27 +138,36 @@ class ProjectActions(QObject):
         """Bring in pictures; of one numbered picture the whole sequence comes."""
         paths = self.dialogs.pictures()
         if len(paths) == 1:
-            self._try(lambda: self._desk.bring((CharacterSource(None, whole_sequence(paths[0])),)))
+            self._load(self._desk.bring((CharacterSource(None, whole_sequence(paths[0])),)))
         elif paths:
             self.bring(paths)
 
     def set_background(self) -> None:
         """Put a picture under everything."""
         if path := self.dialogs.background():
-            self._try(lambda: self._desk.put_background(path))
+            self._load(self._desk.put_background(path))
 
     def remove_background(self) -> None:
         """Take the background away."""
-        self._try(lambda: self._desk.put_background(None))
+        self._try(self._desk.remove_background)
+
+    def read_ahead(self) -> None:
+        """Bring the drawings of the work area into memory."""
+        self._load(self._desk.reading_ahead())
 
     def time_by(self, path: Path) -> bool:
         """Expose the drawings as a timesheet says, or begin a project of the drawings beside it."""
-        return self._try(lambda: self._desk.time_by(path))
+        return self._load(self._desk.time_by(path))
 
     def import_timesheet(self) -> None:
         """Ask for a timesheet."""
         if path := self.dialogs.timesheet():
             self.time_by(path)
+
+    def import_set(self) -> None:
+        """Ask for a set from a 3-D program."""
+        if path := self.dialogs.set_file():
+            self.bring([path])
 
     def export_timesheet(self) -> None:
         """Ask where to write the timesheet."""
@@ -156,14 +182,15 @@ class ProjectActions(QObject):
             self.open_recent(arrivals.project)
         elif arrivals.timesheet is not None:
             self.time_by(arrivals.timesheet)
+        elif arrivals.set_file is not None:
+            self.set_arrived.emit(arrivals.set_file)
         elif arrivals.background is not None:
-            background = arrivals.background
-            self._try(lambda: self._desk.put_background(background))
+            self._load(self._desk.put_background(arrivals.background))
         elif arrivals.characters:
-            self._try(lambda: self._desk.bring(arrivals.characters))
+            self._load(self._desk.bring(arrivals.characters))
         elif given:
             names = ", ".join(path.name for path in given[:3])
-            words = self.tr("%1: neither a project, a folder of cels nor a picture that can be read")
+            words = self.tr("%1: neither a project, a folder of cels, a set nor a picture that can be read")
             self._bar.say(_KEY, words.replace("%1", names), Severity.WARNING)
 
     def may_leave(self) -> bool:
@@ -189,19 +216,35 @@ class ProjectActions(QObject):
         self._settings.remember_project(path)
         self.recent_changed.emit()
 
+    def _load(self, load: AnyLoad) -> bool:
+        """Load beside the window; what would put away work that is newer than the question asks again."""
+        over = self._desk.bridge.document
+
+        def put(found: object) -> None:
+            if load.replaces and self._desk.bridge.document is not over and not self.may_leave():
+                return
+            load.put(found)
+            self._bar.withdraw(_KEY)
+
+        return self.loading.start(replace(load, put=put))
+
+    def _is_free(self) -> bool:
+        """Whether the desk can take something: nobody drags, and no question is open about what lies on it."""
+        question = QApplication.activeModalWidget()
+        is_ours = question is not None and question.parentWidget() is self.loading.window()
+        return not self._desk.bridge.session.is_in_gesture and not is_ours
+
     def _try(self, do: Callable[[], object]) -> bool:
         QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
             do()
         except Problem as problem:
-            self._bar.say(_KEY, _sentence(problem))
+            self._say(problem)
             return False
         finally:
             QApplication.restoreOverrideCursor()
         self._bar.withdraw(_KEY)
         return True
 
-
-def _sentence(problem: Problem) -> str:
-    text = str(problem)
-    return text[:1].upper() + text[1:] if text else QCoreApplication.translate("ProjectActions", "Something went wrong")
+    def _say(self, problem: Problem) -> None:
+        self._bar.say(_KEY, sentence_of(problem))

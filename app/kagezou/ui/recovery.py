@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from kagezou.errors import Problem
 from kagezou.io.keepsake import Keepsake, forget, read_keepsake
+from kagezou.ui.sentences import sentence_of
 
 _FILE = Qt.ItemDataRole.UserRole
 
@@ -44,6 +45,10 @@ class RecoveryDialog(QDialog):
         self._work: dict[Path, Keepsake] = {}
         self.list = QListWidget()
         self.list.setAlternatingRowColors(True)
+        # A line never grows wider than the list; a long path loses its middle.
+        self.list.setWordWrap(True)
+        self.list.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.recover_button = self._button(self.tr("Recover"), self._recover)
         self.recover_button.setDefault(True)
         self.discard_button = self._button(self.tr("Discard"), self._discard)
@@ -87,13 +92,14 @@ class RecoveryDialog(QDialog):
         try:
             work = read_keepsake(file)
         except Problem as problem:
-            item.setText(str(problem))
+            item.setText(sentence_of(problem))
         else:
             self._work[file] = work
             when = QLocale().toString(QDateTime.fromSecsSinceEpoch(work.kept_at_s), QLocale.FormatType.ShortFormat)
             where = str(work.path) if work.path else self.tr("never saved")
             steps = self.tr("%n step(s)", "", work.edits)
-            item.setText(f"{work.name}\n{when}   ·   {steps}   ·   {where}")
+            item.setText(f"{work.name}\n{when}   ·   {steps}\n{where}")
+            item.setToolTip(where)
         self.list.addItem(item)
 
     def _chosen(self) -> Path | None:
@@ -117,7 +123,7 @@ class RecoveryDialog(QDialog):
         try:
             forget(file)
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
             return
         self.list.takeItem(self.list.currentRow())
         if not self.list.count():

@@ -47,6 +47,11 @@ class Settings:
         return self._style_folder
 
     @property
+    def preset_folder(self) -> Path:
+        """Where the user's ways to export are kept, beside the styles."""
+        return self._style_folder.with_name("export presets")
+
+    @property
     def picture_folder(self) -> Path:
         """Where pictures of projects are kept; losing them costs nothing but drawing them again."""
         return self._picture_folder

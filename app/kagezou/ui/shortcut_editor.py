@@ -26,6 +26,7 @@ from kagezou.ui.actions import Actions, shown_keys
 from kagezou.ui.commands import Command, plain
 from kagezou.ui.fuzzy import score
 from kagezou.ui.language import words_in
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.shortcut_keys import KeysOfCommand
 from kagezou.ui.shortcut_scheme import Shortcuts, normal
 from kagezou.ui.words import said
@@ -90,7 +91,7 @@ class ShortcutEditor(QDialog):
         try:
             self.shortcuts = self.shortcuts.with_keys(load_key_set(path).keys)
         except Problem as problem:
-            self._say(str(problem))
+            self._say(sentence_of(problem))
         else:
             self._say(self.tr("Shortcuts of %1").replace("%1", path.name))
             self._show()
@@ -101,7 +102,7 @@ class ShortcutEditor(QDialog):
         try:
             save_key_set(whole, KeySet("", Words(whole.stem, whole.stem), self.shortcuts.keys))
         except Problem as problem:
-            self._say(str(problem))
+            self._say(sentence_of(problem))
         else:
             self._say(self.tr("Written to %1").replace("%1", whole.name))
 

@@ -22,17 +22,29 @@ class Status(QStatusBar):
         self._hint = QLabel()
         self._canvas = QLabel()
         self._zoom = QLabel()
+        self._resolution = QLabel()
+        self._resolution.setToolTip(self.tr("Preview resolution; exports are always full"))
         self._device = QLabel()
         self.setSizeGripEnabled(False)
         self.addWidget(self._hint, 1)
-        for widget in (extra, self._device, self._canvas, self._zoom):
+        for widget in (extra, *self.labels):
             self.addPermanentWidget(widget)
         bridge.document_changed.connect(self._show_document)
+        bridge.selection_changed.connect(self._show_document)
         self._show_document()
+
+    @property
+    def labels(self) -> tuple[QLabel, ...]:
+        """What stands at the right, from left to right."""
+        return (self._resolution, self._device, self._canvas, self._zoom)
 
     def show_zoom(self, percent: float) -> None:
         """Say how large the picture is shown."""
         self._zoom.setText(f"{percent:.0f} %" if percent >= 10 else f"{percent:.1f} %")
+
+    def show_divisor(self, divisor: int) -> None:
+        """Say when the picture is drawn at a part of its resolution: it is how many px across become one."""
+        self._resolution.setText(f"1/{divisor}" if divisor > 1 else "")
 
     def show_device(self, name: str, is_software: bool) -> None:
         """Say when the processor draws instead of a graphics card."""
@@ -44,9 +56,13 @@ class Status(QStatusBar):
         canvas = document.canvas
         self._canvas.setText(f"{canvas.width_px} × {canvas.height_px}")
         is_blank = not document.layers and document.background is None
-        for label in (self._canvas, self._zoom, self._device):
+        for label in self.labels:
             label.setVisible(not is_blank)
-        if not document.layers:
+        if self._bridge.piece_id is not None:
+            self._hint.setText(
+                self.tr("Drag an edge to move the set piece, the arrows to size it, the lever at its front to turn it")
+            )
+        elif not document.layers:
             self._hint.setText("")
         else:
             self._hint.setText(

@@ -4,12 +4,16 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+
 from kagezou.animation.track import Interpolation
 from kagezou.ui.icons import icon
 from kagezou.ui.key_frames import key_frames, next_key, previous_key
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.timecode import Count
-from kagezou.ui.timeline.revealing import REVEALED, animated_or_changed, toggled
+from kagezou.ui.timeline.drawing_menu import open_drawing_menu
+from kagezou.ui.timeline.revealing import REVEALED, added, animated_or_changed, toggled
 
 if TYPE_CHECKING:
     from kagezou.ui.main_window import MainWindow
@@ -32,10 +36,18 @@ def connect_playback(window: "MainWindow") -> None:
     actions.on("work_last", lambda: bridge.session.go_to(bridge.document.played[1]))
     actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
     actions.on("go_to_frame", window.transport.ask_frame)
+    actions.on("read_ahead", window.project.read_ahead)
+    window.project.loading.progressed.connect(window.timeline.ruler.update)
     actions.on("play", lambda: _play(window))
     window.space.tapped.connect(lambda: _play(window))
     window.viewport.step_asked.connect(step)
-    window.viewport.frameSwapped.connect(player.picture_shown)
+
+    def shown() -> None:
+        # While drawings are read the last picture stays; that is no new frame.
+        if window.viewport.is_current:
+            player.picture_shown()
+
+    window.viewport.frameSwapped.connect(shown)
     player.playing_changed.connect(lambda _: _show_playing(window))
     for name in ("loop", "every_frame", "ping_pong"):
         _remember_switch(window, name)
@@ -46,7 +58,7 @@ def connect_jumps(window: "MainWindow") -> None:
     actions, bridge = window.actions_of, window.desk.bridge
 
     def keyed() -> tuple[int, ...]:
-        return key_frames(bridge.document, bridge.layer_id)
+        return key_frames(bridge.document, bridge.layer_id, bridge.piece_id)
 
     def drawn() -> tuple[int, ...]:
         layers = [layer for layer in bridge.document.layers if layer.id == bridge.layer_id]
@@ -95,6 +107,32 @@ def connect_keys(window: "MainWindow") -> None:
     window.menus.fill_keys(timeline.key_menu)
 
 
+def connect_drawings(window: "MainWindow") -> None:
+    """Connect the commands on exposures; within the timeline copy and paste are theirs while drawings are chosen."""
+    drawings, actions, timeline, keys = window.timeline.drawings, window.actions_of, window.timeline, window.keys
+    connected: dict[str, Callable[[], object]] = {
+        "drawing_split": drawings.split,
+        "drawing_empty": drawings.empty,
+        "drawing_remove": drawings.remove,
+        "drawing_longer": partial(drawings.hold_longer, 1),
+        "drawing_shorter": partial(drawings.hold_longer, -1),
+        "on_ones": partial(drawings.expose_on, 1),
+        "on_twos": partial(drawings.expose_on, 2),
+        "on_threes": partial(drawings.expose_on, 3),
+        "on_fours": partial(drawings.expose_on, 4),
+        "drawing_copy": drawings.copy,
+        "drawing_paste": drawings.paste,
+    }
+    for name, do in connected.items():
+        actions.on(name, do)
+
+    keys.copied.connect(drawings.forget_copy)
+    actions.on("copy_keys", lambda: drawings.copy() if drawings.are_chosen else keys.copy(), within=timeline)
+    actions.on("paste_keys", lambda: drawings.paste() if drawings.has_copy else keys.paste(), within=timeline)
+    drawings.refused.connect(lambda sentence: window.bar.say("drawings", sentence, Severity.NOTE))
+    timeline.drawing_menu_asked.connect(lambda place: open_drawing_menu(timeline, window.menus.fill_drawings, place))
+
+
 def connect_timeline(window: "MainWindow") -> None:
     """Connect what the timeline shows."""
     timeline, actions, settings = window.timeline, window.actions_of, window.settings
@@ -126,7 +164,8 @@ def connect_curves(window: "MainWindow") -> None:
 
 def _reveal(window: "MainWindow", name: str) -> None:
     rows = window.timeline.rows
-    rows.show_only(toggled(rows.reveal, name))
+    adds = QGuiApplication.keyboardModifiers() & Qt.KeyboardModifier.ShiftModifier
+    rows.show_only(added(rows.reveal, name) if adds else toggled(rows.reveal, name))
 
 
 def _play(window: "MainWindow") -> None:

@@ -9,6 +9,7 @@ from kagezou.ui.bridge import Bridge
 from kagezou.ui.commands import plain
 from kagezou.ui.icons import icon_size
 from kagezou.ui.playback import Player
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.timecode import parse_frame, sheet_text
 
 
@@ -39,7 +40,7 @@ class FrameField(QLineEdit):
         try:
             frame = parse_frame(self.text(), self._bridge.frame, rate)
         except UsageProblem as problem:
-            self.setToolTip(str(problem))
+            self.setToolTip(sentence_of(problem))
             frame = self._bridge.frame
         self._bridge.session.go_to(frame)
         self._show()

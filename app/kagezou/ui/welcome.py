@@ -199,6 +199,8 @@ class Welcome(QScrollArea):
 def _heading(text: str) -> QLabel:
     label = QLabel(text)
     label.setObjectName("sheet_heading")
+    # With a style of its own a label would step in by half a letter.
+    label.setIndent(0)
     return label
 
 

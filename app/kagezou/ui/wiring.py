@@ -9,10 +9,13 @@ from kagezou.document.style import apply_style
 from kagezou.render.backdrop import Backdrop
 from kagezou.ui.command_search import CommandSearch
 from kagezou.ui.export_dialog import ExportDialog
-from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan, work_of
+from kagezou.ui.export_plan import ExportPlan, Place, dumps_plan, loads_plan
+from kagezou.ui.export_work import work_of
 from kagezou.ui.help_dialogs import about_dialog
 from kagezou.ui.message_bar import Severity
 from kagezou.ui.panel_layout import TabKey
+from kagezou.ui.sentences import sentence_of, spoken
+from kagezou.ui.set_wiring import remove_touched
 from kagezou.ui.viewport.stage import Broken
 from kagezou.ui.words import said
 
@@ -34,6 +37,7 @@ def connect_project(window: "MainWindow") -> None:
         "save_increment": project.save_increment,
         "import": project.import_folder,
         "import_pictures": project.import_pictures,
+        "import_set": project.import_set,
         "import_timesheet": project.import_timesheet,
         "export_timesheet": project.export_timesheet,
         "background": project.set_background,
@@ -43,7 +47,9 @@ def connect_project(window: "MainWindow") -> None:
         "undo": lambda: session().undo(),
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(window),
-        "rename_layer": window.layers.rename_current,
+        "rename_layer": lambda: _rename(window),
+        "copy_look": window.layers.looks.copy,
+        "paste_look": window.layers.looks.paste,
         "about": lambda: about_dialog(window, window.viewport.device).open(),
     }.items():
         actions.on(name, do)
@@ -112,21 +118,22 @@ def connect_messages(window: "MainWindow") -> None:
     broken: set[str] = set()
 
     def show_broken(files: tuple[Broken, ...]) -> None:
-        now = {str(each.path): str(each.problem) for each in files}
-        for path in broken - now.keys():
-            bar.withdraw(path)
-        for path, sentence in now.items():
-            if path not in broken:
-                bar.say(path, sentence, Severity.WARNING)
+        now = {str(each.source): sentence_of(each.problem) for each in files}
+        for source in broken - now.keys():
+            bar.withdraw(source)
+        for source, sentence in now.items():
+            if source not in broken:
+                bar.say(source, sentence, Severity.WARNING)
         broken.clear()
         broken.update(now)
 
     viewport.failed.connect(lambda sentence: bar.say("graphics", sentence), _QUEUED)
     viewport.broken_changed.connect(show_broken, _QUEUED)
+    window.layers.looks.refused.connect(lambda sentence: bar.say("look", sentence, Severity.NOTE))
     window.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(window.status.show_device, _QUEUED)
-    window.desk.noted.connect(lambda sentence: bar.say(sentence, sentence, Severity.WARNING))
+    window.desk.noted.connect(lambda sentence: bar.say(sentence, spoken(sentence), Severity.WARNING))
 
 
 def _show_recent(window: "MainWindow") -> None:
@@ -159,7 +166,8 @@ def _export(window: "MainWindow") -> None:
     folder = Path(settings.folder("export")) if settings.folder("export") else beside
     place = Place(folder / f"{name}_export", path, name)
     document = window.desk.bridge.document
-    dialog = ExportDialog(document, loads_plan(settings.word("export_plan", "")), place, window)
+    plan = loads_plan(settings.word("export_plan", ""))
+    dialog = ExportDialog(document, plan, place, settings.preset_folder, window)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
 
     def start(plan: ExportPlan, chosen: Place) -> None:
@@ -171,8 +179,14 @@ def _export(window: "MainWindow") -> None:
     dialog.open()
 
 
+def _rename(window: "MainWindow") -> None:
+    (window.set_list if window.desk.bridge.piece_id else window.layers).rename_current()
+
+
 def _delete(window: "MainWindow") -> None:
     if window.layers.view.hasFocus():
         window.layers.remove_current()
-    elif window.viewport.hasFocus() or not window.keys.delete():
-        window.viewport.hand.delete_selected()
+    elif window.timeline.lanes.hasFocus() and window.timeline.drawings.are_chosen:
+        window.timeline.drawings.empty()
+    elif (window.viewport.hasFocus() or not window.keys.delete()) and not window.viewport.hand.delete_selected():
+        remove_touched(window)

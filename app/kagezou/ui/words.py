@@ -36,5 +36,11 @@ def choice_word(choice: str) -> str:
         "ramp": QCoreApplication.translate("Choice", "Ramp"),
         "cylinder": QCoreApplication.translate("Choice", "Cylinder"),
         "sphere": QCoreApplication.translate("Choice", "Sphere"),
+        "mesh": QCoreApplication.translate("Choice", "3-D set"),
+        "none": QCoreApplication.translate("Choice", "Not at all"),
+        "wireframe": QCoreApplication.translate("Choice", "Wireframe"),
+        "clay": QCoreApplication.translate("Choice", "Clay"),
+        "y": "Y",
+        "z": "Z",
     }
     return spoken.get(choice, choice)

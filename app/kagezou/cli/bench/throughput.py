@@ -7,8 +7,9 @@ from pathlib import Path
 from statistics import median
 from typing import Final
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource
 from kagezou.export.frames import export_frames
+from kagezou.export.jobs import planned
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.box import Box
 from kagezou.io.atomic import write_bytes
@@ -32,45 +33,68 @@ class Throughput:
         return self.fps / self.floor_fps
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Piece:
+    """The drawings that one picture is the first to need, the picture, and into how many files it goes."""
+
+    sources: tuple[PictureSource, ...]
+    shadow: ShadowImage
+    files: int
+
+
 def measured(
-    document: Document, folder: Path, workers: int, open_context: OpenContext, repetitions: int = REPETITIONS
+    document: Document,
+    layers: tuple[str, ...],
+    folder: Path,
+    workers: int,
+    open_context: OpenContext,
+    repetitions: int = REPETITIONS,
 ) -> Throughput:
-    """Export a document's first layer several times into a folder, in turn with the floor, and return the medians.
+    """Export layers of a document several times into a folder, in turn with the floor, and return the medians.
 
     The export is a whole one, from opening OpenGL to the last file in its place.
     """
-    layer = document.layers[0]
-    request = ExportRequest(folder / "frames", layers=(layer.name,), workers=workers)
-    sources = [layer.cels.drawing_at(frame) for frame in range(1, document.canvas.length_frames + 1)]
+    length = document.canvas.length_frames
+    request = ExportRequest(folder / "frames", layers=layers, workers=workers)
     export_frames(document, request, open_context, _unwatched, _never)
-    outputs = sorted(next((folder / "frames").glob("*_shadow")).glob("*.png"))
-    pairs = [
-        (drawing.path, _shadow_in(output))
-        for drawing, output in zip(sources, outputs, strict=True)
-        if drawing is not None
-    ]
+    pieces = _pieces(document, request)
     (folder / "floor").mkdir(exist_ok=True)
     floors: list[float] = []
     exports: list[float] = []
     for _ in range(repetitions):
-        floors.append(_floor_seconds(pairs, folder / "floor", workers))
+        floors.append(_floor_seconds(pieces, folder / "floor", workers))
         started = time.perf_counter()
         export_frames(document, request, open_context, _unwatched, _never)
         exports.append(time.perf_counter() - started)
-    return Throughput(len(outputs) / median(exports), len(pairs) / median(floors))
+    return Throughput(length / median(exports), length / median(floors))
 
 
-def _floor_seconds(pairs: list[tuple[Path, ShadowImage]], folder: Path, workers: int) -> float:
-    """Return how long it takes to decode each drawing and to encode and write each shadow."""
+def _pieces(document: Document, request: ExportRequest) -> list[_Piece]:
+    """Return what an export reads and writes, in its order: each drawing is read once, when it is first needed."""
+    jobs = planned(document, request).jobs
+    seen: set[PictureSource] = set()
+    pieces: list[_Piece] = []
+    for job in jobs:
+        sources = tuple(source for source in job.mattes if source not in seen)
+        seen.update(sources)
+        pieces.append(_Piece(sources, _shadow_in(job.targets[0].path), len(job.targets)))
+    return pieces
+
+
+def _floor_seconds(pieces: list[_Piece], folder: Path, workers: int) -> float:
+    """Return how long it takes to decode each drawing once and to encode each shadow and write its files."""
 
     def job(index: int) -> None:
-        source, shadow = pairs[index]
-        read_matte(source)
-        write_bytes(folder / f"{index + 1:04d}.png", encode_png(shadow))
+        piece = pieces[index]
+        for source in piece.sources:
+            read_matte(source)
+        data = encode_png(piece.shadow)
+        for number in range(piece.files):
+            write_bytes(folder / f"{index + 1:04d}_{number}.png", data)
 
     started = time.perf_counter()
     with ThreadPoolExecutor(workers) as pool:
-        list(pool.map(job, range(len(pairs))))
+        list(pool.map(job, range(len(pieces))))
     return time.perf_counter() - started
 
 

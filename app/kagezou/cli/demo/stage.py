@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+import numpy as np
+
 from kagezou.animation.track import Interpolation, Value
 from kagezou.cli.demo.figure import drawn
 from kagezou.cli.demo.pose import FRAMES, GROUND_Y, pose_at
@@ -19,6 +21,8 @@ from kagezou.io.project_file import save
 from kagezou.session.staging import CharacterSource, new_document
 
 SIZE_PX: Final = 1000
+PAIR_SIZE_PX: Final = (1920, 1080)
+_APART_PX: Final = 800
 CHARACTER: Final = "Child"
 _CONSTANTS: Final[dict[str, Value]] = {
     "ground.position": (500.0, GROUND_Y + 3),
@@ -51,13 +55,28 @@ def make_drawings(folder: Path, workers: int, progress: Callable[[int, int], Non
     def draw(frame: int) -> None:
         write_rgba(folder / f"child_{frame:04d}.png", drawn(pose_at(frame), SIZE_PX, SIZE_PX))
 
-    with ThreadPoolExecutor(workers) as pool:
-        try:
-            for done, _ in enumerate(pool.map(draw, range(1, count + 1)), start=1):
-                progress(done, count)
-        except BaseException:
-            pool.shutdown(wait=True, cancel_futures=True)
-            raise
+    _draw_all(draw, count, workers, progress)
+
+
+def make_pair(folder: Path, workers: int, progress: Callable[[int, int], None]) -> tuple[Path, Path]:
+    """Draw the child into two folders, on sheets of `PAIR_SIZE_PX`, in the second one further to the right.
+
+    Raises
+    ------
+    DiskFullProblem, OutputProblem
+        The folder refuses.
+    """
+    left, right = folder / "left", folder / "right"
+    for each in (left, right):
+        _make_folder(each)
+
+    def draw(frame: int) -> None:
+        drawing = drawn(pose_at(frame), *PAIR_SIZE_PX)
+        write_rgba(left / f"left_{frame:04d}.png", drawing)
+        write_rgba(right / f"right_{frame:04d}.png", np.roll(drawing, _APART_PX, axis=1))
+
+    _draw_all(draw, FRAMES, workers, progress)
+    return left, right
 
 
 def make_demo(folder: Path, workers: int, progress: Callable[[int, int], None]) -> Demo:
@@ -85,6 +104,17 @@ def staged(drawings: Path, background: Path | None) -> Document:
     for frame, place in _LIGHT.items():
         document = set_key(document, resolve(document, "light.position"), frame, place, Interpolation.BEZIER)
     return document
+
+
+def _draw_all(draw: Callable[[int], None], count: int, workers: int, progress: Callable[[int, int], None]) -> None:
+    """Draw the frames 1 to ``count`` on several threads."""
+    with ThreadPoolExecutor(workers) as pool:
+        try:
+            for done, _ in enumerate(pool.map(draw, range(1, count + 1)), start=1):
+                progress(done, count)
+        except BaseException:
+            pool.shutdown(wait=True, cancel_futures=True)
+            raise
 
 
 def _make_folder(folder: Path) -> None:

@@ -47,27 +47,37 @@ def run(options: Namespace, doors: Doors) -> int:
         document = _document(options, Path(folder), workers)
         cels = CelCache()
         for drawing in document.layers[0].cels.drawings:
-            cels.cel(drawing.path)
+            cels.cel(drawing.source)
         with doors.open_context() as context:
             renderer = Renderer(cels)
             name = context.info.renderer
             drawn = operations.measured(document, renderer)
             renderer.close()
         cels.clear()
-        export = throughput.measured(document, Path(folder), workers, doors.open_context)
+        one = (document.layers[0].name,)
+        export = throughput.measured(document, one, Path(folder, "one"), workers, doors.open_context)
+        pair = _pair(options, Path(folder), workers)
+        both = tuple(layer.name for layer in pair.layers)
+        export_two = throughput.measured(pair, both, Path(folder, "two"), workers, doors.open_context)
     size_px = (document.canvas.width_px, document.canvas.height_px)
     if options.json:
-        give_json({"gl_renderer": name, "size": [*size_px], **_report(drawn, export), "workers": workers})
+        rates: dict[str, Json] = {
+            "export": _rates(export),
+            "export_two_layers": {"size": [pair.canvas.width_px, pair.canvas.height_px], **_rates(export_two)},
+        }
+        give_json({"gl_renderer": name, "size": [*size_px], **_report(drawn), **rates, "workers": workers})
         return 0
     give(f"{name}, {size_px[0]} x {size_px[1]} px")
     give(f"one copy of a whole picture: {drawn.copy_ms:.2f} ms")
     for each in drawn.operations:
         give(f"  {each.name:<16} {each.median_ms:7.2f} ms {each.fps:8.0f} fps {each.ratio:6.1f} copies")
-    give(f"export {export.fps:.1f} frames/s; only reading and writing {export.floor_fps:.1f}: {export.of_floor:.0%}")
+    wide = f"two layers of {pair.canvas.width_px} x {pair.canvas.height_px} px"
+    for words, rate in (("export", export), (f"export of {wide}", export_two)):
+        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
     return 0
 
 
-def _report(drawn: "Measured", export: "Throughput") -> dict[str, Json]:
+def _report(drawn: "Measured") -> dict[str, Json]:
     operations: list[Json] = [
         {
             "name": each.name,
@@ -77,12 +87,15 @@ def _report(drawn: "Measured", export: "Throughput") -> dict[str, Json]:
         }
         for each in drawn.operations
     ]
-    rates: dict[str, Json] = {
+    return {"copy_ms": round(drawn.copy_ms, 4), "operations": operations}
+
+
+def _rates(export: "Throughput") -> dict[str, Json]:
+    return {
         "fps": round(export.fps, 2),
         "floor_fps": round(export.floor_fps, 2),
         "of_floor": round(export.of_floor, 3),
     }
-    return {"copy_ms": round(drawn.copy_ms, 4), "operations": operations, "export": rates}
 
 
 def _document(options: Namespace, folder: Path, workers: int) -> "Document":
@@ -96,3 +109,17 @@ def _document(options: Namespace, folder: Path, workers: int) -> "Document":
         with ProgressLine("drawing") as line:
             make_drawings(source, workers, line.update)
     return new_document([CharacterSource("Character", source)], size=canvas).document
+
+
+def _pair(options: Namespace, folder: Path, workers: int) -> "Document":
+    """Return the document of two layers: the drawings given twice, or the demo's child beside another."""
+    from kagezou.cli.demo.stage import PAIR_SIZE_PX, make_pair
+    from kagezou.session.staging import CharacterSource, new_document
+
+    sources, canvas = (options.input, options.input), options.size
+    if options.input is None:
+        canvas = PAIR_SIZE_PX
+        with ProgressLine("drawing") as line:
+            sources = make_pair(folder / "pair", workers, line.update)
+    characters = [CharacterSource(name, source) for name, source in zip(("Left", "Right"), sources, strict=True)]
+    return new_document(characters, size=canvas).document

@@ -1,11 +1,12 @@
-"""``kagezou piece``: walls, boxes, steps and the like that stand on the ground and receive shadows."""
+"""``kagezou piece``: walls, boxes, steps and the like on the ground, and sets from files; they receive shadows."""
 
 from argparse import Namespace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kagezou.cli.arguments import Parser, did_you_mean, project_path
+from kagezou.cli.arguments import Parser, did_you_mean, point, positive, project_path
 from kagezou.cli.doors import Doors
-from kagezou.cli.terminal import give
+from kagezou.cli.terminal import give, note
 from kagezou.errors import UsageProblem
 
 if TYPE_CHECKING:
@@ -14,11 +15,16 @@ if TYPE_CHECKING:
 DESCRIPTION = """\
 Put a piece into the set, take one out, rename or copy it, or list them. A new piece stands behind the characters in a
 natural size; kagezou set changes everything about it: set.NAME.position, .angle, .lean, .width, .height, .depth,
-.count, .receives, .blocks, .casts, .kind and .present, for the whole cut or by keys."""
+.count, .receives, .blocks, .casts, .kind and .present, for the whole cut or by keys.
+
+A mesh is a set from a file (glTF, OBJ, PLY, STL; USD where that package is installed). With --camera the canvas camera
+follows one of the file's cameras, and the ground goes through the set where the character stands."""
 EXAMPLES = """\
   kagezou piece walk.kage add back wall
   kagezou piece walk.kage add stairs steps position=[700,820] angle=30 count=5
   kagezou set walk.kage set.back.angle=20 set.back.casts=true
+  kagezou piece walk.kage add street mesh --file street.glb
+  kagezou piece walk.kage add street mesh --file street.glb --camera shot_010 --stand 960,870
   kagezou piece walk.kage rename back fence
   kagezou piece walk.kage copy stairs
   kagezou piece walk.kage remove stairs
@@ -35,8 +41,20 @@ def add_arguments(parser: Parser) -> None:
         "words",
         nargs="*",
         metavar="KIND | NEW_NAME | PROPERTY=JSON",
-        help="to add: wall, box, steps, ramp, cylinder or sphere, then its properties; to rename: the new name",
+        help="to add: wall, box, steps, ramp, cylinder, sphere or mesh, then its properties; to rename: the new name",
     )
+    parser.add_argument("--file", type=Path, metavar="SET.glb", help="the file of a mesh")
+    parser.add_argument("--camera", metavar="NAME", help="the camera of the file that the canvas camera follows")
+    parser.add_argument(
+        "--stand", type=point, metavar="X,Y", help="where a character stands on it, canvas px (the ground's position)"
+    )
+    parser.add_argument(
+        "--scale",
+        type=positive,
+        metavar="PX",
+        help="canvas px for one unit of the file where it stands; a camera that is followed settles it",
+    )
+    parser.add_argument("--up", choices=("y", "z"), help="the axis of the file that points up (what the file says)")
 
 
 def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
@@ -49,7 +67,13 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
         return 0
     if options.name is None:
         raise UsageProblem(f"which piece is to {options.action}? (see kagezou piece --help)")
-    after = _changed(before, options.action, options.name, options.words)
+    of_mesh = (options.file, options.camera, options.stand, options.up, options.scale)
+    if options.action == "add" and options.words[:1] == ["mesh"]:
+        after = _imported(before, options)
+    elif any(each is not None for each in of_mesh):
+        raise UsageProblem("--file, --camera, --stand, --up and --scale belong to: add NAME mesh")
+    else:
+        after = _changed(before, options.action, options.name, options.words)
     if after is not before:
         save(after, options.project)
     return 0
@@ -70,8 +94,32 @@ def _changed(document: "Document", action: str, name: str, words: list[str]) -> 
     return remove_piece(document, piece_id) if action == "remove" else copy_piece(document, piece_id)
 
 
+def _imported(document: "Document", options: Namespace) -> "Document":
+    from kagezou.document.address import Address
+    from kagezou.document.edits import set_constant
+    from kagezou.document.properties import OF_PIECE
+    from kagezou.io.meshes import MeshCache
+    from kagezou.session.imported_sets import SetImport, import_set
+
+    if options.file is None:
+        raise UsageProblem("which file is the mesh to be read from? --file SET.glb")
+    if options.camera is not None and options.scale is not None:
+        raise UsageProblem("--camera settles the size of the set: leave out --scale, or the camera")
+    values = _values(options.words[1:])
+    how = (options.camera, options.stand, options.up, options.scale)
+    wanted = SetImport(options.file.absolute(), options.name, *how)
+    imported = import_set(document, wanted, MeshCache())
+    for sentence in imported.notes:
+        note(sentence)
+    document = imported.document
+    for name, value in values.items():
+        if name not in OF_PIECE:
+            raise UsageProblem(f"a set piece has no property {name!r}")
+        document = set_constant(document, Address(OF_PIECE[name], piece_id=imported.piece_id), value)
+    return document
+
+
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
-    from kagezou.cli.values import value_of_text
     from kagezou.document.set_pieces import add_piece
     from kagezou.document.set_properties import KINDS
 
@@ -81,20 +129,28 @@ def _added(document: "Document", name: str, words: list[str]) -> "Document":
         raise UsageProblem(
             f"a set piece is {known}, not {kind!r}{did_you_mean(kind, KINDS)}" if kind else f"add what? {known}"
         )
+    return add_piece(document, name, kind, _values(words[1:]))
+
+
+def _values(words: list[str]) -> dict[str, object]:
+    from kagezou.cli.values import value_of_text
+
     values: dict[str, object] = {}
-    for text in words[1:]:
+    for text in words:
         line, sign, value = text.partition("=")
         if not sign:
             raise UsageProblem(f"{text!r} is not PROPERTY=JSON, such as angle=30")
         values[line.strip()] = value_of_text(line.strip(), value.strip())
-    return add_piece(document, name, kind, values)
+    return values
 
 
 def _list(document: "Document") -> None:
     from kagezou.document.set_pieces import kind_of
+    from kagezou.io.faults import shown
 
     for piece in document.pieces:
-        give(f"{kind_of(piece)}\t{piece.name}")
+        file = "" if piece.source is None else f"\t{shown(piece.source)}"
+        give(f"{kind_of(piece)}\t{piece.name}{file}")
 
 
 def _id_of(document: "Document", name: str) -> str:

@@ -18,6 +18,7 @@ EXAMPLES = """\
   kagezou render walk.kage -o shadows
   kagezou render walk.kage -o shadows --composite --frames 1-48
   kagezou render walk.kage -o shadows --layer Hero --format exr
+  kagezou render walk.kage -o frames --layered --format psd
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
   kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
 """
@@ -30,10 +31,15 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="where the folders are made")
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
-    parser.add_argument("--format", choices=("png", "tga", "tiff", "exr"), default="png", help="the format (png)")
+    parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16)")
     parser.add_argument(
         "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
+    )
+    parser.add_argument(
+        "--layered",
+        action="store_true",
+        help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
     )
     parser.add_argument(
         "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
@@ -59,13 +65,15 @@ def run(options: Namespace, doors: Doors) -> int:
     from kagezou.io.path_mapping import read_rules, with_mapped_paths
     from kagezou.io.project_file import load
 
+    form = options.format or ("psd" if options.layered else "png")
     request = ExportRequest(
         folder=options.output,
         frames=None if options.frames is None else parse_frames(options.frames),
         layers=None if options.layer is None else tuple(options.layer),
-        format=options.format,
-        depth=options.depth or _DEFAULT_DEPTH.get(options.format, 8),
+        format=form,
+        depth=options.depth or _DEFAULT_DEPTH.get(form, 8),
         composite=options.composite,
+        layered=options.layered,
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
         keep_going=options.keep_going,

@@ -11,7 +11,7 @@ from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import Property
-from kagezou.document.set_properties import SET_OPACITY
+from kagezou.document.set_properties import SET_COLOR, SET_OPACITY
 
 MATTES: Final[Mapping[str, str]] = MappingProxyType({
     "shadow": "the shadow alone, white",
@@ -38,7 +38,10 @@ def matte_document(document: Document, matte: str) -> Document:
     looks = {"shadow": _plain, "core": _core, "distance": _distance}
     look = looks[matte]
     layers = tuple(_changed(layer, look(layer)) for layer in document.layers)
-    return replace(document, layers=layers)
+    document = replace(document, layers=layers)
+    if not document.pieces:
+        return document
+    return set_constant(set_constant(document, Address(SET_OPACITY), 1.0), Address(SET_COLOR), _WHITE)
 
 
 def _plain(_layer: Layer) -> dict[Property, Value]:

@@ -30,7 +30,7 @@ class Choice(QObject):
     def __init__(self, bridge: Bridge) -> None:
         super().__init__()
         self._bridge = bridge
-        self._hidden: frozenset[tuple[str, str | None, int]] = frozenset()
+        self._hidden: frozenset[tuple[str, str | None, str | None, int]] = frozenset()
         self.kind = GraphKind.VALUE
         self.normalises = False
         self.isolates = False
@@ -42,7 +42,8 @@ class Choice(QObject):
     @property
     def all(self) -> tuple[Curve, ...]:
         """Every curve there is."""
-        return curves_of(self._bridge.document, self._bridge.layer_id)
+        bridge = self._bridge
+        return curves_of(bridge.document, bridge.layer_id, bridge.piece_id, bridge.layer_ids[1:])
 
     @property
     def shown(self) -> tuple[Curve, ...]:
@@ -78,5 +79,6 @@ class Choice(QObject):
         self.changed.emit()
 
 
-def _key(curve: Curve) -> tuple[str, str | None, int]:
-    return curve.address.property.name, curve.address.layer_id, curve.component
+def _key(curve: Curve) -> tuple[str, str | None, str | None, int]:
+    address = curve.address
+    return address.property.name, address.layer_id, address.piece_id, curve.component

@@ -8,12 +8,12 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
-    QHBoxLayout,
     QLabel,
     QMenu,
     QSizePolicy,
     QSplitter,
     QTabWidget,
+    QToolBar,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -32,6 +32,7 @@ from kagezou.ui.curves.key_table import KeyTable
 from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
+from kagezou.ui.sentences import sentence_of
 
 
 class CurveEditor(QWidget):
@@ -101,7 +102,7 @@ class CurveEditor(QWidget):
         try:
             other = load(path)
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return
         self.choice.set(snapshot=other, shows_snapshot=True)
         self._ghost_button.setChecked(True)
@@ -148,7 +149,7 @@ class CurveEditor(QWidget):
         column = QVBoxLayout(middle)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addLayout(self._tools())
+        column.addWidget(self._tools())
         column.addWidget(self.graph, 1)
         column.addWidget(self._read)
         tabs = QTabWidget()
@@ -162,16 +163,15 @@ class CurveEditor(QWidget):
         splitter.setStretchFactor(1, 1)
         letter = self.fontMetrics().horizontalAdvance("0")
         self.tree.setMinimumWidth(17 * letter)
-        tabs.setMinimumWidth(20 * letter)
-        splitter.setSizes([26 * letter, 120 * letter, 46 * letter])
+        tabs.setMinimumWidth(24 * letter)
+        splitter.setSizes([22 * letter, 100 * letter, 64 * letter])
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(splitter)
 
-    def _tools(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 3, 6, 3)
-        row.setSpacing(3)
+    def _tools(self) -> QToolBar:
+        # What finds no room goes into a menu at the bar's end, so that it never widens the window.
+        row = QToolBar()
         kind = QComboBox()
         kind.addItem(self.tr("Value"), GraphKind.VALUE)
         kind.addItem(self.tr("Speed"), GraphKind.SPEED)
@@ -187,7 +187,7 @@ class CurveEditor(QWidget):
         self.normalise_button.toggled.connect(lambda _on: self.graph.fit_all())
         row.addWidget(self.normalise_button)
         row.addWidget(self._switch(self.tr("Isolate"), self.tr("Show only curves with selected keys"), "isolates"))
-        row.addStretch(1)
+        row.addWidget(_spring())
         take = _tool(self.tr("Snapshot"), self.tr("Keep the curves as they are, to compare with"), self.take_snapshot)
         row.addWidget(take)
         self._ghost_button = self._switch(
@@ -197,7 +197,7 @@ class CurveEditor(QWidget):
         row.addWidget(self._ghost_button)
         row.addWidget(_tool(self.tr("Swap"), self.tr("Exchange the project with the snapshot"), self.swap_snapshot))
         row.addWidget(_tool(self.tr("With File…"), self.tr("Compare with another saved version"), self._ask_file))
-        row.addStretch(1)
+        row.addWidget(_spring())
         locked = self.tr("Look only: nothing can be changed here")
         row.addWidget(self._switch(self.tr("Look Only"), locked, "is_locked"))
         return row
@@ -217,6 +217,12 @@ class CurveEditor(QWidget):
         chosen, _ = QFileDialog.getOpenFileName(self, words, "", self.tr("Kagezou projects") + " (*.kage *.kage~)")
         if chosen:
             self.compare_with(Path(chosen))
+
+
+def _spring() -> QWidget:
+    spring = QWidget()
+    spring.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+    return spring
 
 
 def _tool(words: str, tip: str, do: Callable[[], None] | None) -> QToolButton:

@@ -1,13 +1,14 @@
-"""Which curves there are: one for each component of each keyed property of the scene and the layer worked on."""
+"""Which curves there are: one for each component of each keyed property of the scene and of what is worked on."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from kagezou.animation.curve import component_count
 from kagezou.animation.track import Track
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Document
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.linking import is_linked
+from kagezou.document.model import Document, Layer, Piece
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind
 
 COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#d0d0d0", "#d55e00", "#8fb8ff", "#b9d46a")
@@ -41,10 +42,22 @@ class Curve:
         return COLORS[self.number % len(COLORS)]
 
 
-def curves_of(document: Document, layer_id: str | None) -> tuple[Curve, ...]:
-    """Return the curves of the scene's keyed properties and of a layer's, in table order."""
+def curves_of(
+    document: Document, layer_id: str | None, piece_id: str | None = None, others: tuple[str, ...] = ()
+) -> tuple[Curve, ...]:
+    """Return the curves of the scene's keyed properties and of a layer's or a set piece's, in table order.
+
+    Parameters
+    ----------
+    document, layer_id, piece_id
+        What is worked on.
+    others
+        The layers that are chosen beside it; a property that is linked has its curves once.
+    """
     curves: list[Curve] = []
-    for address in _addresses(layer_id):
+    more = (Address(line, other) for other in others for line in OF_LAYER.values())
+    apart = (address for address in more if not is_linked(document, address))
+    for address in (*_addresses(layer_id, piece_id), *apart):
         track = track_of(document, address)
         if not track.is_keyed or address.property.holds_only:
             continue
@@ -59,24 +72,33 @@ def curves_of(document: Document, layer_id: str | None) -> tuple[Curve, ...]:
 def same_in(document: Document, curve: Curve, own: Document) -> Track | None:
     """Return the track of a curve in another version of its document; None where that has no such property.
 
-    A layer is the same if it has the same id, else if it has the same name.
+    A layer or a set piece is the same if it has the same id, else if it has the same name.
     """
-    layer_id = curve.address.layer_id
-    if layer_id is None:
-        return track_of(document, curve.address)
-    found = next((layer for layer in document.layers if layer.id == layer_id), None)
-    if found is None:
-        name = own.layer(layer_id).name
-        found = next((layer for layer in document.layers if layer.name == name), None)
-    return None if found is None else track_of(document, Address(curve.address.property, found.id))
+    layer_id, piece_id = curve.address.layer_id, curve.address.piece_id
+    if layer_id is not None:
+        layer = _same(document.layers, layer_id, own.layer(layer_id).name)
+        return None if layer is None else track_of(document, Address(curve.address.property, layer))
+    if piece_id is not None:
+        piece = _same(document.pieces, piece_id, own.piece(piece_id).name)
+        return None if piece is None else track_of(document, Address(curve.address.property, piece_id=piece))
+    return track_of(document, curve.address)
 
 
-def _addresses(layer_id: str | None) -> Iterator[Address]:
+def _same(those: Iterable[Layer | Piece], known_id: str, name: str) -> str | None:
+    """Return the id of the one with the same id, else with the same name."""
+    ids = {each.id: each.name for each in those}
+    return known_id if known_id in ids else next((each for each, called in ids.items() if called == name), None)
+
+
+def _addresses(layer_id: str | None, piece_id: str | None) -> Iterator[Address]:
     for line in OF_DOCUMENT.values():
         yield Address(line)
     if layer_id is not None:
         for line in OF_LAYER.values():
             yield Address(line, layer_id)
+    if piece_id is not None:
+        for line in OF_PIECE.values():
+            yield Address(line, piece_id=piece_id)
 
 
 def _name(address: Address, component: int, count: int) -> str:

@@ -57,6 +57,8 @@ class CurveTree(QTreeWidget):
 
     def _name_of(self, address: Address) -> str:
         words = said(address.property.label)
+        if address.piece_id is not None:
+            return f"{self._bridge.document.piece(address.piece_id).name} · {words}"
         if address.layer_id is None:
             return words
         return f"{self._bridge.document.layer(address.layer_id).name} · {words}"

@@ -1,41 +1,25 @@
 """The graph: curves, keys, handles, ghosts and the playhead, drawn by pyqtgraph."""
 
-from collections.abc import Sequence
-
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainterPath, QTransform
-from PySide6.QtWidgets import QGraphicsView
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QGraphicsView, QLabel
 
-from kagezou.animation.track import Interpolation
 from kagezou.document.model import Document
 from kagezou.ui.bridge import Bridge
-from kagezou.ui.curves.choice import Choice
+from kagezou.ui.curves.choice import Choice, GraphKind
+from kagezou.ui.curves.frame_axis import FrameAxis
 from kagezou.ui.curves.graph_hand import GraphHand
-from kagezou.ui.curves.picture import CurvePicture, differing_frames, pictures_of
+from kagezou.ui.curves.key_box import BoxItems, KeyBox, box_around
+from kagezou.ui.curves.key_symbols import SYMBOLS
+from kagezou.ui.curves.picture import CurvePicture, differing_frames, pictures_of, runs
 from kagezou.ui.theme import BRIGHT, CHANGED, DIM, SELECTED, WARNING, WELL
-from kagezou.ui.timecode import sheet_text
 
 _KEY_PX = 11
 _HANDLE_PX = 7
 _DASHES = (None, [7, 4], [2, 4], [9, 3, 2, 3])
 _GHOST_DASH = [4, 4]
-
-
-class FrameAxis(pg.AxisItem):
-    """Whole frames, and below them seconds and frames where there is room."""
-
-    def __init__(self, bridge: Bridge) -> None:
-        super().__init__("bottom")
-        self._bridge = bridge
-
-    def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
-        rate = self._bridge.document.canvas.frame_rate
-        del scale
-        if spacing < 1:
-            return ["" for _ in values]
-        return [f"{value:.0f}  ({sheet_text(int(value), rate)})" if value >= 1 else "" for value in values]
 
 
 class Graph(pg.PlotWidget):
@@ -59,7 +43,13 @@ class Graph(pg.PlotWidget):
         self._drawn: list[pg.GraphicsObject] = []
         self._playhead = pg.InfiniteLine(angle=90, movable=False, pen=pg.mkPen(BRIGHT, width=1))
         self._box = pg.QtWidgets.QGraphicsRectItem()
+        self._key_box = BoxItems(self.getPlotItem())
+        self._said = QLabel(self)
+        self._said.setObjectName("graph_words")
+        self._said.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._said.hide()
         self._make_stage()
+        self.view.sigRangeChanged.connect(self._draw_key_box)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled, on=False)
         # Lines of one device pixel leave trails at fractional scales otherwise.
@@ -81,13 +71,15 @@ class Graph(pg.PlotWidget):
             self.getPlotItem().removeItem(item)
         self._drawn.clear()
         state = self._bridge.session.state
-        self.pictures = pictures_of(state.document, self._choice, state.keys)
+        held = {(each.curve.address, each.curve.component): each.fitting for each in self.pictures}
+        self.pictures = pictures_of(state.document, self._choice, state.keys, held if self.hand.is_busy else {})
         self._draw_differences(state.document)
         self._draw_marks(state.document)
         for picture in self.pictures:
             self._draw_curve(picture)
         for picture in self.pictures:
             self._draw_keys(picture)
+        self._draw_key_box()
         self.move_playhead()
 
     def move_playhead(self) -> None:
@@ -99,6 +91,22 @@ class Graph(pg.PlotWidget):
         self._box.setVisible(box is not None)
         if box is not None:
             self._box.setRect(box)
+
+    @property
+    def key_box(self) -> KeyBox | None:
+        """The frame around the selected keys, where they can be pulled by it."""
+        if self._choice.is_locked or self._choice.kind is GraphKind.SPEED:
+            return None
+        return box_around(self.pictures, self.pixels())
+
+    def show_words(self, words: str, point: QPointF) -> None:
+        """Show words beside a point of the widget; none take them away."""
+        self._said.setVisible(bool(words))
+        self._said.setText(words)
+        self._said.adjustSize()
+        room = self.rect().bottomRight() - self._said.rect().bottomRight()
+        place = point.toPoint() + QPoint(16, -self._said.height() - 10)
+        self._said.move(min(max(place.x(), 0), room.x()), min(max(place.y(), 0), room.y()))
 
     def fit_all(self) -> None:
         """Show the whole cut and every curve."""
@@ -192,6 +200,9 @@ class Graph(pg.PlotWidget):
         self.getPlotItem().addItem(item, ignoreBounds=True)
         self._drawn.append(item)
 
+    def _draw_key_box(self) -> None:
+        self._key_box.show(self.key_box)
+
     def _draw_curve(self, picture: CurvePicture) -> None:
         curve = picture.curve
         if picture.ghost is not None:
@@ -215,7 +226,7 @@ class Graph(pg.PlotWidget):
         spots = [
             {
                 "pos": (mark.frame, mark.ordinate),
-                "symbol": _SYMBOLS[mark.interpolation],
+                "symbol": SYMBOLS[mark.interpolation],
                 "brush": pg.mkBrush(SELECTED if mark.is_chosen else WELL),
                 "pen": pg.mkPen(SELECTED if mark.is_chosen else picture.curve.color, width=1.5),
                 "size": _KEY_PX,
@@ -244,7 +255,7 @@ class Graph(pg.PlotWidget):
                 for frame in differing_frames(document, self._choice.ghost, picture.curve)
             }
         )
-        for first, last in _runs(frames):
+        for first, last in runs(frames):
             color = QColor(WARNING)
             color.setAlpha(30)
             band = pg.LinearRegionItem((first - 0.5, last + 0.5), movable=False, brush=color, pen=pg.mkPen(None))
@@ -277,40 +288,3 @@ def _within(picture: CurvePicture, frames: tuple[float, float]) -> np.ndarray:
     seen = picture.line.values[(picture.line.frames >= frames[0]) & (picture.line.frames <= frames[1])]
     ends = [handle.ordinate for handle in picture.handles]
     return np.concatenate([seen if len(seen) else picture.line.values, np.array(ends)])
-
-
-def _runs(frames: Sequence[int]) -> list[tuple[int, int]]:
-    """Return runs of neighbouring frames as (first, last)."""
-    runs: list[tuple[int, int]] = []
-    for frame in frames:
-        if runs and runs[-1][1] == frame - 1:
-            runs[-1] = (runs[-1][0], frame)
-        else:
-            runs.append((frame, frame))
-    return runs
-
-
-def _hourglass() -> QPainterPath:
-    path = QPainterPath()
-    path.moveTo(-0.5, -0.5)
-    for x, y in ((0.5, -0.5), (0.2, 0.0), (0.5, 0.5), (-0.5, 0.5), (-0.2, 0.0)):
-        path.lineTo(x, y)
-    path.closeSubpath()
-    return path
-
-
-def _square() -> QPainterPath:
-    path = QPainterPath()
-    path.addRect(QRectF(-0.42, -0.42, 0.84, 0.84))
-    return path
-
-
-def _diamond() -> QPainterPath:
-    return QTransform().rotate(45).scale(0.84, 0.84).map(_square())
-
-
-_SYMBOLS = {
-    Interpolation.HOLD: _square(),
-    Interpolation.LINEAR: _diamond(),
-    Interpolation.BEZIER: _hourglass(),
-}

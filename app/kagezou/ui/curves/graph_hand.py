@@ -8,18 +8,14 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
-from kagezou.animation.curve import Handle, ease_toward
-from kagezou.animation.ease import Ease
-from kagezou.animation.track import components_of, rebuilt
-from kagezou.document.address import Address, track_of, value_of
-from kagezou.document.ease_edits import set_handle
-from kagezou.document.edits import set_key
+from kagezou.document.address import Address
 from kagezou.document.key_edits import Refs, move_keys
-from kagezou.document.model import Document
 from kagezou.session.session import Gesture
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.curves.box_hand import BoxHand
 from kagezou.ui.curves.choice import Choice, GraphKind
-from kagezou.ui.curves.picture import CurvePicture, HandleMark, KeyMark, value_in
+from kagezou.ui.curves.graph_edits import with_handle, with_key, with_speed
+from kagezou.ui.curves.picture import CurvePicture, HandleMark, KeyMark
 
 if TYPE_CHECKING:
     from kagezou.ui.curves.graph import Graph
@@ -60,6 +56,7 @@ class GraphHand(QObject):
         self.is_down = False
         self._pressed = QPointF()
         self._grip: Grip | None = None
+        self._box: BoxHand | None = None
         self._gesture: Gesture | None = None
         self._before: Refs = frozenset()
         self._adds = False
@@ -81,6 +78,8 @@ class GraphHand(QObject):
         elif (key := self._key_at(place)) is not None:
             self._choose(key[1])
             self._grip = Grip(*key, place, self._bridge.session.state.keys)
+        elif self._takes_box(place, event):
+            pass
         elif (picture := self._curve_at(place)) is not None:
             if event.modifiers() & _CONTROL:
                 self._add_key(picture, place)
@@ -99,7 +98,9 @@ class GraphHand(QObject):
             return
         if not self.is_busy and (event.position() - self._pressed).manhattanLength() < _DRAG_PX:
             return
-        if self._grip is None:
+        if self._box is not None:
+            self._drag_box(self._box, place, event)
+        elif self._grip is None:
             self._draw_box(place)
         elif not self._choice.is_locked:
             self._drag(self._grip, place, event)
@@ -108,6 +109,8 @@ class GraphHand(QObject):
         """Take the left button coming up."""
         if self._gesture is not None:
             self._gesture.commit()
+        elif self._box is not None and self._box.part.is_inside:
+            self._click_inside(self._graph.place_of(event.position()))
         elif self._grip is None and not self._scrubs and not self._moved(event) and self._is_empty(event):
             self._bridge.session.select_keys(frozenset())
         self._let_go()
@@ -124,7 +127,10 @@ class GraphHand(QObject):
         """Take note of the pointer."""
         place = self._graph.place_of(point)
         near = self._handle_at(place) is not None or self._key_at(place) is not None
-        self._graph.setCursor(Qt.CursorShape.PointingHandCursor if near else Qt.CursorShape.CrossCursor)
+        box = self._graph.key_box
+        part = None if near or box is None else box.part_at(place)
+        elsewhere = Qt.CursorShape.CrossCursor if part is None else part.cursor
+        self._graph.setCursor(Qt.CursorShape.PointingHandCursor if near else elsewhere)
         self.read.emit(*place)
 
     def leave(self) -> None:
@@ -164,9 +170,35 @@ class GraphHand(QObject):
         return (event.position() - self._pressed).manhattanLength() >= _DRAG_PX
 
     def _let_go(self) -> None:
+        was_busy = self.is_busy
         self.is_down = self._scrubs = False
-        self._grip = self._gesture = None
+        self._grip = self._gesture = self._box = None
         self._graph.show_box(None)
+        self._graph.show_words("", QPointF())
+        if was_busy:
+            # What was held while the hand moved fits anew.
+            self._graph.refresh()
+
+    def _takes_box(self, place: tuple[float, float], event: QMouseEvent) -> bool:
+        box = self._graph.key_box
+        part = None if box is None else box.part_at(place)
+        if box is None or part is None or (part.is_inside and event.modifiers()):
+            return False
+        self._box = BoxHand(box, part, self._graph.pictures, place)
+        return True
+
+    def _drag_box(self, box: BoxHand, place: tuple[float, float], event: QMouseEvent) -> None:
+        if self._gesture is None:
+            self._gesture = self._bridge.session.begin(box.name)
+        centred, one_axis = bool(event.modifiers() & _CONTROL), bool(event.modifiers() & _SHIFT)
+        self._gesture.show(*box.dragged(self._gesture.start, place, about_centre=centred, one_axis=one_axis))
+        self._graph.show_words(box.said, event.position())
+
+    def _click_inside(self, place: tuple[float, float]) -> None:
+        """Take a click within the frame for what it is without one."""
+        picture = self._curve_at(place)
+        found = () if picture is None else picture.keys
+        self._bridge.session.select_keys(frozenset(mark.ref for mark in found))
 
     def _choose(self, mark: KeyMark) -> None:
         chosen = self._before
@@ -193,9 +225,9 @@ class GraphHand(QObject):
             self._gesture = self._bridge.session.begin(self.tr("Move handle") if is_handle else self.tr("Move keys"))
         if isinstance(grip.mark, HandleMark):
             joined = not event.modifiers() & _ALT
-            self._gesture.show(self._with_handle(self._gesture.start, grip.picture, grip.mark, place, joined=joined))
+            self._gesture.show(with_handle(self._gesture.start, grip.picture, grip.mark, place, joined=joined))
         elif self._choice.kind is GraphKind.SPEED:
-            self._gesture.show(self._with_speed(self._gesture.start, grip.picture, grip.mark, place[1]))
+            self._gesture.show(with_speed(self._gesture.start, grip.picture, grip.mark, place[1]))
         else:
             along = event.position() - self._pressed
             frames, ordinates = round(place[0] - grip.start[0]), place[1] - grip.start[1]
@@ -210,36 +242,11 @@ class GraphHand(QObject):
         amount = ordinates / grip.picture.fitting.factor
         return {curve.address: (0.0,) * curve.component + (amount,)}
 
-    def _with_handle(
-        self, document: Document, picture: CurvePicture, mark: HandleMark, place: tuple[float, float], *, joined: bool
-    ) -> Document:
-        track = track_of(document, picture.curve.address)
-        index = next(i for i, key in enumerate(track.keys) if key.frame == mark.key.frame)
-        # A handle that is pulled over its own key stands upright there.
-        beside = min(place[0], mark.key.frame - 1e-6) if mark.is_before else max(place[0], mark.key.frame + 1e-6)
-        wanted = Handle(beside, picture.fitting.from_graph(place[1]))
-        ease = ease_toward(track, index, picture.curve.component, wanted)
-        return set_handle(document, mark.key.ref, picture.curve.component, ease, before=mark.is_before, joined=joined)
-
-    def _with_speed(self, document: Document, picture: CurvePicture, mark: KeyMark, ordinate: float) -> Document:
-        key = track_of(document, picture.curve.address).key_at(int(mark.frame))
-        component = picture.curve.component
-        eases = key.ease_out if key is not None else ()
-        influence = eases[component].influence if component < len(eases) else Ease().influence
-        ease = Ease(picture.fitting.from_graph(ordinate), influence)
-        return set_handle(document, mark.ref, component, ease, before=False, joined=True)
-
     def _add_key(self, picture: CurvePicture, place: tuple[float, float]) -> None:
-        if self._choice.is_locked:
-            return
-        document, address, frame = self._bridge.document, picture.curve.address, max(round(place[0]), 1)
-        value = value_of(document, address, frame)
-        parts = list(components_of(value) or ())
-        if self._choice.kind is GraphKind.VALUE and picture.curve.component < len(parts):
-            line = address.property
-            wanted = picture.fitting.from_graph(place[1])
-            parts[picture.curve.component] = min(max(wanted, line.low), line.high)
-        self._bridge.session.edit(self.tr("Add key"), set_key(document, address, frame, rebuilt(value, tuple(parts))))
+        if not self._choice.is_locked:
+            level = place[1] if self._choice.kind is GraphKind.VALUE else None
+            added = with_key(self._bridge.document, picture, max(round(place[0]), 1), level)
+            self._bridge.session.edit(self.tr("Add key"), added)
 
     def _key_at(self, place: tuple[float, float]) -> tuple[CurvePicture, KeyMark] | None:
         found = [(picture, mark) for picture in self._graph.pictures for mark in picture.keys]
@@ -274,10 +281,3 @@ class GraphHand(QObject):
 
         near = min(self._graph.pictures, key=away, default=None)
         return near if near is not None and away(near) <= CURVE_REACH_PX else None
-
-
-def read_off(picture: CurvePicture, frame: int) -> tuple[float, float]:
-    """Return a curve's value on a frame and its change from the frame before."""
-    component = picture.curve.component
-    now, before = (value_in(picture.track, component, each) or 0.0 for each in (frame, frame - 1))
-    return now, now - before

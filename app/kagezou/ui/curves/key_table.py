@@ -6,14 +6,17 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
+from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.key_rows import KeyRow, pasted, rows_of, text_of, with_cell
+from kagezou.ui.sentences import sentence_of
 
 _FIXED_COLUMNS = (1,)
+_INTERPOLATION_COLUMN = 3
 
 
 class KeyTable(QTableWidget):
@@ -58,7 +61,7 @@ class KeyTable(QTableWidget):
         with QSignalBlocker(self):
             self.setRowCount(len(rows))
             for number, row in enumerate(rows):
-                for column, text in enumerate(row.cells):
+                for column, text in enumerate(self._shown(row, address)):
                     self.setItem(number, column, _cell(text, fixed=column in _FIXED_COLUMNS))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -85,16 +88,32 @@ class KeyTable(QTableWidget):
         address = self.address
         if address is None:
             return
-        row = self._rows[item.row()]
-        self._edit(
-            self.tr("Type key"), lambda: with_cell(self._bridge.document, address, row, item.column(), item.text())
-        )
+        row, column = self._rows[item.row()], item.column()
+        spoken = {self._word(each): each.value for each in Interpolation}
+        text = spoken.get(item.text().strip(), item.text()) if column == _INTERPOLATION_COLUMN else item.text()
+        self._edit(self.tr("Type key"), lambda: with_cell(self._bridge.document, address, row, column, text))
+
+    def _shown(self, row: KeyRow, address: Address | None) -> tuple[str, ...]:
+        """Return a row's cells as they are read: its axis by name, how it goes on in the window's language."""
+        frame, part, value, _, *eases = row.cells
+        axes = address.property.components if address is not None else ()
+        axis = axes[row.component] if row.component < len(axes) and len(axes[row.component]) == 1 else part
+        return (frame, axis, value, self._word(row.interpolation), *eases)
+
+    def _word(self, interpolation: Interpolation) -> str:
+        match interpolation:
+            case Interpolation.HOLD:
+                return self.tr("hold")
+            case Interpolation.LINEAR:
+                return self.tr("linear")
+            case Interpolation.BEZIER:
+                return self.tr("bezier")
 
     def _edit(self, name: str, make: Callable[[], Document]) -> None:
         try:
             document = make()
         except UsageProblem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
         else:
             self._bridge.session.edit(name, document)
         self._rows = ()

@@ -1,12 +1,15 @@
 """What is drawn of each curve: its lines, keys and handles in the coordinates of the graph."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 
 from kagezou.animation.curve import Floats, Line, handles_of, speed_line, speeds_at, value_line
 from kagezou.animation.track import Interpolation, Key, Track, components_of
-from kagezou.document.address import track_of
+from kagezou.document.address import Address, track_of
 from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Document
 from kagezou.ui.curves.choice import Choice, GraphKind
@@ -63,9 +66,18 @@ class CurvePicture:
     ghost: Line | None
 
 
-def pictures_of(document: Document, choice: Choice, chosen: Refs) -> tuple[CurvePicture, ...]:
-    """Return what is to be drawn now."""
-    return tuple(_picture(document, curve, choice, chosen) for curve in choice.shown)
+Pictures = tuple[CurvePicture, ...]
+Fittings = Mapping[tuple[Address, int], Fitting]
+"""By address and component."""
+
+NO_FITTINGS: Final[Fittings] = MappingProxyType({})
+
+
+def pictures_of(document: Document, choice: Choice, chosen: Refs, held: Fittings = NO_FITTINGS) -> Pictures:
+    """Return what is to be drawn now; a drag holds the fittings it began with, so that the curve follows the hand."""
+    return tuple(
+        _picture(document, curve, choice, chosen, held.get((curve.address, curve.component))) for curve in choice.shown
+    )
 
 
 def differing_frames(document: Document, other: Document, curve: Curve) -> tuple[int, ...]:
@@ -78,6 +90,17 @@ def differing_frames(document: Document, other: Document, curve: Curve) -> tuple
     return tuple(frame for frame in frames if _number(own, curve, frame) != _number(track, curve, frame))
 
 
+def runs(frames: Sequence[int]) -> list[tuple[int, int]]:
+    """Return runs of neighbouring frames as (first, last)."""
+    runs: list[tuple[int, int]] = []
+    for frame in frames:
+        if runs and runs[-1][1] == frame - 1:
+            runs[-1] = (runs[-1][0], frame)
+        else:
+            runs.append((frame, frame))
+    return runs
+
+
 def value_in(track: Track, component: int, frame: float) -> float | None:
     """Return a component's value, None where the property has no such one."""
     parts = components_of(track.value_at(frame)) or ()
@@ -88,12 +111,12 @@ def _number(track: Track, curve: Curve, frame: int) -> float | None:
     return value_in(track, curve.component, frame)
 
 
-def _picture(document: Document, curve: Curve, choice: Choice, chosen: Refs) -> CurvePicture:
+def _picture(document: Document, curve: Curve, choice: Choice, chosen: Refs, held: Fitting | None) -> CurvePicture:
     track = track_of(document, curve.address)
     length = document.canvas.length_frames
     speeds = choice.kind is GraphKind.SPEED
     line = (speed_line if speeds else value_line)(track, curve.component, 1, length)
-    fitting = _fitted(line) if choice.normalises else Fitting()
+    fitting = held or (_fitted(line) if choice.normalises else Fitting())
     levels = _levels(curve, track, speeds=speeds)
     keys = tuple(
         _mark(curve, key, float(level), chosen) for key, level in zip(track.keys, fitting.to_graph(levels), strict=True)

@@ -24,6 +24,7 @@ from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.flags import Flag, FlagKind, flags_of
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.words import said
 
 _WHAT = Qt.ItemDataRole.UserRole
@@ -87,7 +88,7 @@ class NoteList(QWidget):
         try:
             document = add_note(self._bridge.document, address, frame, text)
         except UsageProblem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
         else:
             self._bridge.session.edit(self.tr("Add note"), document)
 

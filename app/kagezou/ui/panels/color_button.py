@@ -4,7 +4,8 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QColorDialog, QHBoxLayout, QLineEdit, QWidget
 
-from kagezou.ui.theme import BRIGHT, LINE
+from kagezou.ui.panels.scrub_field import MIXED
+from kagezou.ui.theme import BRIGHT, CHROME, LINE
 
 
 class Swatch(QAbstractButton):
@@ -13,6 +14,7 @@ class Swatch(QAbstractButton):
     def __init__(self) -> None:
         super().__init__()
         self.color = QColor("#000000")
+        self.is_mixed = False
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setAccessibleName(self.tr("Pick a colour"))
@@ -26,7 +28,12 @@ class Swatch(QAbstractButton):
         painter = QPainter(self)
         painter.setPen(QPen(BRIGHT if self.hasFocus() or self.underMouse() else LINE, 1))
         painter.setBrush(self.color)
-        painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+        area = self.rect().adjusted(0, 0, -1, -1)
+        painter.drawRect(area)
+        if self.is_mixed:
+            # Half of it is anything else.
+            painter.setBrush(CHROME)
+            painter.drawPolygon([area.topRight(), area.bottomRight(), area.bottomLeft()])
         painter.end()
 
 
@@ -52,20 +59,27 @@ class ColorField(QWidget):
         row.addWidget(self.swatch)
         row.addWidget(self.code, 1)
 
-    def set_color(self, code: str) -> None:
+    def show_mixed(self, code: str) -> None:
+        """Show that there are several colours, one of which is this."""
+        self.set_color(code, mixed=True)
+
+    def set_color(self, code: str, *, mixed: bool = False) -> None:
         """Show a colour."""
-        self.swatch.color = QColor(code)
+        self.swatch.color, self.swatch.is_mixed = QColor(code), mixed
         self.swatch.update()
         if not self.code.hasFocus():
-            self.code.setText(code)
+            self.code.setText(self._written())
 
     def _accept(self) -> None:
         typed = QColor.fromString(self.code.text() if self.code.text().startswith("#") else "#" + self.code.text())
         shown = self.swatch.color.name().upper()
-        if typed.isValid() and typed.name().upper() != shown:
+        if typed.isValid() and (self.swatch.is_mixed or typed.name().upper() != shown):
             self.entered.emit(typed.name().upper())
         else:
-            self.code.setText(shown)
+            self.code.setText(self._written())
+
+    def _written(self) -> str:
+        return MIXED if self.swatch.is_mixed else self.swatch.color.name().upper()
 
     def _pick(self) -> None:
         dialog = QColorDialog(self.swatch.color, self.window())

@@ -2,24 +2,28 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from kagezou.animation.track import Value
 from kagezou.document.property import Kind, Property
 from kagezou.ui.panels.color_button import ColorField
 from kagezou.ui.panels.range_slider import RangeSlider
-from kagezou.ui.panels.scrub_field import ScrubField
+from kagezou.ui.panels.scrub_field import MIXED, ScrubField
 from kagezou.ui.words import choice_word, said
 
 
 class Editor(QWidget):
-    """Shows a value; ``began``, ``tried`` and ``ended`` bracket a drag, ``entered`` is a change at one stroke."""
+    """Shows a value; ``began``, ``tried`` and ``ended`` bracket a drag, ``entered`` is a change at one stroke.
+
+    ``calculated`` is a typed change of each of several values, such as ``*2``.
+    """
 
     began = Signal()
     tried = Signal(object)
     ended = Signal(bool)
     entered = Signal(object)
+    calculated = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -34,6 +38,10 @@ class Editor(QWidget):
 
     def show_value(self, value: Value) -> None:
         """Show a value."""
+        raise NotImplementedError
+
+    def show_mixed(self, value: Value) -> None:
+        """Show that several values differ; ``value`` is the one that a drag starts from."""
         raise NotImplementedError
 
 
@@ -55,6 +63,7 @@ class NumbersEditor(Editor):
             field.drag_ended.connect(self.ended)
             field.dragged.connect(lambda number, at=index: self.tried.emit(self._with(at, number)))
             field.entered.connect(lambda number, at=index: self.entered.emit(self._with(at, number)))
+            field.calculated.connect(self.calculated)
             field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-00000") + 12)
             self.row.addWidget(field, 1)
         self.slider = RangeSlider(*line.slides) if line.slides else None
@@ -79,6 +88,11 @@ class NumbersEditor(Editor):
         if self.slider is not None:
             self.slider.show_value(self._values[0])
 
+    def show_mixed(self, value: Value) -> None:
+        self.show_value(value)
+        for field in self.fields:
+            field.show_mixed()
+
     def _with(self, index: int, number: float) -> Value:
         numbers = [number if at == index else old for at, old in enumerate(self._values)]
         return numbers[0] if self._single else tuple(numbers)
@@ -100,6 +114,10 @@ class ChoiceEditor(Editor):
     def show_value(self, value: Value) -> None:
         self.combo.setCurrentIndex(self.combo.findData(value))
 
+    def show_mixed(self, value: Value) -> None:
+        self.combo.setPlaceholderText(MIXED)
+        self.combo.setCurrentIndex(-1)
+
 
 class SwitchEditor(Editor):
     """On or off."""
@@ -109,11 +127,19 @@ class SwitchEditor(Editor):
         self.box = QCheckBox()
         self.box.setAccessibleName(said(line.label))
         self.box.setToolTip(said(line.help))
-        self.box.clicked.connect(self.entered.emit)
+        self.box.clicked.connect(self._enter)
         self.row.addWidget(self.box, 1)
 
     def show_value(self, value: Value) -> None:
+        self.box.setTristate(False)
         self.box.setChecked(bool(value))
+
+    def _enter(self, on: bool) -> None:
+        # Connected by itself, the other signal would be sent without the switch's state.
+        self.entered.emit(on)
+
+    def show_mixed(self, value: Value) -> None:
+        self.box.setCheckState(Qt.CheckState.PartiallyChecked)
 
 
 class ColorEditor(Editor):
@@ -131,6 +157,9 @@ class ColorEditor(Editor):
 
     def show_value(self, value: Value) -> None:
         self.field.set_color(str(value))
+
+    def show_mixed(self, value: Value) -> None:
+        self.field.show_mixed(str(value))
 
 
 class PointsEditor(Editor):
@@ -151,6 +180,10 @@ class PointsEditor(Editor):
         points: Sequence[object] = value if isinstance(value, tuple) else ()
         self._count.setText(self.tr("%n point(s)", "", len(points)) if points else self.tr("none"))
         self._clear.setEnabled(bool(points))
+
+    def show_mixed(self, value: Value) -> None:
+        self._count.setText(MIXED)
+        self._clear.setEnabled(True)
 
 
 def editor_for(line: Property) -> Editor:

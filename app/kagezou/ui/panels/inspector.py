@@ -1,16 +1,19 @@
-"""The inspector: every property of the table, for the scene and for the layer worked on."""
+"""The inspector: every property of the table, for the scene and for the layer or set piece worked on."""
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.properties import TABLE
 from kagezou.document.property import Property, Scope
+from kagezou.document.set_pieces import kind_of
+from kagezou.document.set_properties import SET_BLEND, SET_COLOR, SET_OPACITY
 from kagezou.scene.evaluate import camera_at, card_at, ground_at
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.panels.piece_sections import PieceName, matters, piece_sections
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
@@ -27,6 +30,7 @@ _SHAPE = (
     properties.SIMPLIFY_ON, properties.SIMPLIFY, properties.DISTANCE, properties.ELONGATION,
     properties.GROW, properties.SOFTNESS, properties.PENUMBRA,
 )  # fmt: skip
+_SHADOW_OF_SET = (SET_COLOR, SET_OPACITY, SET_BLEND)
 _FADING = (properties.FADE, properties.FADE_CURVE, properties.TIP_COLOR, properties.TIP_DISTANCE)
 
 
@@ -36,14 +40,21 @@ class Inspector(QScrollArea):
     def __init__(self, bridge: Bridge) -> None:
         super().__init__()
         self._bridge = bridge
-        self._built_for: tuple[object, str | None] | None = None
+        self._built_for: tuple[object, ...] | None = None
+        self._folded: frozenset[str] = frozenset()
         self._scene_sections: list[Section] = []
         self._layer_sections: list[Section] = []
+        self.owner: PieceName | None = None
         self.waves: WaveNote | None = None
         self._inner = QWidget()
         self._column = QVBoxLayout(self._inner)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(1)
+        self.chosen = QLabel()
+        self.chosen.setObjectName("several_layers")
+        self.chosen.setWordWrap(True)
+        self.chosen.hide()
+        self._column.addWidget(self.chosen)
         self._column.addStretch(1)
         self.setWidget(self._inner)
         self.setWidgetResizable(True)
@@ -64,37 +75,65 @@ class Inspector(QScrollArea):
         """Return the row of a property by its name in the table."""
         return next(row for row in self.rows if row.address.property.name == name)
 
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # Rows that were just put in are shown, and have a width, only once Qt lays them out.
+        if watched is self._inner and event.type() is QEvent.Type.LayoutRequest:
+            bar = self.verticalScrollBar().sizeHint().width()
+            self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
+        return super().eventFilter(watched, event)
+
     def _refresh(self) -> None:
         self._follow_selection()
         for row in self.rows:
             row.refresh()
         if self.waves is not None:
             self.waves.refresh()
+        if self.owner is not None:
+            self.owner.refresh()
         self._show_relevant()
         self._show_measured_tilt()
 
     def _follow_selection(self) -> None:
-        wanted = (self._bridge.session, self._bridge.layer_id)
+        wanted = (self._bridge.session, self._bridge.layer_ids, self._bridge.piece_id)
         if wanted == self._built_for:
             return
         self._built_for = wanted
         for section in self._layer_sections:
-            self._column.removeWidget(section)
-            section.hide()
-            section.deleteLater()
+            self._folded = self._folded - {section.title} if section.is_open else self._folded | {section.title}
+        for part in (*self._layer_sections, *([self.owner] if self.owner else [])):
+            self._column.removeWidget(part)
+            part.hide()
+            part.deleteLater()
         layer_id = self._bridge.layer_id
         self._layer_sections = [] if layer_id is None else self._sections(Scope.LAYER, layer_id)
-        self.waves = None if layer_id is None else WaveNote(self._bridge, layer_id)
+        self._show_several()
+        self.waves = None if layer_id is None else WaveNote(self._bridge, self._bridge.layer_ids)
         if self.waves is not None:
             of_waves = [each for each in self._layer_sections if each.rows[0].address.property is properties.WAVES_ON]
             of_waves[0].add_note(self.waves)
+        self._follow_piece()
+        for section in self._layer_sections:
+            section.open(opened=section.title not in self._folded)
         _align([*self._scene_sections, *self._layer_sections])
-        bar = self.verticalScrollBar().sizeHint().width()
-        self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
+
+    def _follow_piece(self) -> None:
+        """Put the piece worked on before the scene, and the shadow of the set, which is its too, behind it."""
+        piece_id = self._bridge.piece_id
+        self.owner = None if piece_id is None else PieceName(self._bridge, piece_id)
+        of_set = next(each for each in self._scene_sections if each.rows[0].address.property in _SHADOW_OF_SET)
+        self._column.removeWidget(of_set)
+        if piece_id is None or self.owner is None:
+            self._column.insertWidget(self._column.count() - 1, of_set)
+            return
+        self._layer_sections = piece_sections(self._bridge, piece_id)
+        for at, part in enumerate((self.owner, *self._layer_sections, of_set), 1):
+            self._column.insertWidget(at, part)
 
     def _sections(self, scope: Scope, layer_id: str | None) -> list[Section]:
         made: dict[str, Section] = {}
-        before_scene = 0 if scope is Scope.LAYER else self._column.count() - 1
+        # Behind the line that says how many layers are chosen.
+        before_scene = 1 if scope is Scope.LAYER else self._column.count() - 1
+        others = self._bridge.layer_ids[1:] if scope is Scope.LAYER else ()
         for line in TABLE:
             if line.scope is not scope:
                 continue
@@ -102,7 +141,8 @@ class Inspector(QScrollArea):
             if title not in made:
                 made[title] = Section(title)
                 self._column.insertWidget(before_scene + len(made) - 1, made[title])
-            made[title].add(PropertyRow(self._bridge, Address(line, layer_id)))
+            twins = tuple(Address(line, other) for other in others)
+            made[title].add(PropertyRow(self._bridge, Address(line, layer_id), twins))
         return list(made.values())
 
     def _title(self, line: Property) -> str:
@@ -119,25 +159,33 @@ class Inspector(QScrollArea):
         }
         return titles[_group_of(line)]()
 
+    def _show_several(self) -> None:
+        ids = self._bridge.layer_ids
+        names = ", ".join(self._bridge.document.layer(each).name for each in ids)
+        self.chosen.setVisible(len(ids) > 1)
+        self.chosen.setText(self.tr("%1 layers together: %2").replace("%1", str(len(ids))).replace("%2", names))
+
     def _show_relevant(self) -> None:
         document, frame = self._bridge.document, self._bridge.frame
         kind = value_of(document, Address(properties.LIGHT_KIND), frame)
         for row in self.rows:
-            needed = _ONLY_FOR_LIGHT.get(row.address.property.name, kind)
-            row.set_visible(visible=needed == kind)
+            line, piece_id = row.address.property, row.address.piece_id
+            needed = _ONLY_FOR_LIGHT.get(line.name, kind)
+            is_of_kind = piece_id is None or matters(line, kind_of(document.piece(piece_id), frame))
+            row.set_visible(visible=needed == kind and is_of_kind)
 
     def _show_measured_tilt(self) -> None:
         """Show the tilt that two grounding points measure, which then cannot be set (spec 2)."""
-        layer_id = self._bridge.layer_id
-        if layer_id is None:
+        ids = self._bridge.layer_ids
+        if not ids:
             return
         document, frame = self._bridge.document, self._bridge.frame
         camera, ground = camera_at(document, frame), ground_at(document, frame)
-        card = card_at(document.layer(layer_id), frame, camera, ground)
+        cards = [card_at(document.layer(each), frame, camera, ground) for each in ids]
         row = self.row(properties.TILT.name)
-        row.set_editable(editable=len(card.contacts) < 2)
-        if len(card.contacts) >= 2:
-            row.editor.show_value(card.tilt_deg)
+        row.set_editable(editable=all(len(card.contacts) < 2 for card in cards))
+        if len(cards) == 1 and len(cards[0].contacts) >= 2:
+            row.editor.show_value(cards[0].tilt_deg)
 
 
 def _group_of(line: Property) -> str:

@@ -8,7 +8,7 @@ from kagezou.ui.icons import icon
 from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.theme import BRIGHT, CHOSEN, DIM, HOVERED, LINE, OFF, RAISED, TEXT, WELL
 
-_EYE_WIDTH = 30
+EYE_WIDTH = 30
 _THUMBNAIL = 40
 _GAP = 8
 
@@ -34,7 +34,7 @@ class LayerDelegate(QStyledItemDelegate):
         painter.drawLine(area.bottomLeft(), area.bottomRight())
         eye = QRect(area.left() + 7, area.center().y() - 8, 16, 16)
         icon("eye" if visible else "eye-off").paint(painter, eye)
-        frame = QRect(area.left() + _EYE_WIDTH, area.center().y() - _THUMBNAIL // 2, _THUMBNAIL, _THUMBNAIL)
+        frame = QRect(area.left() + EYE_WIDTH, area.center().y() - _THUMBNAIL // 2, _THUMBNAIL, _THUMBNAIL)
         _paint_thumbnail(painter, frame, index.data(Role.THUMBNAIL), faded=not visible)
         self._paint_words(painter, option, index, name_tone=(BRIGHT if chosen else TEXT) if visible else OFF)
         painter.restore()
@@ -50,7 +50,7 @@ class LayerDelegate(QStyledItemDelegate):
         editor.setGeometry(area.left() - 4, area.center().y() - height // 2, area.width() + 2, height)
 
     def editorEvent(self, event: QEvent, model: QAbstractItemModel, option: QStyleOptionViewItem, index: Index) -> bool:
-        on_eye = isinstance(event, QMouseEvent) and (event.position().x() < QRect(option.rect).left() + _EYE_WIDTH)
+        on_eye = isinstance(event, QMouseEvent) and (event.position().x() < QRect(option.rect).left() + EYE_WIDTH)
         if on_eye and isinstance(model, LayerModel):
             if event.type() is QEvent.Type.MouseButtonRelease:
                 model.setData(index, not index.data(Role.IS_VISIBLE), Role.IS_VISIBLE)
@@ -69,7 +69,7 @@ class LayerDelegate(QStyledItemDelegate):
 
 
 def _words_area(area: QRect) -> QRect:
-    return area.adjusted(_EYE_WIDTH + _THUMBNAIL + _GAP, 0, -6, 0)
+    return area.adjusted(EYE_WIDTH + _THUMBNAIL + _GAP, 0, -6, 0)
 
 
 def _paint_thumbnail(painter: QPainter, frame: QRect, image: QImage | None, *, faded: bool) -> None:

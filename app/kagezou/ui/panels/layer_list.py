@@ -1,7 +1,16 @@
 """The list of layers: choose, show and hide, rename, reorder by dragging, remove, add."""
 
-from PySide6.QtCore import QItemSelection, QPoint, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import (
+    QEvent,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QPoint,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -17,8 +26,9 @@ from PySide6.QtWidgets import (
 from kagezou.document.edits import remove_layer
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.icons import icon, icon_size
-from kagezou.ui.panels.layer_delegate import LayerDelegate
+from kagezou.ui.panels.layer_delegate import EYE_WIDTH, LayerDelegate
 from kagezou.ui.panels.layer_model import LayerModel, Role
+from kagezou.ui.panels.look_clipboard import LookClipboard
 from kagezou.ui.panels.thumbnails import Thumbnails
 
 
@@ -33,10 +43,18 @@ class LayerView(QListView):
         self.setUniformItemSizes(True)
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         self.setDefaultDropAction(Qt.DropAction.MoveAction)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName(self.tr("Layers"))
+
+    def selectionCommand(
+        self, index: QModelIndex | QPersistentModelIndex, event: QEvent | None = None
+    ) -> QItemSelectionModel.SelectionFlag:
+        # The eye of any row is clicked without letting go of what is chosen.
+        if isinstance(event, QMouseEvent) and event.position().x() < EYE_WIDTH:
+            return QItemSelectionModel.SelectionFlag.NoUpdate
+        return super().selectionCommand(index, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # The space bar plays, wherever the focus is.
@@ -54,6 +72,8 @@ class LayerList(QWidget):
     def __init__(self, bridge: Bridge, thumbnails: Thumbnails) -> None:
         super().__init__()
         self._bridge = bridge
+        self._follows = False
+        self.looks = LookClipboard(bridge)
         self.model = LayerModel(bridge, thumbnails)
         self.view = LayerView(self.model)
         self.view.selectionModel().selectionChanged.connect(self._choose)
@@ -66,14 +86,16 @@ class LayerList(QWidget):
         self._follow_selection()
 
     def remove_current(self) -> None:
-        """Take the chosen layer away."""
-        layer_id = self._bridge.layer_id
-        if layer_id is not None:
-            self._bridge.session.edit(self.tr("Remove layer"), remove_layer(self._bridge.document, layer_id))
+        """Take the chosen layers away."""
+        document = self._bridge.document
+        for layer_id in self._bridge.layer_ids:
+            document = remove_layer(document, layer_id)
+        self._bridge.session.edit(self.tr("Remove layer"), document)
 
     def rename_current(self) -> None:
         """Begin to type another name for the chosen layer."""
-        self.view.edit(self.view.currentIndex())
+        if self.view.currentIndex().isValid():
+            self.view.edit(self.view.currentIndex())
 
     def _lay_out(self) -> None:
         self._empty = QLabel(self.tr("No layers yet.\nDrop a folder of cels here."))
@@ -99,30 +121,48 @@ class LayerList(QWidget):
         column.addWidget(rows, 1)
         column.addWidget(footer)
 
-    def _choose(self, chosen: QItemSelection) -> None:
-        indexes = chosen.indexes()
-        if indexes:
-            self._bridge.session.select(str(indexes[0].data(Role.LAYER_ID)))
+    def _choose(self) -> None:
+        indexes = self.view.selectionModel().selectedIndexes()
+        if self._follows or not indexes:
+            return
+        ids = [str(index.data(Role.LAYER_ID)) for index in indexes]
+        # The one that was there before stays the one worked on, so that more are added to it.
+        first = self._bridge.layer_id if self._bridge.layer_id in ids else ids[-1]
+        self._bridge.session.select_layers(str(first), frozenset(ids) - {first})
 
     def _follow_selection(self) -> None:
         self._pages.setCurrentIndex(0 if self.model.rowCount() else 1)
         self._remove.setEnabled(self._bridge.layer_id is not None)
-        row = self.model.row_of(self._bridge.layer_id)
-        if row is not None and row != self.view.currentIndex().row():
-            self.view.setCurrentIndex(self.model.index(row))
+        rows = [self.model.row_of(layer_id) for layer_id in self._bridge.layer_ids]
+        selection = QItemSelection()
+        for row in rows:
+            if row is not None:
+                selection.select(self.model.index(row), self.model.index(row))
+        chosen, flag = self.view.selectionModel(), QItemSelectionModel.SelectionFlag
+        if {index.row() for index in chosen.selectedIndexes()} == set(rows):
+            return
+        self._follows = True
+        chosen.select(selection, flag.ClearAndSelect)
+        if rows and rows[0] is not None:
+            chosen.setCurrentIndex(self.model.index(rows[0]), flag.NoUpdate)
+        self._follows = False
 
     def _open_menu(self, at: QPoint) -> None:
         index = self.view.indexAt(at)
         if not index.isValid():
             return
-        self.view.setCurrentIndex(index)
+        if not self.view.selectionModel().isSelected(index):
+            self.view.setCurrentIndex(index)
         layer_id = str(index.data(Role.LAYER_ID))
         visible = bool(index.data(Role.IS_VISIBLE))
         menu = QMenu(self.view)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.addAction(self.tr("Rename"), self.rename_current)
         hide_or_show = self.tr("Hide") if visible else self.tr("Show")
-        menu.addAction(hide_or_show, lambda: self.model.setData(index, not visible, Role.IS_VISIBLE))
+        menu.addAction(hide_or_show, lambda: self.model.show_layers(self._bridge.layer_ids, shown=not visible))
+        menu.addSeparator()
+        menu.addAction(self.tr("Copy Look"), self.looks.copy)
+        menu.addAction(self.tr("Paste Look"), self.looks.paste).setEnabled(self.looks.can_paste)
         menu.addSeparator()
         up = menu.addAction(self.tr("Move up"), lambda: self.model.move(layer_id, index.row() - 1))
         up.setEnabled(index.row() > 0)

@@ -8,7 +8,8 @@ from PySide6.QtGui import QImage
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.edits import move_layer, rename_layer, set_value
+from kagezou.document.common_edits import set_all
+from kagezou.document.edits import move_layer, rename_layer
 from kagezou.document.model import Layer
 from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
@@ -72,15 +73,21 @@ class LayerModel(QAbstractListModel):
         layer = self.layer(index.row())
         document, session = self._bridge.document, self._bridge.session
         if role == Role.IS_VISIBLE:
-            visible = Address(properties.VISIBLE, layer.id)
-            name = self.tr("Show layer") if value else self.tr("Hide layer")
-            session.edit(name, set_value(document, visible, bool(value), self._bridge.frame))
+            # One of several that are chosen stands for all of them.
+            chosen = self._bridge.layer_ids
+            self.show_layers(chosen if layer.id in chosen else (layer.id,), shown=bool(value))
             return True
         try:
             session.edit(self.tr("Rename layer"), rename_layer(document, layer.id, str(value).strip()))
         except UsageProblem:
             return False
         return True
+
+    def show_layers(self, layer_ids: tuple[str, ...], *, shown: bool) -> None:
+        """Show or hide layers at the frame looked at, as one step."""
+        visible = [Address(properties.VISIBLE, layer_id) for layer_id in layer_ids]
+        name = self.tr("Show layer") if shown else self.tr("Hide layer")
+        self._bridge.session.edit(name, set_all(self._bridge.document, visible, shown, self._bridge.frame))
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         if not index.isValid():
@@ -96,14 +103,20 @@ class LayerModel(QAbstractListModel):
 
     def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData:
         carried = QMimeData()
-        carried.setData(MIME, self.layer(indexes[0].row()).id.encode())
+        ids = [self.layer(row).id for row in sorted({index.row() for index in indexes})]
+        carried.setData(MIME, "\n".join(ids).encode())
         return carried
 
     def dropMimeData(self, data: QMimeData, action: Qt.DropAction, row: int, column: int, parent: Index) -> bool:
         if action is not Qt.DropAction.MoveAction or not data.hasFormat(MIME):
             return False
-        layer_id = bytes(data.data(MIME).data()).decode()
-        self.move(layer_id, self.rowCount() if row < 0 else row)
+        ids = bytes(data.data(MIME).data()).decode().split("\n")
+        below = [self.layer(each).id for each in range(max(row, 0), self.rowCount()) if row >= 0]
+        anchor = next((each for each in below if each not in ids), None)
+        with self._bridge.session.gesture(self.tr("Reorder layers")):
+            for layer_id in ids:
+                place = self.row_of(anchor)
+                self.move(layer_id, self.rowCount() if place is None else place)
         # False: the model has already moved the layer, the view must not remove the row it dragged.
         return False
 
@@ -118,7 +131,7 @@ class LayerModel(QAbstractListModel):
 
     def _thumbnail(self, layer: Layer) -> QImage | None:
         drawing = layer.cels.drawings[0] if layer.cels.drawings else None
-        return None if drawing is None else self._thumbnails.image(drawing.path)
+        return None if drawing is None else self._thumbnails.image(drawing.source)
 
     def _follow(self) -> None:
         layers = self._bridge.document.layers

@@ -1,19 +1,35 @@
-"""One line of the inspector: key diamond, name, editor; it edits one address of the session at hand."""
+"""One line of the inspector: key diamond, name, editor, link; it edits one property of all layers that are chosen."""
+
+from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QObject, QPoint, Qt
-from PySide6.QtGui import QGuiApplication, QPalette
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QWidget
 
 from kagezou.animation.track import Value
-from kagezou.document.address import Address, path_of, track_of
-from kagezou.document.edits import remove_key, set_constant, set_key, set_value
+from kagezou.document.address import Address, path_of, track_of, value_of
+from kagezou.document.common_edits import (
+    change_all,
+    is_keyed_here,
+    is_mixed,
+    reset_all,
+    set_all,
+    still_all,
+    toggle_keys,
+)
+from kagezou.document.linking import LINKABLE, is_linked, link, unlink
+from kagezou.document.model import Document
 from kagezou.errors import Problem
+from kagezou.io.value_clips import dumps_value
 from kagezou.session.session import Gesture
+from kagezou.ui.arithmetic import evaluate
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.editors import Editor, editor_for
 from kagezou.ui.panels.key_button import KeyButton, KeyState
+from kagezou.ui.panels.link_button import LinkButton
+from kagezou.ui.panels.row_menu import open_row_menu
 from kagezou.ui.panels.scrub_field import ScrubLabel
-from kagezou.ui.theme import CHANGED, TEXT
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.words import said
 
 
@@ -26,52 +42,89 @@ class PropertyRow(QObject):
         The session to edit.
     address
         What is edited.
+    others
+        The same property of the other layers that are chosen.
+
+    Attributes
+    ----------
+    mates
+        The rows of its section.
     """
 
-    def __init__(self, bridge: Bridge, address: Address) -> None:
+    def __init__(self, bridge: Bridge, address: Address, others: tuple[Address, ...] = ()) -> None:
         super().__init__()
         self.address = address
-        self._bridge = bridge
+        self.addresses = (address, *others)
+        self.bridge = bridge
         self._gesture: Gesture | None = None
-        self._shown: tuple[object, int] | None = None
+        self._shown: tuple[object, ...] | None = None
+        self._is_visible = True
+        self.mates: list[PropertyRow] = [self]
         self.key = KeyButton()
+        self.link = LinkButton()
         self.editor: Editor = editor_for(address.property)
         self.label = ScrubLabel(said(address.property.label), self.editor.scrubbed_by_label)
-        self.label.setToolTip(f"{said(address.property.help)}\n{self.path}")
-        self.label.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        self.label.customContextMenuRequested.connect(self._open_menu)
+        for widget in self.widgets:
+            widget.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+            widget.customContextMenuRequested.connect(partial(self._open_menu, widget))
         self.label.reset_asked.connect(self.reset)
         self.key.clicked.connect(self.toggle_key)
+        self.link.clicked.connect(self.toggle_link)
         self.editor.began.connect(self._begin)
         self.editor.tried.connect(self._try)
         self.editor.ended.connect(self._end)
         self.editor.entered.connect(self.enter)
+        self.editor.calculated.connect(self.calculate)
 
     @property
     def widgets(self) -> tuple[KeyButton, ScrubLabel, Editor]:
-        """The three columns."""
+        """The columns that are edited."""
         return (self.key, self.label, self.editor)
 
     @property
     def path(self) -> str:
         """The property's path, as scripts and the command line write it."""
-        return path_of(self._bridge.document, self.address)
+        return path_of(self.bridge.document, self.address)
+
+    @property
+    def value(self) -> Value:
+        """What is seen at the frame looked at, of the layer worked on."""
+        return value_of(self.bridge.document, self.address, self.bridge.frame)
+
+    @property
+    def can_be_linked(self) -> bool:
+        """Whether there are characters it could be the same for; a link that is there can always be taken away."""
+        if self.address.layer_id is None or self.address.property.name not in LINKABLE:
+            return False
+        return len(self.bridge.document.layers) > 1 or is_linked(self.bridge.document, self.address)
 
     def refresh(self) -> None:
-        """Show what the document has now; costs nothing where neither track nor frame changed."""
-        track, frame = track_of(self._bridge.document, self.address), self._bridge.frame
-        if self._shown == (track, frame):
+        """Show what the document has now; costs nothing where neither tracks nor frame changed."""
+        document, frame = self.bridge.document, self.bridge.frame
+        tracks = tuple(track_of(document, address) for address in self.addresses)
+        linked = is_linked(document, self.address)
+        shown = (tracks, frame, linked, self.can_be_linked, self.path)
+        if self._shown == shown:
             return
-        self._shown = (track, frame)
-        self.editor.show_value(track.value_at(frame))
-        here = track.key_at(frame) is not None
-        self.key.show_state(KeyState.HERE if here else KeyState.KEYED if track.is_keyed else KeyState.NONE)
-        self._color_label(changed=track.is_keyed or track.constant != self.address.property.default)
+        self._shown = shown
+        value = tracks[0].value_at(frame)
+        if is_mixed(document, self.addresses, frame):
+            self.editor.show_mixed(value)
+        else:
+            self.editor.show_value(value)
+        here, keyed = is_keyed_here(document, self.addresses, frame), any(track.is_keyed for track in tracks)
+        self.key.show_state(KeyState.HERE if here else KeyState.KEYED if keyed else KeyState.NONE)
+        self.link.show_linked(linked=linked)
+        self.link.setVisible(self._is_visible and self.can_be_linked)
+        default = self.address.property.default
+        self._show_changed(changed=keyed or any(track.constant != default for track in tracks))
 
     def set_visible(self, *, visible: bool) -> None:
         """Show or hide the whole line."""
+        self._is_visible = visible
         for widget in self.widgets:
             widget.setVisible(visible)
+        self.link.setVisible(visible and self.can_be_linked)
 
     def set_editable(self, *, editable: bool) -> None:
         """Allow editing, or only show."""
@@ -79,51 +132,76 @@ class PropertyRow(QObject):
             widget.setEnabled(editable)
 
     def enter(self, raw: Value) -> None:
-        """Set a value at the frame looked at, as one step."""
-        session, document = self._bridge.session, self._bridge.document
-        try:
-            session.edit(self._step_name, set_value(document, self.address, raw, self._bridge.frame))
-        except Problem as problem:
-            self.label.setToolTip(str(problem))
-        self._shown = None
-        self.refresh()
+        """Set a value at the frame looked at, everywhere, as one step."""
+        self._attempt(lambda document: set_all(document, self.addresses, raw, self.bridge.frame))
+
+    def calculate(self, text: str) -> None:
+        """Change each layer's number by itself as a typed calculation says, as one step."""
+        self._attempt(
+            lambda document: change_all(
+                document, self.addresses, lambda value: evaluate(text, value), self.bridge.frame
+            )
+        )
 
     def reset(self) -> None:
         """Go back to the default, without keys."""
-        document = set_constant(self._bridge.document, self.address, self.address.property.default)
-        self._bridge.session.edit(self.tr("Reset %1").replace("%1", said(self.address.property.label)), document)
+        self._edit(self.tr("Reset %1"), reset_all(self.bridge.document, self.addresses))
 
     def toggle_key(self) -> None:
         """Set a key at the frame looked at, or take it away."""
-        document, frame = self._bridge.document, self._bridge.frame
-        track = track_of(document, self.address)
-        name = said(self.address.property.label)
-        if track.key_at(frame) is None:
-            keyed = set_key(document, self.address, frame, track.value_at(frame))
-            self._bridge.session.edit(self.tr("Key %1").replace("%1", name), keyed)
-        else:
-            unkeyed = remove_key(document, self.address, frame)
-            self._bridge.session.edit(self.tr("Remove key of %1").replace("%1", name), unkeyed)
+        document, frame = self.bridge.document, self.bridge.frame
+        removes = is_keyed_here(document, self.addresses, frame)
+        words = self.tr("Remove key of %1") if removes else self.tr("Key %1")
+        self._edit(words, toggle_keys(document, self.addresses, frame))
 
     def remove_all_keys(self) -> None:
         """Keep the value seen now for the whole cut."""
-        track = track_of(self._bridge.document, self.address)
-        still = set_constant(self._bridge.document, self.address, track.value_at(self._bridge.frame))
-        self._bridge.session.edit(
-            self.tr("Remove all keys of %1").replace("%1", said(self.address.property.label)), still
-        )
+        still = still_all(self.bridge.document, self.addresses, self.bridge.frame)
+        self._edit(self.tr("Remove all keys of %1"), still)
+
+    def toggle_link(self) -> None:
+        """Make the property the same for all characters as it is here, or each character's own again."""
+        document = self.bridge.document
+        if is_linked(document, self.address):
+            self._edit(self.tr("Unlink %1"), unlink(document, self.address.property.name))
+        else:
+            self._edit(self.tr("Link %1"), link(document, self.address))
 
     @property
     def _step_name(self) -> str:
-        return self.tr("Change %1").replace("%1", said(self.address.property.label))
+        return self._named(self.tr("Change %1"))
+
+    def _named(self, words: str) -> str:
+        return words.replace("%1", said(self.address.property.label))
+
+    def _edit(self, words: str, document: Document) -> None:
+        self.bridge.session.edit(self._named(words), document)
+
+    def _attempt(self, make: Callable[[Document], Document]) -> None:
+        refused = ""
+        try:
+            self.bridge.session.edit(self._step_name, make(self.bridge.document))
+        except Problem as problem:
+            refused = sentence_of(problem)
+        self._shown = None
+        self.refresh()
+        if refused:
+            self.label.setToolTip(refused)
 
     def _begin(self) -> None:
-        self._gesture = self._bridge.session.begin(self._step_name)
+        self._gesture = self.bridge.session.begin(self._step_name)
 
     def _try(self, raw: Value) -> None:
-        if self._gesture is not None:
-            document = self._bridge.document
-            self._gesture.show(set_value(document, self.address, raw, self._bridge.frame))
+        if self._gesture is None:
+            return
+        start, frame = self._gesture.start, self.bridge.frame
+        before = value_of(start, self.address, frame)
+        if len(self.addresses) > 1 and isinstance(raw, float) and isinstance(before, float):
+            # Dragged together, each keeps its distance from the others.
+            away = raw - before
+            self._gesture.show(change_all(start, self.addresses, lambda value: value + away, frame))
+        else:
+            self._gesture.show(set_all(start, self.addresses, raw, frame))
 
     def _end(self, keep: bool) -> None:
         gesture, self._gesture = self._gesture, None
@@ -132,21 +210,13 @@ class PropertyRow(QObject):
         self._shown = None
         self.refresh()
 
-    def _color_label(self, *, changed: bool) -> None:
-        palette = self.label.palette()
-        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
-            palette.setColor(group, QPalette.ColorRole.WindowText, CHANGED if changed else TEXT)
-        self.label.setPalette(palette)
+    def _show_changed(self, *, changed: bool) -> None:
+        line, words = self.address.property, ""
+        if changed:
+            # The words say it too: colour alone does not reach everyone.
+            words = self.tr("Changed; double-click for the default, %1").replace("%1", dumps_value(line.default))
+        self.label.setToolTip(f"{said(line.help)}\n{self.path}\n{words}".strip())
+        self.label.show_changed(changed=changed)
 
-    def _open_menu(self, at: QPoint) -> None:
-        track = track_of(self._bridge.document, self.address)
-        here = track.key_at(self._bridge.frame) is not None
-        menu = QMenu(self.label)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addAction(self.tr("Reset to default"), self.reset)
-        menu.addAction(self.tr("Remove key") if here else self.tr("Set key"), self.toggle_key)
-        menu.addAction(self.tr("Remove all keys"), self.remove_all_keys).setEnabled(track.is_keyed)
-        menu.addSeparator()
-        clipboard = QGuiApplication.clipboard()
-        menu.addAction(self.tr("Copy name for scripts"), lambda: clipboard.setText(self.path))
-        menu.popup(self.label.mapToGlobal(at))
+    def _open_menu(self, widget: QWidget, at: QPoint) -> None:
+        open_row_menu(self, widget.mapToGlobal(at))

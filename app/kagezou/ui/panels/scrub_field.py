@@ -1,14 +1,18 @@
 """The one kind of number field: drag it, type into it, calculate in it."""
 
 from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPalette
 from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from kagezou.errors import UsageProblem
-from kagezou.ui.arithmetic import evaluate
+from kagezou.ui.arithmetic import evaluate, is_relative
+from kagezou.ui.sentences import sentence_of
+from kagezou.ui.theme import CHANGED, TEXT
 
 DRAG_BEGINS_PX = 3.0
 COARSE, FINE = 10.0, 0.1
+MIXED = "–"
+"""Shown where several values differ."""
 
 
 class ScrubField(QLineEdit):
@@ -32,15 +36,18 @@ class ScrubField(QLineEdit):
     drag_ended = Signal(bool)
     """With whether the result is kept; false after Escape or a right click."""
     entered = Signal(float)
+    calculated = Signal(str)
+    """Typed while several values differ: a change of each of them, such as ``*2``."""
 
     def __init__(self, step: float = 1.0, decimals: int = 2, unit: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._value = 0.0
+        self._is_mixed = False
         self._step, self._decimals, self._unit = step, decimals, unit
         self._low, self._high = float("-inf"), float("inf")
         self._pressed_at: QPointF | None = None
         self._dragging = False
-        self._drag_value = 0.0
+        self._drag_value = self._drag_start = 0.0
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setReadOnly(True)
@@ -69,14 +76,20 @@ class ScrubField(QLineEdit):
 
     def set_value(self, value: float) -> None:
         """Show a number; what is being typed stays as it is."""
-        self._value = value
+        self._value, self._is_mixed = value, False
+        if not self.is_typing:
+            self._show()
+
+    def show_mixed(self) -> None:
+        """Show that the number is one of several that differ; a drag shows how far all of them go."""
+        self._is_mixed = True
         if not self.is_typing:
             self._show()
 
     def begin_drag(self, at: QPointF) -> None:
         """Begin what may become a drag; also called by the label that belongs to the field."""
         self._pressed_at = at
-        self._drag_value = self._value
+        self._drag_value = self._drag_start = self._value
 
     def drag_to(self, at: QPointF, modifiers: Qt.KeyboardModifier) -> None:
         """Go on dragging."""
@@ -89,7 +102,8 @@ class ScrubField(QLineEdit):
             self._pressed_at = at
             self.drag_began.emit()
         self._drag_value += (at.x() - self._pressed_at.x()) * self._step * _speed(modifiers)
-        self._drag_value = self._within(self._drag_value)
+        if not self._is_mixed:
+            self._drag_value = self._within(self._drag_value)
         self._pressed_at = at
         self.dragged.emit(round(self._drag_value, self._decimals))
 
@@ -104,7 +118,7 @@ class ScrubField(QLineEdit):
         """Make the number text to type over."""
         self.setReadOnly(False)
         self.setCursor(Qt.CursorShape.IBeamCursor)
-        self.setText(_plain(self._value, self._decimals))
+        self.setText("" if self._is_mixed else _plain(self._value, self._decimals))
         self.selectAll()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -166,19 +180,26 @@ class ScrubField(QLineEdit):
         self._stop_typing()
         smallest = 10.0**-self._decimals
         step = max(self._step * steps, smallest, key=abs) if steps > 0 else min(self._step * steps, -smallest)
-        self.entered.emit(round(self._within(self._value + step), self._decimals))
+        if self._is_mixed:
+            self.calculated.emit(f"+={step:.9f}")
+        else:
+            self.entered.emit(round(self._within(self._value + step), self._decimals))
 
     def _accept(self) -> None:
         text = self.text()
-        typed_over = text.strip() != _plain(self._value, self._decimals)
+        typed_over = text.strip() != ("" if self._is_mixed else _plain(self._value, self._decimals))
         self._stop_typing()
         if not typed_over:
             return
         try:
-            self.entered.emit(self._within(evaluate(text, self._value)))
+            number = evaluate(text, self._value)
+            if self._is_mixed and is_relative(text):
+                self.calculated.emit(text)
+            else:
+                self.entered.emit(self._within(number))
         except UsageProblem as problem:
             # What was typed is no number: the old one stays, and the field says why when one asks.
-            self.setToolTip(str(problem))
+            self.setToolTip(sentence_of(problem))
 
     def _stop_typing(self) -> None:
         self.setReadOnly(True)
@@ -190,6 +211,10 @@ class ScrubField(QLineEdit):
         return min(max(value, self._low), self._high)
 
     def _show(self) -> None:
+        if self._is_mixed:
+            away = self._drag_value - self._drag_start
+            self.setText(f"{'+' if away >= 0 else ''}{_plain(away, self._decimals)}" if self._dragging else MIXED)
+            return
         gap = "" if self._unit in ("", "°", "%") else " "
         self.setText(f"{_plain(self._value, self._decimals)}{gap}{self._unit}")
         self.setCursorPosition(0)
@@ -221,6 +246,13 @@ class ScrubLabel(QLabel):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if self._field is not None and event.button() is Qt.MouseButton.LeftButton:
             self._field.end_drag()
+
+    def show_changed(self, *, changed: bool) -> None:
+        """Show whether the value is not the default."""
+        palette = self.palette()
+        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
+            palette.setColor(group, QPalette.ColorRole.WindowText, CHANGED if changed else TEXT)
+        self.setPalette(palette)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:

@@ -12,6 +12,7 @@ from kagezou.io.style_files import StyleFile, bundled_styles, own_styles, save_s
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.layer_list import tool_button
 from kagezou.ui.panels.style_pictures import StylePictures, Wanted
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.words import said
 
 _PAUSE_MS = 500
@@ -60,7 +61,7 @@ class StyleList(QWidget):
         """Read the styles again."""
         own, problems = own_styles(self._folder)
         for problem in problems:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         self._files = (*bundled_styles(), *own)
         self.list.clear()
         blank = QPixmap(self.list.iconSize())
@@ -75,12 +76,12 @@ class StyleList(QWidget):
         self._rest.start()
 
     def apply(self, index: int) -> None:
-        """Put a style on the layer worked on, as one step."""
-        layer_id = self._bridge.layer_id
-        if layer_id is None or not 0 <= index < len(self._files):
+        """Put a style on the chosen layers, as one step."""
+        if not self._bridge.layer_ids or not 0 <= index < len(self._files):
             return
-        style = self._files[index].style
-        document = apply_style(self._bridge.document, layer_id, style, self._bridge.frame)
+        style, document = self._files[index].style, self._bridge.document
+        for layer_id in self._bridge.layer_ids:
+            document = apply_style(document, layer_id, style, self._bridge.frame)
         self._bridge.session.edit(self.tr("Style: %1").replace("%1", said(style.name)), document)
 
     def save(self, name: str) -> None:
@@ -91,7 +92,7 @@ class StyleList(QWidget):
         try:
             save_style(self._folder, style_of(self._bridge.document, layer_id, self._bridge.frame, name))
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         self.reload()
 
     def remove_current(self) -> None:

@@ -1,5 +1,7 @@
 """What the waves of a layer will do: whether they tear the outline, and a way to make them loop."""
 
+from itertools import product
+
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from kagezou.document import properties
@@ -19,14 +21,14 @@ class WaveNote(QWidget):
     ----------
     bridge
         The session.
-    layer_id
-        Whose waves they are.
+    layer_ids
+        Whose waves they are; what is said is about the first.
     """
 
-    def __init__(self, bridge: Bridge, layer_id: str) -> None:
+    def __init__(self, bridge: Bridge, layer_ids: tuple[str, ...]) -> None:
         super().__init__()
         self._bridge = bridge
-        self._layer_id = layer_id
+        self._layer_ids = layer_ids
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setToolTip(
@@ -44,7 +46,7 @@ class WaveNote(QWidget):
 
     def refresh(self) -> None:
         """Show what is set at the frame looked at."""
-        tracks = self._bridge.document.layer(self._layer_id).tracks
+        tracks = self._bridge.document.layer(self._layer_ids[0]).tracks
         tear = tear_of(tuple(wave_of(tracks, lines, self._bridge.frame) for lines in _SETS))
         if tear == 0:
             said = self.tr("No waves")
@@ -58,8 +60,7 @@ class WaveNote(QWidget):
     def snap_to_loop(self) -> None:
         """Make the waves come back after the cut, as one step; keyed speeds become constant."""
         document, frame = self._bridge.document, self._bridge.frame
-        tracks = document.layer(self._layer_id).tracks
-        for lines in _SETS:
-            wave = wave_of(tracks, lines, frame).looping(document.canvas.length_frames)
-            document = set_constant(document, Address(lines.velocity, self._layer_id), wave.velocity_px)
+        for layer_id, lines in product(self._layer_ids, _SETS):
+            wave = wave_of(document.layer(layer_id).tracks, lines, frame).looping(document.canvas.length_frames)
+            document = set_constant(document, Address(lines.velocity, layer_id), wave.velocity_px)
         self._bridge.session.edit(self.tr("Loop waves"), document)

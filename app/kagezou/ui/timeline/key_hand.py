@@ -10,6 +10,7 @@ from kagezou.document.key_edits import Refs, move_keys, stretch_keys
 from kagezou.session.session import Gesture
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.timecode import sheet_text
+from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind, frames_of, keys_on
 from kagezou.ui.timeline.snapping import snap_frames, snapped
@@ -18,6 +19,8 @@ from kagezou.ui.timeline.time_scale import TimeScale
 HIT_PX = 10.0
 PEN_HIT_PX = 14.0
 _DRAG_PX = 4.0
+_OVER_BARS_PX = 2.0
+"""How far the keys summed up under a layer's drawings reach up into them."""
 _WHEEL_STEP = 120.0
 
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -75,22 +78,17 @@ class KeyHand(QObject):
         if near is None or abs(self._scale.middle_of(near) - place.x()) > reach_px:
             return frozenset()
         top = self._rows.top_of(index)
-        if row.kind is RowKind.LAYER and place.y() < top + self._rows.row_px * 0.3:
+        if row.kind is RowKind.LAYER and place.y() < top + self._rows.row_px - SUM_LANE_PX - _OVER_BARS_PX:
             # The upper part of a layer's row is its drawings'.
             return frozenset()
         return keys_on(self._bridge.document, row, near)
 
     def words_at(self, place: QPointF) -> str:
-        """Return what a tool tip says: the drawing, or the frame of a key."""
+        """Return what a tool tip says about the key at a point: its frame."""
         rate = self._bridge.document.canvas.frame_rate
         if hit := self.keys_at(place):
             frame = min(ref.frame for ref in hit)
             return f"{frame}  ({sheet_text(frame, rate)})"
-        index = self._rows.index_at(place.y())
-        row = self._rows.rows[index] if index is not None else None
-        if row is not None and row.kind is RowKind.LAYER and row.layer_id is not None:
-            drawing = self._bridge.document.layer(row.layer_id).cels.drawing_at(self._scale.frame_at(place.x()))
-            return drawing.name if drawing is not None else ""
         return ""
 
     def press(self, event: QMouseEvent) -> None:
@@ -213,6 +211,8 @@ class KeyHand(QObject):
         row = self._rows.rows[index] if index is not None else None
         if row is not None and row.layer_id is not None and row.layer_id != self._bridge.layer_id:
             self._bridge.session.select(row.layer_id)
+        elif row is not None and row.piece_id is not None and row.piece_id != self._bridge.piece_id:
+            self._bridge.session.select_piece(row.piece_id)
 
     def _drag(self, grip: Grip, *, catches: bool) -> None:
         stretches = grip.stretches_about is not None

@@ -6,10 +6,11 @@ from PySide6.QtWidgets import QWidget
 
 from kagezou.document.address import track_of
 from kagezou.document.key_edits import KeyRef
-from kagezou.document.model import Layer
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
 from kagezou.ui.timecode import frames_per_second
+from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, bars_of, paint_bars
+from kagezou.ui.timeline.drawing_hand import DrawingHand
 from kagezou.ui.timeline.key_hand import KeyHand
 from kagezou.ui.timeline.key_shapes import half_path, halves_of
 from kagezou.ui.timeline.row_list import RowList
@@ -19,10 +20,6 @@ from kagezou.ui.timeline.time_scale import TimeScale
 KEY_RADIUS_PX = 6.5
 _SUM_RADIUS_PX = 5.0
 _PART_RADIUS_PX = 3.4
-_SUM_LANE_PX = 11
-"""Height of the strip under a layer's drawings in which its keys are summed up."""
-_BAR = QColor("#4a4a4a")
-_BAR_EDGE = QColor("#6a6a6a")
 _BAND = QColor(255, 255, 255, 7)
 _CHOSEN_BAND = QColor(255, 255, 255, 16)
 _ABSENT = QColor("#5c5c5c")
@@ -31,7 +28,7 @@ _OUTSIDE = QColor(0, 0, 0, 96)
 
 
 class Lanes(QWidget):
-    """Keys and exposures over time; the hand on them is :class:`KeyHand`."""
+    """Keys and exposures over time; the hands on them are :class:`KeyHand` and :class:`DrawingHand`."""
 
     def __init__(self, bridge: Bridge, scale: TimeScale, rows: RowList) -> None:
         super().__init__()
@@ -39,7 +36,9 @@ class Lanes(QWidget):
         self._scale = scale
         self._rows = rows
         self.hand = KeyHand(bridge, scale, rows)
-        self.hand.changed.connect(self.update)
+        self.drawings = DrawingHand(bridge, scale, rows)
+        for changed in (self.hand.changed, self.drawings.changed, self.drawings.choice.changed):
+            changed.connect(self.update)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # Single letters are commands here, which an input method would swallow.
@@ -55,29 +54,47 @@ class Lanes(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        self.hand.press(event)
+        if self.hand.keys_at(event.position()) or not self.drawings.press(event):
+            self.hand.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self.drawings.is_down:
+            self.drawings.move(event)
+            return
         self.hand.move(event)
-        self.setToolTip(self.hand.words_at(event.position()))
-        self.setCursor(self.hand.cursor)
+        place = event.position()
+        on_bar = None if self.hand.is_busy or self.hand.keys_at(place) else self.drawings.cursor_at(place)
+        self.setToolTip(self.hand.words_at(place) if on_bar is None else self.drawings.words_at(place))
+        self.setCursor(self.hand.cursor if on_bar is None else on_bar)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self.hand.release(event)
+        if self.drawings.is_down:
+            self.drawings.release(event)
+        else:
+            self.hand.release(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self.hand.wheel(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not self.hand.key(event):
+        if self._is_escape_of_drawings(event):
+            self.drawings.cancel()
+        elif not self.hand.key(event):
             super().keyPressEvent(event)
 
     def event(self, event: QEvent) -> bool:
         # The window's commands on these keys are for the viewport; here they belong to the hand.
-        if event.type() is QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and self.hand.wants(event):
+        if (
+            event.type() is QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and (self.hand.wants(event) or self._is_escape_of_drawings(event))
+        ):
             event.accept()
             return True
         return super().event(event)
+
+    def _is_escape_of_drawings(self, event: QKeyEvent) -> bool:
+        return event.key() == Qt.Key.Key_Escape and (self.drawings.is_down or self.drawings.choice.layer_id is not None)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -112,38 +129,22 @@ class Lanes(QWidget):
     def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
         height = self._rows.row_px
         if row.is_group:
-            is_chosen = row.kind is RowKind.LAYER and row.layer_id == self._bridge.layer_id
+            is_chosen = row.is_about(self._bridge.layer_ids, self._bridge.piece_id)
             painter.fillRect(0, top, self.width(), height, _CHOSEN_BAND if is_chosen else _BAND)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(QLineF(0, top + height - 0.5, self.width(), top + height - 0.5))
         if row.kind is RowKind.LAYER and row.layer_id is not None:
-            self._paint_exposures(painter, self._bridge.document.layer(row.layer_id), QRectF(0, top, 0, height))
+            layer = self._bridge.document.layer(row.layer_id)
+            bars = bars_of(layer, self._scale, self.width())
+            paint_bars(painter, layer, bars, QRectF(0, top, 0, height), self.drawings.choice)
         if row.is_group:
             self._paint_summary(painter, row, top)
         else:
             self._paint_keys(painter, row, top + height / 2)
 
-    def _paint_exposures(self, painter: QPainter, layer: Layer, band: QRectF) -> None:
-        exposures, length, metrics = layer.cels.exposures, self._scale.length, self.fontMetrics()
-        for index, exposure in enumerate(exposures):
-            end = exposures[index + 1].frame if index + 1 < len(exposures) else length + 1
-            left, right = self._scale.x_of(max(exposure.frame, 1)), self._scale.x_of(min(end, length + 1))
-            if exposure.drawing is None or right <= 0 or left >= self.width() or right <= left:
-                continue
-            bar = QRectF(left + 0.5, band.top() + 2.5, max(right - left - 1, 1), band.height() - _SUM_LANE_PX - 3)
-            painter.fillRect(bar, _BAR)
-            painter.fillRect(QRectF(bar.left(), bar.top(), min(2.0, bar.width()), bar.height()), _BAR_EDGE)
-            room = right - max(left, 0) - 8
-            name = layer.cels.drawings[exposure.drawing].name
-            if room > metrics.horizontalAdvance("0"):
-                painter.setPen(TEXT)
-                shown = metrics.elidedText(name, Qt.TextElideMode.ElideRight, int(room))
-                place = QRectF(max(left, 0) + 5, bar.top(), room, bar.height())
-                painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, shown if shown != "…" else "")
-
     def _paint_summary(self, painter: QPainter, row: Row, top: int) -> None:
         # Under the bars, where both can be read.
-        from_bottom = _SUM_LANE_PX / 2 if row.kind is RowKind.LAYER else self._rows.row_px / 2
+        from_bottom = SUM_LANE_PX / 2 if row.kind is RowKind.LAYER else self._rows.row_px / 2
         y = top + self._rows.row_px - from_bottom - 0.5
         chosen = self._bridge.session.state.keys
         for frame, count in frames_of(self._bridge.document, row).items():
@@ -205,17 +206,20 @@ class Lanes(QWidget):
             painter.setPen(QPen(BRIGHT, 1, Qt.PenStyle.DashLine))
             painter.setBrush(QColor(255, 255, 255, 24))
             painter.drawRect(self.hand.box)
-        if self.hand.caught_by is not None:
-            x = self._scale.middle_of(self.hand.caught_by)
-            painter.setPen(QPen(WARNING, 1.5))
-            painter.drawLine(QLineF(x, 0, x, self.height()))
-        if self.hand.said:
-            self._paint_said(painter, self.hand.said)
+        # A key lies in the middle of its frame, a drawing begins with it.
+        lies = self._scale.x_of if self.drawings.is_busy else self._scale.middle_of
+        for hand in (self.hand, self.drawings):
+            if hand.caught_by is not None:
+                x = lies(hand.caught_by)
+                painter.setPen(QPen(WARNING, 1.5))
+                painter.drawLine(QLineF(x, 0, x, self.height()))
+            if hand.said:
+                self._paint_said(painter, hand.said, hand.place)
 
-    def _paint_said(self, painter: QPainter, words: str) -> None:
+    def _paint_said(self, painter: QPainter, words: str, beside: QPointF) -> None:
         metrics = self.fontMetrics()
         width, height = metrics.horizontalAdvance(words) + 16, metrics.height() + 6
-        place = self.hand.place + QPointF(14, -height - 8)
+        place = beside + QPointF(14, -height - 8)
         pill = QRectF(
             min(max(place.x(), 2.0), self.width() - width - 2.0), max(place.y(), 2.0), float(width), float(height)
         )

@@ -36,6 +36,11 @@ def toggled(now: Reveal, command: str) -> Reveal:
     return ANIMATED if now == wanted else wanted
 
 
+def added(now: Reveal, command: str) -> Reveal:
+    """Return what a command reveals beside what is revealed already."""
+    return Reveal(REVEALED[command] | (now.names or frozenset()))
+
+
 def animated_or_changed(now: Reveal) -> Reveal:
     """Return what is keyed; a second time, all that is not at its default."""
     return CHANGED if now == ANIMATED else ANIMATED

@@ -86,13 +86,13 @@ class RowList(QObject):
     def show_only(self, reveal: Reveal) -> None:
         """Show other properties, and open the scene and the layer worked on."""
         self.reveal = reveal
-        self._closed -= {None, self._bridge.layer_id}
+        self._closed -= {None, self._bridge.layer_id, f"set:{self._bridge.piece_id}"}
         self._refill()
         self._scroll_to_layer()
 
     def _scroll_to_layer(self) -> None:
         for index, row in enumerate(self.rows):
-            if row.kind is RowKind.LAYER and row.layer_id == self._bridge.layer_id:
+            if row.is_about(self._bridge.layer_ids, self._bridge.piece_id):
                 top = index * self.row_px
                 if not self._scroll_px <= top < self._scroll_px + self._room_px - 2 * self.row_px:
                     self.scroll_to(top)
@@ -104,7 +104,7 @@ class RowList(QObject):
     def _refill(self) -> None:
         document = self._bridge.document
         rows = rows_of(document, self._closed, self.reveal)
-        shown = (rows, document.work_area, document.markers, *_drawn_of(document, rows))
+        shown = (rows, document.work_area, document.markers, document.linked, *_drawn_of(document, rows))
         # A drag on the picture tells many times a second; what is seen here mostly stays.
         if not _is_same(shown, self._shown):
             self.rows, self._shown = rows, shown

@@ -10,7 +10,9 @@ from kagezou.animation.track import Value
 from kagezou.document.address import path_of, track_of, value_of
 from kagezou.document.edits import remove_key, set_key
 from kagezou.document.key_edits import all_keys
+from kagezou.document.linking import is_linked
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.chain import paint_chain
 from kagezou.ui.theme import BRIGHT, CHROME, DIM, LINE, OFF, SELECTED, TEXT
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import Row, RowKind, frames_of
@@ -19,6 +21,7 @@ from kagezou.ui.words import choice_word, said
 _BUTTON_PX = 16
 _INDENT_PX = 14
 _DIAMOND_PX = 4.6
+_CHAIN_PX = 18
 _GROUP = QColor("#333333")
 _CHOSEN = QColor("#464646")
 
@@ -116,7 +119,7 @@ class RowNames(QWidget):
     def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
         height = self._rows.row_px
         if row.is_group:
-            is_chosen = row.kind is RowKind.LAYER and row.layer_id == self._bridge.layer_id
+            is_chosen = row.is_about(self._bridge.layer_ids, self._bridge.piece_id)
             painter.fillRect(QRectF(0, top, self.width(), height), _CHOSEN if is_chosen else _GROUP)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(0, top + height - 1, self.width(), top + height - 1)
@@ -125,6 +128,9 @@ class RowNames(QWidget):
         if row.is_group:
             self._paint_fold(painter, row, QPointF(_INDENT_PX, top + height / 2))
         else:
+            if is_linked(self._bridge.document, row.addresses[0]):
+                room -= _CHAIN_PX
+                paint_chain(painter, QPointF(left + room + _CHAIN_PX / 2, top + (height - 1) / 2), linked=True)
             room -= self._paint_value(painter, row, top, left, room)
         painter.setPen(BRIGHT if row.is_group else TEXT)
         name = self.fontMetrics().elidedText(self.name_of(row), Qt.TextElideMode.ElideRight, int(room))
@@ -184,6 +190,8 @@ class RowNames(QWidget):
         session = self._bridge.session
         if row.layer_id is not None:
             session.select(row.layer_id, () if row.is_group else row.addresses)
+        elif row.piece_id is not None:
+            session.select_piece(row.piece_id, () if row.is_group else row.addresses)
         document = self._bridge.document
         session.select_keys(frozenset().union(*(all_keys(document, address) for address in row.addresses)))
 
@@ -216,7 +224,9 @@ class RowNames(QWidget):
                 return self.tr("Set a key on this frame, or remove the one that is here")
             case Spot.NAME if row.kind is RowKind.PROPERTY:
                 address = row.addresses[0]
-                return f"{said(address.property.help)}\n{path_of(self._bridge.document, address)}"
+                linked = is_linked(self._bridge.document, address)
+                same = f"\n{self.tr('The same for all characters')}" if linked else ""
+                return f"{said(address.property.help)}\n{path_of(self._bridge.document, address)}{same}"
             case Spot.NAME:
                 return self.name_of(row)
 

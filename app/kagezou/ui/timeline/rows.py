@@ -1,5 +1,6 @@
 """The rows of the dope sheet: the scene and the layers, and below each its properties."""
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -48,6 +49,12 @@ class Row:
     def is_group(self) -> bool:
         """Whether the row sums up others."""
         return self.kind is not RowKind.PROPERTY
+
+    def is_about(self, layer_ids: Collection[str], piece_id: str | None) -> bool:
+        """Whether it stands for a layer that is chosen or the set piece worked on."""
+        if self.kind is RowKind.PIECE:
+            return self.piece_id == piece_id
+        return self.kind is RowKind.LAYER and self.layer_id in layer_ids
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,9 +11,13 @@ from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
 from kagezou.tools.grounding import add_grounding, remove_grounding
 from kagezou.tools.handle import Handle, HandleSet, hit
-from kagezou.tools.handles import drag_of, handles_of, nudge
+from kagezou.tools.handles import drag_of, nudge
 from kagezou.tools.readout import readout
+from kagezou.tools.set_piece import POSITION
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
+from kagezou.ui.viewport.handle_source import HandleSource
+from kagezou.ui.viewport.piece_touch import PieceTouch
 from kagezou.ui.viewport.pointer_report import PointerReport
 from kagezou.ui.viewport.typed_value import with_typed
 from kagezou.ui.viewport.viewpoint import Viewpoint
@@ -26,14 +30,6 @@ class _Held:
     drag: Drag
     gesture: Gesture
     frame: int
-
-
-@dataclass(frozen=True, slots=True)
-class _Seen:
-    """The handles there are, and what they were made of."""
-
-    made_of: tuple[object, ...]
-    handles: HandleSet
 
 
 class Hand(QObject):
@@ -50,6 +46,8 @@ class Hand(QObject):
     changed = Signal()
     refused = Signal(str)
     """What was asked for cannot be done, with the sentence that says why."""
+    laid_down = Signal()
+    """Escape while nothing was held: what the hand was given for a while may be put away."""
 
     def __init__(self, bridge: Bridge, viewpoint: Viewpoint) -> None:
         super().__init__()
@@ -57,7 +55,8 @@ class Hand(QObject):
         self._viewpoint = viewpoint
         self._held: _Held | None = None
         self._nudging: tuple[Handle, Gesture] | None = None
-        self._seen: _Seen | None = None
+        self._source = HandleSource(bridge, viewpoint)
+        self.pieces = PieceTouch(bridge, viewpoint)
         self.hovered_id: str | None = None
         self.selected_id: str | None = None
         self.place_px: Point2 | None = None
@@ -77,11 +76,15 @@ class Hand(QObject):
 
     @property
     def handles(self) -> HandleSet:
-        """The handles of the frame, worked out anew only where something they depend on changed."""
-        made_of = (self._bridge.document, self._bridge.frame, self._bridge.layer_id, self._viewpoint.view)
-        if self._seen is None or not _same(self._seen.made_of, made_of):
-            self._seen = _Seen(made_of, handles_of(*made_of))
-        return self._seen.handles
+        """The handles of the frame."""
+        return self._source.handles
+
+    def match_camera(self, *, on: bool) -> None:
+        """Take up the lines and the horizon by which the camera is matched, instead of everything else; or lay down."""
+        self._let_go(keep=False)
+        self._source.is_matching = on
+        self.hovered_id = self.selected_id = None
+        self.changed.emit()
 
     @property
     def words(self) -> str:
@@ -91,23 +94,28 @@ class Hand(QObject):
             if self.typed:
                 return f"{said(held.handle.label)}  {self.typed}"
             language = "ja" if is_japanese() else "en"
+            if self.handles.note is not None:
+                return said(self.handles.note)
             return readout(held.handle, held.gesture.start, self._bridge.document, held.frame, language)
         hovered = self.handles.find(self.hovered_id)
-        return "" if hovered is None else said(hovered.label)
+        return self.pieces.name if hovered is None else said(hovered.label)
 
     def hover(self, report: PointerReport | None) -> None:
         """Look what is under the pointer; None where it has left."""
-        before = (self.hovered_id, self.place_px if self.hovered_id else None)
+        before = self._touched
         self.place_px = report.view_px if report else None
         found = self._hit(report) if report else None
         self.hovered_id = found.id if found else None
-        if (self.hovered_id, self.place_px if self.hovered_id else None) != before:
+        self.pieces.hover(None if found or self._source.is_matching else report)
+        if self._touched != before:
             self.changed.emit()
 
     def press(self, report: PointerReport) -> bool:
-        """Take hold of the handle under the pointer; false where there is none."""
+        """Take hold of the handle under the pointer, or of the set piece whose outline it is on; false without any."""
         self.end_nudge()
         handle = self._hit(report)
+        if handle is None and not self._source.is_matching and self.pieces.choose(report):
+            handle = self.handles.find(POSITION)
         self.selected_id = handle.id if handle else None
         if handle is not None:
             session, view = self._bridge.session, self._viewpoint.view
@@ -140,13 +148,19 @@ class Hand(QObject):
         self._let_go(keep=True)
 
     def cancel(self) -> bool:
-        """Let go and restore what was; without a drag let go of the selected handle. False where there was neither."""
+        """Let go and restore what was; without a drag let go of the selected handle, then of the lines of a match.
+
+        False where there was none of it.
+        """
         if self._held is not None:
             self._let_go(keep=False)
             return True
         if self.selected_id is not None:
             self.selected_id = None
             self.changed.emit()
+            return True
+        if self._source.is_matching:
+            self.laid_down.emit()
             return True
         return False
 
@@ -179,14 +193,15 @@ class Hand(QObject):
 
     def add_point(self, report: PointerReport) -> bool:
         """Add a grounding point under the pointer and select it; false without a layer or on a handle."""
+        self.pieces.go_back()
         layer_id = self._bridge.layer_id
-        if layer_id is None or self._hit(report) is not None:
+        if layer_id is None or self._source.is_matching or self._hit(report) is not None:
             return False
         canvas_px = self._viewpoint.view.canvas_from_view(report.view_px)
         try:
             document = add_grounding(self._bridge.document, layer_id, self._bridge.frame, canvas_px)
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return False
         self._edit(QCoreApplication.translate("Hand", "Add grounding point"), document)
         points = [handle.id for handle in self.handles.handles if handle.index is not None]
@@ -205,6 +220,12 @@ class Hand(QObject):
         self._edit(QCoreApplication.translate("Hand", "Remove grounding point"), document)
         self.changed.emit()
         return True
+
+    @property
+    def _touched(self) -> tuple[object, ...]:
+        """What is under the pointer, and if there is something, where the pointer is."""
+        touched = (self.hovered_id, self.pieces.hovered_id)
+        return (*touched, self.place_px if any(touched) else None)
 
     def _edit(self, name: str, document: Document) -> None:
         self.end_nudge()
@@ -228,7 +249,7 @@ class Hand(QObject):
 
     def _drop(self) -> None:
         """Forget everything about a session that was put away."""
-        self._held = self._nudging = self._seen = None
+        self._held = self._nudging = None
         self.hovered_id = self.selected_id = None
         self.changed.emit()
 
@@ -236,7 +257,3 @@ class Hand(QObject):
         if self.handles.find(self.selected_id) is None:
             self.selected_id = None
         self.changed.emit()
-
-
-def _same(old: tuple[object, ...], new: tuple[object, ...]) -> bool:
-    return old[0] is new[0] and old[1:] == new[1:]

@@ -18,7 +18,7 @@ _FILL = QColor("#ffffff")
 _DARK = QColor(20, 20, 20, 235)
 _OUTER = QColor(255, 255, 255, 150)
 _SHADE = QColor(0, 0, 0, 100)
-_FAINT, _CLEAR, _STRONG = 90, 165, 220
+_FAINT, _CLEAR, _STRONG, _OPAQUE = 90, 165, 220, 255
 
 _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.GROUND_LINE: (_CLEAR, Qt.PenStyle.SolidLine),
@@ -34,13 +34,33 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.SHADOW_RAY: (_FAINT, Qt.PenStyle.DotLine),
     GuideKind.FILTER_DISTANCE: (_CLEAR, Qt.PenStyle.DashLine),
     GuideKind.WAVE: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_EDGE: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_HIDDEN: (_CLEAR, Qt.PenStyle.DashLine),
+    GuideKind.PIECE_TOUCHED: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_OTHER: (_FAINT, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_ARM: (_CLEAR, Qt.PenStyle.SolidLine),
+    GuideKind.LEAN_ARM: (_STRONG, Qt.PenStyle.SolidLine),
+    GuideKind.LEAN_ARC: (_FAINT, Qt.PenStyle.SolidLine),
+    GuideKind.FLOOR_FIRST: (_OPAQUE, Qt.PenStyle.SolidLine),
+    GuideKind.FLOOR_SECOND: (_OPAQUE, Qt.PenStyle.DashLine),
+    GuideKind.FLOOR_RAY: (_FAINT, Qt.PenStyle.DotLine),
+    GuideKind.HORIZON: (_STRONG, Qt.PenStyle.DashDotLine),
 }
+
+_TONES = {
+    GuideKind.FLOOR_FIRST: (QColor("#E69F00"), 2.0),
+    GuideKind.FLOOR_SECOND: (QColor("#56B4E9"), 2.0),
+    GuideKind.PIECE_EDGE: (SELECTED, 1.2),
+    GuideKind.PIECE_HIDDEN: (SELECTED, 1.2),
+}
+"""Colour and width of guides that come in kinds, which their dashes tell apart too; all others are white and thin."""
 
 
 _EXPLAINING: dict[GuideKind, tuple[str, ...]] = {
     GuideKind.GROUND_OUTLINE: ("ground.", "light."),
     GuideKind.SHADOW_RAY: ("shadow.",),
     GuideKind.TILT_ARC: ("tilt.",),
+    GuideKind.LEAN_ARC: ("piece.lean",),
 }
 """Guides that only stand in the way until one of their handles is touched, by the beginnings of those handles' ids."""
 
@@ -76,6 +96,10 @@ def handle_path(shape: Shape, radius: float, cursor: Cursor) -> QPainterPath:
         case Shape.ARROW:
             path.addPolygon(_star(3, radius * 1.5, radius * 0.75))
             path.closeSubpath()
+        case Shape.PEG:
+            path.addEllipse(QPointF(0, 0), radius, radius)
+        case Shape.GRIP:
+            path = _two_arrows(radius, upright=cursor is Cursor.VERTICAL)
         case Shape.RING:
             path.addEllipse(QPointF(0, 0), radius * 1.2, radius * 1.2)
             path.addEllipse(QPointF(0, 0), radius * 0.55, radius * 0.55)
@@ -112,12 +136,15 @@ def paint_off_view_arrow(painter: QPainter, off: OffView, *, selected: bool) -> 
 def paint_guide(painter: QPainter, guide: Guide, view: View, area: QRectF) -> None:
     """Paint a guide where it is seen; ``area`` is the viewport, logical px."""
     alpha, style = _GUIDES[guide.kind]
+    known, width = _TONES.get(guide.kind, (_FILL, 1.0))
+    tone = QColor(known)
+    tone.setAlpha(alpha)
     points = [view.view_from_canvas(point) for point in guide.points]
     ends = [*points[1:], points[0]] if guide.closed else points[1:]
     room = area.adjusted(-8, -8, 8, 8)
     # Guides may run far beyond the screen, where dashing them would take for ever.
     lines = [line for a, b in zip(points, ends, strict=False) if (line := clipped(a, b, room))]
-    for pen in (QPen(_SHADE, 2.6), QPen(QColor(255, 255, 255, alpha), 1.0, style)):
+    for pen in (QPen(_SHADE, width + 1.6), QPen(tone, width, style)):
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         painter.setPen(pen)
         for a, b in lines:
@@ -154,6 +181,16 @@ def _cross(reach: float, half: float) -> QPainterPath:
     upright.addRect(QRectF(-half, -reach, 2 * half, 2 * reach))
     level.addRect(QRectF(-reach, -half, 2 * reach, 2 * half))
     return upright.united(level)
+
+
+def _two_arrows(radius: float, *, upright: bool) -> QPainterPath:
+    path = QPainterPath()
+    for side in (-1, 1):
+        corners = [(side * 0.35, -0.95), (side * 1.5, 0.0), (side * 0.35, 0.95)]
+        turned = [(y, x) if upright else (x, y) for x, y in corners]
+        path.addPolygon(QPolygonF([QPointF(x * radius, y * radius) for x, y in turned]))
+        path.closeSubpath()
+    return path
 
 
 def _paint_rays(painter: QPainter, radius: float, tone: QColor) -> None:

@@ -13,9 +13,12 @@ from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import place_in_view
 from kagezou.ui.viewport.hand import Hand
 from kagezou.ui.viewport.handle_paths import is_wanted, paint_guide, paint_handle, paint_off_view_arrow
+from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 _EDGE = QColor(0, 0, 0, 150)
+_MARK = QColor("#f0e442")
+_MARK_PX = 7.0
 _PILL = QColor(16, 16, 16, 225)
 _PILL_EDGE = QColor(255, 255, 255, 46)
 _PILL_TEXT = QColor("#f4f4f4")
@@ -26,15 +29,17 @@ _PILL_PADDING_PX = (9.0, 4.0)
 class Overlay(QWidget):
     """Paints what the hand can take hold of; lets every event through to the viewport under it."""
 
-    def __init__(self, parent: QWidget, hand: Hand, viewpoint: Viewpoint) -> None:
+    def __init__(self, parent: QWidget, hand: Hand, viewpoint: Viewpoint, picking: Picking) -> None:
         super().__init__(parent)
         self._hand = hand
+        self._picking = picking
         self._viewpoint = viewpoint
         self.shows_handles = True
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setAttribute(Qt.WidgetAttribute.WA_NoSystemBackground)
         hand.changed.connect(self.update)
         viewpoint.changed.connect(self.update)
+        picking.changed.connect(self.update)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if not self.shows_handles:
@@ -43,6 +48,7 @@ class Overlay(QWidget):
         self._paint_canvas_edge(painter)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_handles(painter)
+        self._paint_marks(painter)
         if self._hand.place_px is not None and (words := self._hand.words):
             self._paint_pill(painter, words, self._hand.place_px)
         painter.end()
@@ -61,12 +67,26 @@ class Overlay(QWidget):
         for guide in handles.guides:
             if is_wanted(guide.kind, (active, self._hand.selected_id)):
                 paint_guide(painter, guide, view, area)
+        for guide in () if self._hand.is_busy else self._hand.pieces.guides:
+            paint_guide(painter, guide, view, area)
         for handle in handles.handles:
             at, off = place_in_view(handle, view, size)
             selected = handle.id == self._hand.selected_id
             paint_handle(painter, handle, at, hovered=handle.id == active, selected=selected)
             if off is not None:
                 paint_off_view_arrow(painter, off, selected=selected)
+
+    def _paint_marks(self, painter: QPainter) -> None:
+        places = [QPointF(*self._viewpoint.view.view_from_canvas(place)) for place in self._picking.marks]
+        arm = _MARK_PX
+        # Dark under light, so that it is seen on any picture.
+        for color, width in ((_EDGE, 3.5), (_MARK, 1.5)):
+            painter.setPen(QPen(color, width))
+            if len(places) > 1:
+                painter.drawPolyline(places)
+            for at in places:
+                painter.drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0))
+                painter.drawLine(at - QPointF(0, arm), at + QPointF(0, arm))
 
     def _paint_pill(self, painter: QPainter, words: str, at: Point2) -> None:
         font = QFont(self.font())

@@ -4,22 +4,28 @@ import sys
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 
 from kagezou.document.model import Document
 from kagezou.errors import GraphicsProblem, Problem
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.theme import SURROUND
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
+from kagezou.ui.viewport.reading import Reading
+from kagezou.ui.viewport.resolution import Pace, Resolution
 from kagezou.ui.viewport.stage import Broken, Stage
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 NEEDED_VERSION = (3, 3)
+REST_MS = 150
+"""A hand that has not moved for so long rests, though it may still hold something."""
 
 
 class PictureWidget(QOpenGLWidget):
@@ -29,8 +35,8 @@ class PictureWidget(QOpenGLWidget):
     ----------
     bridge
         The session shown.
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and sets come from.
     viewpoint
         How the canvas is looked at.
     """
@@ -40,21 +46,34 @@ class PictureWidget(QOpenGLWidget):
     broken_changed = Signal(object)
     """The picture files that cannot be shown now, a tuple of Broken; connect queued."""
 
+    divisor_changed = Signal(int)
+    """How many px of the canvas are one of the picture, from now on; connect queued."""
+
     started = Signal(str, bool)
     """What draws, by name, and whether it is the processor; connect queued."""
 
-    def __init__(self, bridge: Bridge, cels: CelCache, viewpoint: Viewpoint) -> None:
+    def __init__(self, bridge: Bridge, cels: CelCache, meshes: MeshCache, viewpoint: Viewpoint) -> None:
         super().__init__()
         self.viewpoint = viewpoint
         self._bridge = bridge
         self._cels = cels
+        self._meshes = meshes
         self._stage: Stage | None = None
         self._broken: tuple[Broken, ...] = ()
+        self.pace = Pace()
+        self._reading = Reading(cels)
+        self._reading.arrived.connect(self.update, Qt.ConnectionType.QueuedConnection)
+        self._is_current = False
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST_MS)
+        self._rest.timeout.connect(self._refine)
         self._backdrop = Backdrop.BACKGROUND
         self._view = PictureView.COMPOSITE
         bridge.document_changed.connect(self._document_changed)
         bridge.frame_changed.connect(self.update)
         bridge.session_replaced.connect(viewpoint.fit)
+        bridge.session_replaced.connect(self.pace.forget)
         viewpoint.changed.connect(self.update)
         self._document_changed()
 
@@ -72,6 +91,21 @@ class PictureWidget(QOpenGLWidget):
         """Choose what of the frame is looked at."""
         self._view = view
         self.update()
+
+    @property
+    def resolution(self) -> Resolution:
+        """At which part of its resolution the picture is drawn."""
+        return self.pace.resolution
+
+    def show_resolution(self, resolution: Resolution) -> None:
+        """Choose at which part of its resolution the picture is drawn."""
+        self.pace.resolution = resolution
+        self.update()
+
+    @property
+    def is_current(self) -> bool:
+        """Whether the picture shown is that of the session's frame; its drawings may still be on their way."""
+        return self._is_current
 
     @property
     def stage(self) -> Stage | None:
@@ -108,11 +142,15 @@ class PictureWidget(QOpenGLWidget):
             return None
         return self._with_context(partial(stage.layer_picture, document, frame, layer_id, with_shadow=with_shadow))
 
+    def finish(self) -> None:
+        """Read nothing any more, before the window goes."""
+        self._reading.finish()
+
     def initializeGL(self) -> None:
         try:
             self._begin()
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         except Exception:
             # Qt would lose what leaves this method; a defect of ours must be heard of.
             sys.excepthook(*sys.exc_info())
@@ -123,7 +161,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             self._paint(self._stage)
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         except Exception:
             sys.excepthook(*sys.exc_info())
 
@@ -135,7 +173,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             return draw()
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
             return None
         finally:
             self.doneCurrent()
@@ -147,22 +185,42 @@ class PictureWidget(QOpenGLWidget):
         if (major, minor) < NEEDED_VERSION:
             words = self.tr("The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.")
             raise GraphicsProblem(words.replace("%1", f"{major}.{minor}"))
-        self._stage = Stage(self._cels)
+        self._stage = Stage(self._cels, self._meshes)
         self.started.emit(self._stage.device, self._stage.is_software)
 
     def _paint(self, stage: Stage) -> None:
         document, view = self._bridge.document, self._view
+        self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
+        if not self._is_current and stage.pictures_drawn:
+            stage.present(self._window_view())
+            return
         backdrop = behind(view, self._backdrop, has_background=document.background is not None)
-        stage.draw(document, self._bridge.frame, backdrop, view, line_px(view, self.viewpoint.view.zoom))
+        line = line_px(view, self.viewpoint.view.zoom)
+        at, before = self.pace.next(moving=self._is_moving), stage.divisor
+        if stage.draw(document, self._bridge.frame, backdrop, view, line, at):
+            self.pace.took(stage.divisor, stage.took_s)
         stage.present(self._window_view())
+        if stage.divisor != before:
+            self.divisor_changed.emit(stage.divisor)
         if stage.broken != self._broken:
             self._broken = stage.broken
             self.broken_changed.emit(stage.broken)
 
     def _document_changed(self) -> None:
+        if self._bridge.session.is_in_gesture:
+            self._rest.start()
         canvas = self._bridge.document.canvas
         self.viewpoint.set_canvas((float(canvas.width_px), float(canvas.height_px)))
         self.update()
+
+    @property
+    def _is_moving(self) -> bool:
+        return self._rest.isActive() and self._bridge.session.is_in_gesture
+
+    def _refine(self) -> None:
+        """Draw what was drawn in haste again, now that the hand rests."""
+        if self._stage is not None and self._stage.divisor != self.pace.next(moving=False).divisor:
+            self.update()
 
     def _window_view(self) -> WindowView:
         ratio = self.devicePixelRatioF()

@@ -1,26 +1,50 @@
 """What is on screen: the renderer of the current context, and the picture it drew last."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
+from time import perf_counter
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource, file_of
+from kagezou.document.scaling import scaled, usable_divisor
 from kagezou.errors import Problem
+from kagezou.geometry.box import Box
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Steps
+from kagezou.io.meshes import MeshCache
+from kagezou.io.smaller_cels import SmallerCels
 from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.scene import LayerScene, Scene
+from kagezou.scene.receiving import without_drawings
+from kagezou.scene.scene import LayerScene, Scene, without_pieces
 from kagezou.ui.viewport.picture_view import PictureView, seen
+from kagezou.ui.viewport.resolution import FULL, Fineness
 
 
 @dataclass(frozen=True, slots=True)
 class Broken:
-    """A picture file that cannot be shown, and why."""
+    """A file that cannot be shown, and why."""
 
-    path: Path
+    source: PictureSource
     problem: Problem
+
+
+@dataclass(frozen=True, slots=True)
+class _Evaluated:
+    document: Document
+    frame: int
+    divisor: int
+    scene: Scene
+
+
+@dataclass(frozen=True, slots=True)
+class _Smaller:
+    """What draws a canvas at a part of its resolution."""
+
+    canvas: Box
+    cels: SmallerCels
+    renderer: Renderer
 
 
 class Stage:
@@ -30,15 +54,19 @@ class Stage:
 
     Parameters
     ----------
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and sets come from.
     """
 
-    def __init__(self, cels: CelCache) -> None:
+    def __init__(self, cels: CelCache, meshes: MeshCache) -> None:
         self._cels = cels
-        self._renderer = Renderer(cels)
-        self._evaluated: tuple[Document, int, Scene] | None = None
-        self._drawn: tuple[Scene, Backdrop, PictureView, int] | None = None
+        self._meshes = meshes
+        self._renderer = self._front = Renderer(cels, meshes)
+        self._smaller: dict[int, _Smaller] = {}
+        self._evaluated: _Evaluated | None = None
+        self._drawn: tuple[Scene, int, Backdrop, PictureView, int] | None = None
+        self.divisor = 1
+        self.took_s = 0.0
         self.broken: tuple[Broken, ...] = ()
         self.pictures_drawn = 0
 
@@ -63,29 +91,47 @@ class Stage:
         backdrop: Backdrop,
         view: PictureView = PictureView.COMPOSITE,
         line_px: int = 0,
-    ) -> None:
-        """Draw a frame unless it is the one drawn last; drawings that cannot be read are left out and noted."""
+        at: Fineness = FULL,
+    ) -> bool:
+        """Draw a frame unless it is the one drawn last; false where it was.
+
+        Drawings that cannot be read are left out and noted. At a part of its resolution it is drawn as far as the
+        canvas can be divided; in haste, once the smaller drawings are there.
+        """
+        self.divisor = usable_divisor(document.canvas, at.divisor)
         scene = self._scene(document, frame)
-        if self._drawn == (scene, backdrop, view, line_px):
-            return
+        if self.divisor > 1 and at.in_haste and not self._is_ready(document, scene):
+            self.divisor = 1
+            scene = self._scene(document, frame)
+        wanted = (scene, self.divisor, backdrop, view, line_px)
+        if self._drawn == wanted:
+            return False
         whole = self._readable(scene)
-        self._renderer.draw_picture(seen(whole, view), backdrop, line_px=line_px)
+        self._front = self._renderer if self.divisor == 1 else self._smaller_for(document.canvas.box).renderer
+        began_s = perf_counter()
+        line_px = -(-line_px // self.divisor)
+        self._front.draw_picture(seen(whole, view), backdrop, line_px=line_px, wireframes=True)
+        self._front.finish()
+        self.took_s = perf_counter() - began_s
         self.pictures_drawn += 1
-        self._drawn = (scene, backdrop, view, line_px)
+        self._drawn = wanted
+        return True
 
     def present(self, view: WindowView) -> None:
         """Place the picture in the window."""
-        self._renderer.present(view)
+        self._front.present(replace(view, divisor=self.divisor))
 
     def read_picture(self) -> Steps:
-        """Return the picture drawn last, (H, W, 4) straight sRGB, as the command line would write it."""
-        return self._renderer.read_picture()
+        """Return the picture drawn last, (H, W, 4) straight sRGB; at full resolution as the command line writes it."""
+        return self._front.read_picture()
 
     def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps:
         """Return a layer alone on nothing, (H, W, 4); what is on screen is drawn anew next time."""
         scene = self._readable(evaluate(document, frame))
         layers = tuple(
-            layer if with_shadow else replace(layer, cast=None) for layer in scene.layers if layer.id == layer_id
+            layer if with_shadow else replace(layer, cast=None, received=None)
+            for layer in scene.layers
+            if layer.id == layer_id
         )
         self._renderer.draw_picture(replace(scene, background=None, layers=layers), Backdrop.TRANSPARENT)
         self._drawn = None
@@ -94,32 +140,60 @@ class Stage:
     def close(self) -> None:
         """Give the memory back; the context must be current."""
         self._renderer.close()
+        for smaller in self._smaller.values():
+            smaller.renderer.close()
 
     def _scene(self, document: Document, frame: int) -> Scene:
-        known = self._evaluated
-        if known is not None and known[0] is document and known[1] == frame:
-            return known[2]
-        scene = evaluate(document, frame)
-        self._evaluated = (document, frame, scene)
+        known, divisor = self._evaluated, self.divisor
+        if known is not None and known.document is document and (known.frame, known.divisor) == (frame, divisor):
+            return known.scene
+        scene = evaluate(scaled(document, divisor), frame)
+        self._evaluated = _Evaluated(document, frame, divisor, scene)
         return scene
+
+    def _is_ready(self, document: Document, scene: Scene) -> bool:
+        drawings = [layer.drawing.source for layer in scene.layers if layer.drawing is not None]
+        try:
+            return self._smaller_for(document.canvas.box).cels.is_ready(drawings, scene.background)
+        except Problem:
+            return False
+
+    def _smaller_for(self, canvas: Box) -> _Smaller:
+        known = self._smaller.get(self.divisor)
+        if known is None or known.canvas != canvas:
+            if known is not None:
+                known.renderer.close()
+            cels = SmallerCels(self._cels, canvas, self.divisor)
+            known = self._smaller[self.divisor] = _Smaller(canvas, cels, Renderer(cels, self._meshes, self.divisor))
+        return known
 
     def _readable(self, scene: Scene) -> Scene:
         broken: list[Broken] = []
 
-        def can_be_read(path: Path) -> bool:
+        def can_be_read(source: PictureSource, read: Callable[[PictureSource], object] = self._cels.cel) -> bool:
             try:
-                self._cels.cel(path)
+                read(source)
             except Problem as problem:
-                broken.append(Broken(path, problem))
+                broken.append(Broken(source, problem))
                 return False
             return True
 
         def shown(layer: LayerScene) -> LayerScene:
-            if layer.drawing is None or can_be_read(layer.drawing.path):
+            if layer.drawing is None or can_be_read(layer.drawing.source):
                 return layer
-            return replace(layer, drawing=None, cast=None)
+            return replace(layer, drawing=None, cast=None, received=None)
 
+        lost = {
+            piece.id
+            for piece in scene.pieces
+            if piece.mesh is not None
+            and not can_be_read(piece.mesh.path, lambda each: self._meshes.mesh(file_of(each)))
+        }
+        scene = without_pieces(scene, lost) if lost else scene
         layers = tuple(shown(layer) for layer in scene.layers)
-        background = scene.background if scene.background is None or can_be_read(scene.background) else None
+        behind = scene.background
+        background = behind if behind and can_be_read(behind, self._cels.background) else None
+        unread = {each.source for each in broken}
+        layers = tuple(without_drawings(layer, unread) for layer in layers)
         self.broken = tuple(broken)
         return replace(scene, layers=layers, background=background) if broken else scene

@@ -11,6 +11,9 @@ ZOOM_STEP = 2.0**0.25
 FIT_MARGIN_PX = 64.0
 """Room around the canvas for the handles that stand at its edge."""
 
+FIT_MARGIN_PART = 0.08
+"""The most of the viewport's shorter side that may be left as such room: on a small screen the picture goes first."""
+
 
 class Viewpoint(QObject):
     """The view of one viewport, in logical px; it stays fitted until someone zooms or pans.
@@ -70,7 +73,8 @@ class Viewpoint(QObject):
     def fit(self) -> None:
         """Show the whole canvas."""
         self._is_fitted = True
-        self._show(View.fitted(self._canvas, self._size, FIT_MARGIN_PX))
+        margin = min(FIT_MARGIN_PX, FIT_MARGIN_PART * min(self._size))
+        self._show(View.fitted(self._canvas, self._size, margin))
 
     def show_actual_pixels(self) -> None:
         """Show one pixel of the canvas as one of the screen, around what is in the middle now."""

@@ -4,14 +4,16 @@ from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QTabletEvent, QWheelEvent
 
 from kagezou.io.cels import CelCache
+from kagezou.io.meshes import MeshCache
 from kagezou.tools.handle import Cursor
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.viewport.hand import Hand
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
+from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.picture_widget import PictureWidget
-from kagezou.ui.viewport.pointer_report import Device, report_of
+from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
 from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
@@ -39,8 +41,8 @@ class Viewport(PictureWidget):
     ----------
     bridge
         The session shown.
-    cels
-        Where decoded drawings come from.
+    cels, meshes
+        Where decoded drawings and sets come from.
     space
         The space bar: held, it turns a drag into panning.
     """
@@ -48,13 +50,16 @@ class Viewport(PictureWidget):
     step_asked = Signal(int)
     """Left or right arrow without a selected handle: so many frames on."""
 
-    def __init__(self, bridge: Bridge, cels: CelCache, space: SpaceBar) -> None:
-        super().__init__(bridge, cels, Viewpoint())
+    def __init__(self, bridge: Bridge, cels: CelCache, meshes: MeshCache, space: SpaceBar) -> None:
+        super().__init__(bridge, cels, meshes, Viewpoint())
         self._space = space
         self._panned_from: QPointF | None = None
         self._taps = PenTaps()
         self.hand = Hand(bridge, self.viewpoint)
-        self.overlay = Overlay(self, self.hand, self.viewpoint)
+        self.picking = Picking()
+        self.overlay = Overlay(self, self.hand, self.viewpoint, self.picking)
+        self.picking.changed.connect(self._show_cursor)
+        bridge.session_replaced.connect(self.picking.give_up)
         self.setMouseTracking(True)
         self.setTabletTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -98,10 +103,12 @@ class Viewport(PictureWidget):
             case Qt.MouseButton.MiddleButton:
                 self._begin_pan(event.position())
             case Qt.MouseButton.RightButton:
-                self.hand.cancel()
+                self._cancel()
             case Qt.MouseButton.LeftButton if self._space.is_held:
                 self._space.use()
                 self._begin_pan(event.position())
+            case Qt.MouseButton.LeftButton if self.picking.is_on:
+                self._pick(report)
             case Qt.MouseButton.LeftButton if self.overlay.shows_handles:
                 self.hand.press(report)
         self._show_cursor()
@@ -116,7 +123,7 @@ class Viewport(PictureWidget):
             if event.buttons() & Qt.MouseButton.LeftButton:
                 self.hand.move(report_of(event))
         elif self.overlay.shows_handles:
-            self.hand.hover(report_of(event))
+            self.hand.hover(None if self.picking.is_on else report_of(event))
         self._show_cursor()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -124,11 +131,11 @@ class Viewport(PictureWidget):
             self._panned_from = None
         if event.button() is Qt.MouseButton.LeftButton:
             self.hand.release()
-            self.hand.hover(report_of(event))
+            self.hand.hover(None if self.picking.is_on else report_of(event))
         self._show_cursor()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        pointing = event.button() is Qt.MouseButton.LeftButton and not self._space.is_held
+        pointing = event.button() is Qt.MouseButton.LeftButton and not self._space.is_held and not self.picking.is_on
         if not (pointing and self.overlay.shows_handles and self.hand.add_point(report_of(event))):
             self.mousePressEvent(event)
 
@@ -136,10 +143,12 @@ class Viewport(PictureWidget):
         report = report_of(event, Device.PEN)
         match event.type():
             case QEvent.Type.TabletPress if event.button() is Qt.MouseButton.RightButton:
-                self.hand.cancel()
+                self._cancel()
             case QEvent.Type.TabletPress if self._space.is_held:
                 self._space.use()
                 self._begin_pan(event.position())
+            case QEvent.Type.TabletPress if self.picking.is_on:
+                self._pick(report)
             case QEvent.Type.TabletPress:
                 if not (self._taps.is_second_tap(report, event.timestamp()) and self.hand.add_point(report)):
                     self.hand.press(report)
@@ -148,7 +157,7 @@ class Viewport(PictureWidget):
                 self._panned_from = event.position()
                 self.viewpoint.pan(way.x(), way.y())
             case QEvent.Type.TabletMove:
-                self.hand.move(report) if self.hand.is_busy else self.hand.hover(report)
+                self.hand.move(report) if self.hand.is_busy else self.hand.hover(None if self.picking.is_on else report)
             case QEvent.Type.TabletRelease:
                 self._panned_from = None
                 self.hand.release()
@@ -171,7 +180,7 @@ class Viewport(PictureWidget):
         if self.hand.is_busy and _is_typing(event):
             self._type(event)
         elif event.key() == Qt.Key.Key_Escape:
-            if not self.hand.cancel():
+            if not self._cancel():
                 self.clearFocus()
         elif event.key() in _ARROWS and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             self._arrow(event)
@@ -183,6 +192,12 @@ class Viewport(PictureWidget):
             self.hand.end_nudge()
         else:
             super().keyReleaseEvent(event)
+
+    def _cancel(self) -> bool:
+        return self.picking.give_up() or self.hand.cancel()
+
+    def _pick(self, report: PointerReport) -> None:
+        self.picking.picked.emit(self.viewpoint.view.canvas_from_view(report.view_px))
 
     def _begin_pan(self, at: QPointF) -> None:
         self._panned_from = at
@@ -221,8 +236,11 @@ class Viewport(PictureWidget):
             self.setCursor(Qt.CursorShape.ClosedHandCursor)
         elif self._space.is_held:
             self.setCursor(Qt.CursorShape.OpenHandCursor)
+        elif self.picking.is_on:
+            self.setCursor(Qt.CursorShape.CrossCursor)
         else:
-            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else _CURSORS[over.cursor])
+            on_piece = Qt.CursorShape.SizeAllCursor if self.hand.pieces.hovered_id else Qt.CursorShape.ArrowCursor
+            self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
 
 
 def _is_typing(event: QKeyEvent) -> bool:

@@ -1,0 +1,56 @@
+"""``kagezou video``: the cut as a video."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from kagezou.cli.arguments import Parser, project_path, whole_number
+from kagezou.cli.doors import Doors
+from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.processors import processors
+from kagezou.cli.terminal import ProgressLine, give, give_json, tell
+
+DESCRIPTION = """\
+Write the finished picture as a video: .mp4 is H.264 to look at, .mov is ProRes 4444 with alpha, both in BT.709. With
+--layer it shows one layer's shadow alone. The file is there as a whole or not at all. Needs PyAV:
+pip install 'kagezou[video]'. Prints the file."""
+EXAMPLES = """\
+  kagezou video walk.kage -o preview.mp4
+  kagezou video walk.kage -o preview.mp4 --frames 1-48
+  kagezou video walk.kage -o hero_shadow.mov --layer Hero
+"""
+
+
+def add_arguments(parser: Parser) -> None:
+    """Say what can be typed."""
+    parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file")
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="an .mp4 or .mov")
+    parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
+    parser.add_argument("--layer", metavar="NAME", help="only the shadow of this layer")
+    parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and convert pictures")
+    parser.add_argument("--json", action="store_true", help="print one object about what was done")
+
+
+def run(options: Namespace, doors: Doors) -> int:
+    """Write the video."""
+    from kagezou.animation.frames import parse_frames
+    from kagezou.export.video import VideoRequest, export_video
+    from kagezou.io.faults import shown
+    from kagezou.io.project_file import load
+
+    request = VideoRequest(
+        path=options.output,
+        frames=None if options.frames is None else parse_frames(options.frames),
+        layer=options.layer,
+        workers=options.workers or processors(),
+    )
+    with stopping_gently() as interruption, ProgressLine("filming") as line:
+        document = load(options.project)
+        done = export_video(document, request, doors.open_context, line.update, interruption.is_set)
+    if not done.is_whole:
+        tell("stopped; the video is not written")
+        return interruption.exit_code
+    if options.json:
+        give_json({"file": shown(done.path), "frames": done.frames, "seconds": round(done.seconds, 3)})
+    else:
+        give(shown(done.path))
+    return 0

@@ -1,0 +1,59 @@
+"""Which frames and layers of a document a request asks for."""
+
+from difflib import get_close_matches
+
+from kagezou.animation.track import Track
+from kagezou.document import properties
+from kagezou.document.model import Document, Layer
+from kagezou.document.property import Property
+from kagezou.errors import UsageProblem
+from kagezou.export.request import ExportRequest
+
+
+def chosen_frames(document: Document, request: ExportRequest) -> tuple[int, ...]:
+    """Return the frames that are asked for, upward.
+
+    Raises
+    ------
+    UsageProblem
+        One of them is not in the cut.
+    """
+    length = document.canvas.length_frames
+    if request.frames is None:
+        return tuple(range(1, length + 1))
+    beyond = [frame for frame in request.frames if not 1 <= frame <= length]
+    if beyond or not request.frames:
+        raise UsageProblem(f"frame {beyond[0] if beyond else 'none'} is not in the cut, which has frames 1-{length}")
+    return tuple(sorted(set(request.frames)))
+
+
+def chosen_layers(document: Document, request: ExportRequest) -> tuple[Layer, ...]:
+    """Return the layers that are asked for, from the bottom; without names, those that are ever visible.
+
+    Raises
+    ------
+    UsageProblem
+        There is no layer of a name.
+    """
+    if request.layers is None:
+        return tuple(layer for layer in document.layers if _is_ever_visible(layer))
+    by_name = {layer.name: layer for layer in document.layers}
+    for name in request.layers:
+        if name not in by_name:
+            near = get_close_matches(name, by_name, n=1)
+            hint = (
+                f"; did you mean {near[0]!r}?" if near else f", only {', '.join(map(repr, by_name)) or 'none at all'}"
+            )
+            raise UsageProblem(f"there is no layer {name!r} in this project{hint}")
+    return tuple(layer for layer in document.layers if layer.name in request.layers)
+
+
+def _is_ever_visible(layer: Layer) -> bool:
+    return is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
+
+
+def is_ever(track: Track | None, line: Property) -> bool:
+    """Whether a switch is on at any time."""
+    if track is None:
+        return bool(line.default)
+    return any(key.value for key in track.keys) if track.is_keyed else bool(track.constant)

@@ -1,0 +1,160 @@
+"""A cut as a video: the finished picture, or one layer's shadow with its alpha."""
+
+import time
+from contextlib import closing, suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import groupby
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from kagezou.document.model import Document
+from kagezou.export.checks import check_sources
+from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing
+from kagezou.export.jobs import CompositeContent, Job, planned
+from kagezou.export.pipeline import Image, Stages, flow, window_for
+from kagezou.export.request import Cancelled, ExportRequest, Progress
+from kagezou.io.atomic import replace_by
+from kagezou.io.cels import CelCache
+from kagezou.io.encode import ShadowImage
+from kagezou.io.faults import output_problem
+from kagezou.io.video import VideoKind, VideoWriter, converted, frames_in, kind_of
+from kagezou.render.context import OpenContext
+
+_DEPTH: Final = 8
+
+
+@dataclass(frozen=True, slots=True)
+class VideoRequest:
+    """Which video to make.
+
+    Parameters
+    ----------
+    path
+        The file; its suffix, .mp4 or .mov, says how it is coded.
+    frames
+        Frame numbers, upward; None for the whole cut.
+    layer
+        The layer whose shadow is shown alone; None for the finished picture.
+    workers
+        Threads that decode drawings and convert pictures.
+    """
+
+    path: Path
+    frames: tuple[int, ...] | None = None
+    layer: str | None = None
+    workers: int = 2
+
+
+@dataclass(frozen=True, slots=True)
+class VideoSummary:
+    """What came of it: the file, how many frames it was to have, whether it is there, and how long it took."""
+
+    path: Path
+    frames: int
+    is_whole: bool
+    seconds: float
+
+
+class _Stopped(Exception):
+    """The person asked to stop, and the unfinished file goes."""
+
+
+def export_video(
+    document: Document, request: VideoRequest, open_context: OpenContext, progress: Progress, cancelled: Cancelled
+) -> VideoSummary:
+    """Write a video; it is whole or not there.
+
+    Raises
+    ------
+    UsageProblem
+        The request does not fit the document, the suffix is no video's, or what writes videos is not installed.
+    InputProblem
+        A drawing is missing or cannot be read.
+    DiskFullProblem, OutputProblem
+        The file cannot be written.
+    GraphicsProblem
+        There is no OpenGL, or it failed.
+    """
+    started = time.monotonic()
+    path = request.path.absolute()
+    kind = kind_of(path)
+    jobs = video_jobs(document, request)
+    check_sources(jobs)
+    length = sum(len(job.targets) for job in jobs)
+    film = _Film(document, jobs, kind, request)
+    is_whole = False
+    with suppress(_Stopped):
+        replace_by(path, lambda temp: film.write(temp, open_context, progress, cancelled))
+        is_whole = True
+    return VideoSummary(path, length, is_whole, time.monotonic() - started)
+
+
+def video_jobs(document: Document, request: VideoRequest) -> tuple[Job, ...]:
+    """Return the pictures of a video one after the other, each with the frames that hold it.
+
+    Raises
+    ------
+    UsageProblem
+        The request does not fit the document.
+    """
+    layers = None if request.layer is None else (request.layer,)
+    wanted = ExportRequest(
+        request.path.parent, frames=request.frames, layers=layers, composite=layers is None, workers=request.workers
+    )
+    shown = [
+        (target, job)
+        for job in planned(document, wanted).jobs
+        for target in job.targets
+        if (layers is not None) or isinstance(job.content, CompositeContent)
+    ]
+    shown.sort(key=lambda each: each[0].frame)
+    return tuple(
+        replace(run[0][1], targets=tuple(target for target, _ in run))
+        for run in (list(group) for _, group in groupby(shown, key=lambda each: id(each[1])))
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Film:
+    """A video to be written: its pictures in their order."""
+
+    document: Document
+    jobs: tuple[Job, ...]
+    kind: VideoKind
+    request: VideoRequest
+
+    def write(self, temp: Path, open_context: OpenContext, progress: Progress, cancelled: Cancelled) -> None:
+        """Write it to ``temp``."""
+        canvas = self.document.canvas
+        cels = CelCache(CEL_BUDGET_BYTES)
+        stages: Stages[Any] = Stages(
+            decode=partial(decode, cels, in_color=self.request.layer is None),
+            drawing=partial(drawing, cels, _DEPTH, open_context),
+            write=lambda _, image: converted(_pixels_of(image), self.kind),
+        )
+        length, done = sum(len(job.targets) for job in self.jobs), 0
+        window = window_for(canvas.width_px, canvas.height_px, self.request.workers)
+        size_px = (canvas.width_px, canvas.height_px)
+        with (
+            VideoWriter(temp, self.request.path, size_px, canvas.frame_rate, self.kind) as video,
+            closing(flow(self.jobs, stages, self.request.workers, window, cancelled)) as outcomes,
+        ):
+            for outcome in outcomes:
+                if outcome.problem is not None:
+                    raise outcome.problem
+                for _ in outcome.job.targets:
+                    video.add(outcome.written)
+                done += len(outcome.job.targets)
+                progress(done, length)
+            if done < length:
+                raise _Stopped
+        if frames_in(temp) != length:
+            raise output_problem(self.request.path, "cannot be written: it reads back with other frames than it got")
+
+
+def _pixels_of(image: Image) -> Any:
+    """Return a picture as straight (H, W, 4)."""
+    return image.rgba() if isinstance(image, ShadowImage) else np.asarray(image)

@@ -1,0 +1,162 @@
+"""Meshes of imported sets: read from glTF, OBJ, PLY, STL and USD, checked, and kept in memory.
+
+What a file claims is compared with what it holds before a decoder allocates anything; pictures in it are never loaded.
+"""
+
+import threading
+from collections import OrderedDict
+from io import BytesIO
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from kagezou.errors import InputProblem
+from kagezou.geometry.mesh import Mesh
+from kagezou.geometry.mesh_making import mesh_of
+from kagezou.io.faults import input_problem
+from kagezou.io.gltf_meshes import packed_gltf
+from kagezou.io.obj import bare_obj
+from kagezou.io.usd import read_usd
+
+MESH_SUFFIXES: Final = (".glb", ".gltf", ".obj", ".ply", ".stl", ".usd", ".usda", ".usdc", ".usdz")
+MAX_TRIANGLES: Final = 5_000_000
+MAX_BYTES: Final = 512 << 20
+DEFAULT_LIMIT_BYTES: Final = 512 << 20
+
+_GLTF: Final = (".glb", ".gltf")
+_USD: Final = (".usd", ".usda", ".usdc", ".usdz")
+_FARTHEST: Final = 1e9
+
+
+class MeshCache:
+    """Meshes read from files, bounded by memory, the least lately used going first; any thread may ask.
+
+    A file is known by path, size and time of change, so an edited one is read again.
+
+    Parameters
+    ----------
+    limit_bytes
+        The memory that kept meshes may take together; a larger one is delivered but not kept.
+    """
+
+    def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
+        self._limit_bytes = limit_bytes
+        self._kept: OrderedDict[tuple[Path, int, int], Mesh] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def mesh(self, path: Path) -> Mesh:
+        """Return the mesh of a file.
+
+        Raises
+        ------
+        InputProblem
+            It cannot be read.
+        """
+        key = (path, *_state_of(path))
+        # Two threads that want one mesh wait for one reading; there are few meshes in a project.
+        with self._lock:
+            kept = self._kept.get(key)
+            if kept is None:
+                for other in [each for each in self._kept if each[0] == path]:
+                    del self._kept[other]
+                kept = self._kept[key] = read_mesh(path)
+                while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
+                    self._kept.popitem(last=False)
+            self._kept.move_to_end(key)
+            return kept
+
+
+def is_mesh(path: Path) -> bool:
+    """Whether a file is an imported set by its name."""
+    return path.suffix.lower() in MESH_SUFFIXES
+
+
+def read_mesh(path: Path) -> Mesh:
+    """Read all the triangles of a file as one mesh, every node where it stands.
+
+    Raises
+    ------
+    InputProblem
+        The file is missing, broken, of an unknown kind or too large, or has no triangles.
+    """
+    size, _ = _state_of(path)
+    suffix = path.suffix.lower()
+    if suffix not in MESH_SUFFIXES:
+        raise input_problem(path, f"this is no set that can be read, only {', '.join(MESH_SUFFIXES)}")
+    if size > MAX_BYTES:
+        raise input_problem(path, f"it is larger than {MAX_BYTES >> 20} MB, too large for a set")
+    if suffix in _USD:
+        vertices, triangles = read_usd(path, MAX_TRIANGLES)
+    elif suffix in _GLTF:
+        vertices, triangles = _read_by_trimesh(path, packed_gltf(path, MAX_TRIANGLES), "glb")
+    else:
+        vertices, triangles = _read_by_trimesh(path, _bytes_of(path), suffix.removeprefix("."))
+    return _checked(path, vertices, triangles)
+
+
+def _bytes_of(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise input_problem(path, error) from error
+
+
+def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
+    """Decode a file from memory, so that the decoder has no way to whatever else the file names."""
+    import trimesh
+
+    try:
+        # Degenerate triangles are divided by nothing in there.
+        with np.errstate(all="ignore"):
+            data = bare_obj(data) if kind == "obj" else data
+            scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True, process=False)
+            found = scene.to_mesh()
+    except MemoryError as error:
+        raise input_problem(path, "there is not enough memory for this set") from error
+    # What a decoder raises for a broken file is of any kind.
+    except Exception as error:
+        raise input_problem(
+            path, "it cannot be read as a set: the file is damaged or not what its name says"
+        ) from error
+    return found.vertices, found.faces
+
+
+def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
+    """Return a mesh whose numbers make sense, its equal vertices made one."""
+    points = np.asarray(vertices, np.float64).reshape(-1, 3)
+    corners = np.asarray(triangles).reshape(-1, 3)
+    if not len(corners) or not len(points):
+        raise input_problem(path, "there are no triangles in it")
+    if len(corners) > MAX_TRIANGLES:
+        raise too_many(path, len(corners), MAX_TRIANGLES)
+    if corners.min() < 0 or corners.max() >= len(points):
+        raise input_problem(path, "it is damaged: a triangle names a corner that is not there")
+    is_used = np.zeros(len(points), bool)
+    is_used[corners] = True
+    used = points[is_used]
+    if not np.isfinite(used).all():
+        raise input_problem(path, "it is damaged: a corner is not a number")
+    if np.abs(used).max() > _FARTHEST:
+        raise input_problem(path, f"a corner lies more than {_FARTHEST:g} units away")
+    mesh = mesh_of(points, corners)
+    if not len(mesh.triangles):
+        raise input_problem(path, "there are no triangles in it but some without an area")
+    return mesh
+
+
+def too_many(path: Path, count: int, most: int) -> InputProblem:
+    """Return the problem of a set with more triangles than can be worked with."""
+    return input_problem(path, f"it has {count} triangles, more than the {most} that can be worked with")
+
+
+def _state_of(path: Path) -> tuple[int, int]:
+    try:
+        state = path.stat()
+    except OSError as error:
+        raise input_problem(path, error) from error
+    except ValueError as error:  # a NUL in the name
+        raise input_problem(path, "it cannot be a file name") from error
+    if not path.is_file():
+        raise input_problem(path, "it is not a file")
+    return state.st_size, state.st_mtime_ns

@@ -1,0 +1,156 @@
+"""Where a new set piece is put: on the ground behind the figure or beside it, seen, and sized from the figure."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from math import dist
+from types import MappingProxyType
+
+from kagezou.document import set_properties as lines
+from kagezou.document.model import Document
+from kagezou.document.set_pieces import add_piece
+from kagezou.geometry.vectors import Vector3, dot
+from kagezou.scene.piece_frames import piece_frame
+from kagezou.tools.setting import Setting
+from kagezou.tools.shadow import tip_of
+from kagezou.tools.sight import MIN_DEPTH, between, depth_of, moved, seen
+from kagezou.tools.view import View
+
+_MEASURES = MappingProxyType({
+    "wall": (2.4, 1.3, 0.2),
+    "box": (0.5, 0.4, 0.4),
+    "steps": (0.7, 0.4, 0.7),
+    "ramp": (0.6, 0.3, 0.8),
+    "cylinder": (0.3, 0.7, 0.3),
+    "sphere": (0.4, 0.4, 0.4),
+})  # fmt: skip
+"""How wide, high and deep a new piece is, in figure heights."""
+
+_BEHIND = (0.25, 0.8, 0.0, 1.4)
+_BEHIND_OF_WALL = (0.45, 0.8, 0.25, 1.3)
+_GROWN = (1.0, 0.7, 0.45)
+_CLEARANCE = 0.12
+_CROWDED = 0.5
+"""How much less a place is worth on which something stands already."""
+
+_ENOUGH_OF_WALL, _ENOUGH = 0.5, 0.97
+"""How much of a new piece should lie on the canvas."""
+
+_FIGURE_OF_CANVAS = 0.5
+"""The height of a figure where there is none, as a part of the canvas' height."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Figure:
+    """What a piece is sized from: where it stands, how high it is and how far it reaches aside, world px."""
+
+    foot: Vector3
+    height: float
+    half_width: float
+
+
+@dataclass(frozen=True, slots=True)
+class _Spot:
+    """A place of the ground, the size of the piece there, and its worth: which part of it would be on the canvas."""
+
+    place: Vector3
+    size: tuple[float, float, float]
+    worth: float
+
+
+def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, name: str) -> tuple[Document, str]:
+    """Return the document with a new piece where it is seen, and the piece's id.
+
+    Parameters
+    ----------
+    document, frame
+        What is looked at.
+    layer_id
+        The layer whose figure it is put beside; None for the topmost.
+    kind, name
+        As for :func:`~kagezou.document.set_pieces.add_piece`, which also says what is refused.
+    """
+    if layer_id is None and document.layers:
+        layer_id = document.layers[-1].id
+    setting = Setting.of(document, frame, layer_id, View())
+    spot = _best_spot(setting, kind)
+    values: dict[str, object] = {}
+    if spot is not None:
+        scale = depth_of(setting.camera, spot.place)
+        x, y = seen(setting.camera, spot.place)
+        values[lines.PIECE_POSITION.name] = (float(round(x)), float(round(y)))
+        sized = zip((lines.PIECE_WIDTH, lines.PIECE_HEIGHT, lines.PIECE_DEPTH), spot.size, strict=True)
+        values |= {line.name: float(max(round(size / scale), 1)) for line, size in sized}
+    document = add_piece(document, name, kind, values)
+    return document, document.pieces[-1].id
+
+
+def _best_spot(setting: Setting, kind: str) -> _Spot | None:
+    """Return the first spot that is good enough, else the best; None where a piece would be seen nowhere."""
+    enough = _ENOUGH_OF_WALL if kind == "wall" else _ENOUGH
+    best: _Spot | None = None
+    for spot in _spots(setting, kind):
+        if best is None or spot.worth > best.worth:
+            best = spot
+        if best.worth >= enough:
+            break
+    return best if best is not None and best.worth > 0 else None
+
+
+def _spots(setting: Setting, kind: str) -> Iterator[_Spot]:
+    figure, ground, camera = _figure(setting), setting.ground, setting.camera
+    measures = _MEASURES.get(kind, _MEASURES["box"])
+    first = _shadow_side(setting)
+    is_wall = kind == "wall"
+    behind_it = _BEHIND_OF_WALL if is_wall else _BEHIND
+    taken = tuple(_taken(setting, is_wall=is_wall))
+    for grown, behind, side in product(_GROWN, behind_it, (0.0,) if is_wall else (first, -first)):
+        width, height, depth = (figure.height * part * grown for part in measures)
+        aside = side * (figure.half_width + width / 2 + _CLEARANCE * figure.height)
+        place = moved(figure.foot, (aside, ground.u), (-behind * figure.height, ground.v))
+        if depth_of(camera, place) <= MIN_DEPTH:
+            continue
+        size, reach = (width, height, depth), (depth if is_wall else max(width, depth)) / 2
+        is_crowded = any(dist(place, at) < reach + room for at, room in taken)
+        yield _Spot(place, size, _part_on_canvas(setting, place, size) * (_CROWDED if is_crowded else 1.0))
+
+
+def _figure(setting: Setting) -> _Figure:
+    canvas, depth = setting.document.canvas, max(depth_of(setting.camera, setting.contact), MIN_DEPTH)
+    if setting.layer is None or setting.layer.figure.is_empty:
+        height = _FIGURE_OF_CANVAS * canvas.height_px * depth
+        return _Figure(setting.contact, height, height / 4)
+    box = setting.layer.figure
+    return _Figure(setting.contact, box.height * depth, box.width * depth / 2)
+
+
+def _shadow_side(setting: Setting) -> float:
+    """Return on which side of the figure its shadow falls, where a new piece shows at once what it does."""
+    tip = tip_of(setting)
+    return -1.0 if tip is not None and dot(between(setting.contact, tip), setting.ground.u) < 0 else 1.0
+
+
+def _taken(setting: Setting, *, is_wall: bool) -> Iterator[tuple[Vector3, float]]:
+    """Yield where the other pieces stand and how far they reach; a wall has things before it, but no second wall."""
+    for piece in setting.document.pieces:
+        found = piece_frame(piece, setting.frame, setting.camera, setting.ground)
+        if found is None or found.measures.kind not in lines.BUILT_KINDS:
+            continue
+        if (found.measures.kind == "wall") == is_wall:
+            sizes = (found.measures.depth_px,) if is_wall else (found.measures.width_px, found.measures.depth_px)
+            yield found.stand.origin, max(sizes) / 2
+
+
+def _part_on_canvas(setting: Setting, place: Vector3, size: tuple[float, float, float]) -> float:
+    """Return which part of the picture of a box at a place lies on the canvas."""
+    ground, canvas = setting.ground, setting.document.canvas
+    width, height, depth = size
+    corners = [
+        seen(setting.camera, moved(place, (a, ground.u), (b, ground.v), (h, ground.normal)))
+        for a, b, h in product((-width / 2, width / 2), (-depth / 2, depth / 2), (0.0, height))
+    ]
+    part = 1.0
+    for axis, limit in ((0, canvas.width_px), (1, canvas.height_px)):
+        low, high = (extreme(corner[axis] for corner in corners) for extreme in (min, max))
+        part *= max(min(high, limit) - max(low, 0.0), 0.0) / max(high - low, 1e-9)
+    return part

@@ -1,0 +1,203 @@
+"""A set piece on the ground: where it stands, the arm out of its front that turns it, and a wall's lean.
+
+The lean is set on a small picture of the wall seen from its side, beside its foot: seen from the front, a wall that
+leans back and one that leans over can look alike.
+"""
+
+from math import atan2, cos, degrees, hypot, radians, sin
+
+from kagezou.document import set_properties as lines
+from kagezou.document.model import Document
+from kagezou.document.property import Words
+from kagezou.geometry.ground import place_on, world_from_canvas_on
+from kagezou.geometry.vectors import Point2, Vector3, dot
+from kagezou.scene.piece_frames import PieceFrame
+from kagezou.tools.drag import SNAP_VIEW_PX, Aim
+from kagezou.tools.ground import kept_near
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
+from kagezou.tools.set_size import DEEP
+from kagezou.tools.setting import Setting
+from kagezou.tools.sight import between, moved, place_seen_at, seen
+from kagezou.tools.sun import unwound
+
+POSITION = "piece.position"
+TURN = "piece.turn"
+LEAN = "piece.lean"
+
+ARM_VIEW_PX = 56.0
+"""How far before the piece's front it is turned by, were the ground seen from straight above."""
+
+LEAN_ARM_VIEW_PX = 46.0
+LEAN_AWAY_VIEW_PX = 30.0
+"""How far beside the wall's foot its side view stands."""
+
+_LEAST_ARM_VIEW_PX = 20.0
+_MOST_STRETCHED = 5.0
+"""On a ground seen nearly edge-on the arm is stretched toward that length, up to so many times."""
+
+_TURN_PER_VIEW_PX = 0.5
+_LEAST_DEPTH = 0.02
+"""The least part of its depth by which a drag leaves a piece before the horizon."""
+
+_ROUND = ("cylinder", "sphere")
+_ARC_POINTS = 17
+
+
+def handles(setting: Setting) -> tuple[Handle, ...]:
+    """Return what moves, turns and leans the piece worked on."""
+    piece = setting.piece
+    if piece is None:
+        return ()
+    made: list[Handle] = []
+    if piece.measures.kind == "wall":
+        made.append(
+            Handle(
+                LEAN, Shape.LEVER, _lean_end(setting, piece, piece.measures.lean_deg),
+                setting.address(lines.PIECE_LEAN), lines.PIECE_LEAN.label, Cursor.HORIZONTAL, piece_id=piece.id,
+            )
+        )  # fmt: skip
+    if piece.measures.kind not in _ROUND:
+        made.append(
+            Handle(
+                TURN, Shape.LEVER, seen(setting.camera, _front(setting, piece)), setting.address(lines.PIECE_ANGLE),
+                lines.PIECE_ANGLE.label, Cursor.ROTATE, piece_id=piece.id,
+            )
+        )  # fmt: skip
+    made.append(
+        Handle(
+            POSITION, Shape.PEG, seen(setting.camera, piece.stand.origin), setting.address(lines.PIECE_POSITION),
+            Words("Set piece", "セット"), piece_id=piece.id, stays_in_view=True,
+        )
+    )  # fmt: skip
+    return tuple(made)
+
+
+def guides(setting: Setting) -> tuple[Guide, ...]:
+    """Return the arms of the piece worked on."""
+    piece = setting.piece
+    if piece is None or piece.measures.kind in _ROUND:
+        return ()
+    ends = (piece.stand.origin, _front(setting, piece))
+    made = [Guide(GuideKind.PIECE_ARM, tuple(seen(setting.camera, end) for end in ends))]
+    if piece.measures.kind == "wall":
+        low, high = lines.PIECE_LEAN.low, lines.PIECE_LEAN.high
+        arc = (low + (high - low) * step / (_ARC_POINTS - 1) for step in range(_ARC_POINTS))
+        made.append(Guide(GuideKind.LEAN_ARC, tuple(_lean_end(setting, piece, angle) for angle in arc)))
+        arm = (_lean_pivot(setting, piece), _lean_end(setting, piece, piece.measures.lean_deg))
+        made.append(Guide(GuideKind.LEAN_ARM, arm))
+    return tuple(made)
+
+
+def move_position(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+    """Move a piece over the ground, never beyond its horizon; it is drawn to the ground line."""
+    if setting.piece is None:
+        return setting.document
+    x, y = aim.straightened(setting.along).target
+    if aim.modifiers.snap and not aim.modifiers.constrain:
+        x, y = _drawn_to_line(setting, (x, y))
+    return setting.edited(lines.PIECE_POSITION, before_horizon(setting, kept_near((x, y))))
+
+
+def move_turn(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+    """Turn a piece so that its front looks at the hand; its sides are drawn to the ground line."""
+    piece = setting.piece
+    if piece is None:
+        return setting.document
+    ground, stand = setting.ground, piece.stand
+    place = place_seen_at(setting.camera, _front(setting, piece), ground.normal, aim.target)
+    if place is None:
+        right = aim.offset[0] * setting.along[0] + aim.offset[1] * setting.along[1]
+        turned = piece.angle_deg - _TURN_PER_VIEW_PX * right * setting.view.zoom
+        return setting.edited(lines.PIECE_ANGLE, aim.angle(turned))
+    way = between(stand.origin, place)
+    right, nearer = dot(way, ground.u), dot(way, ground.v)
+    if hypot(right, nearer) < 1e-6:
+        return setting.document
+    shown = setting.number(lines.PIECE_ANGLE, aim.shown)
+    angle = unwound(degrees(atan2(-right, nearer)), shown, lines.PIECE_ANGLE)
+    square = 90.0 * round(angle / 90)
+    reach, turn = hypot(right, nearer), radians(square)
+    there = moved(stand.origin, (-reach * sin(turn), ground.u), (reach * cos(turn), ground.v))
+    x, y = seen(setting.camera, there)
+    is_near = hypot(x - aim.target[0], y - aim.target[1]) <= setting.view.canvas_length(SNAP_VIEW_PX)
+    snaps = is_near and aim.modifiers.snap and not aim.modifiers.constrain
+    return setting.edited(lines.PIECE_ANGLE, square if snaps else aim.angle(angle))
+
+
+def move_lean(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+    """Lean a wall as its side view is leant: to the right is back."""
+    if setting.piece is None:
+        return setting.document
+    pivot, along, across = _lean_pivot(setting, setting.piece), setting.along, setting.across
+    x, y = aim.target[0] - pivot[0], aim.target[1] - pivot[1]
+    back, up = x * along[0] + y * along[1], -(x * across[0] + y * across[1])
+    if hypot(back, up) < 1e-6:
+        return setting.document
+    miss = abs(back) if up > 0 else hypot(back, up)
+    return setting.edited(lines.PIECE_LEAN, aim.angle_or_zero(degrees(atan2(back, up)), miss, setting))
+
+
+def before_horizon(setting: Setting, wanted: Point2, start: Point2 | None = None) -> Point2:
+    """Return a canvas point of the ground: the wanted one, or the last on the way to it before the horizon.
+
+    Parameters
+    ----------
+    setting
+        Whose ground it is.
+    wanted
+        Canvas px.
+    start
+        Where the way begins, on the ground; without it where the piece worked on stands.
+    """
+    lift = world_from_canvas_on(setting.camera, setting.ground)
+    if start is None:
+        start = seen(setting.camera, setting.piece.stand.origin) if setting.piece else wanted
+    if lift is None or place_on(setting.camera, setting.ground, start) is None:
+        return wanted
+    near, far = (float(lift[3] @ (*point, 1.0)) for point in (start, wanted))
+    least = _LEAST_DEPTH * near
+    if far >= least:
+        return wanted
+    part = (near - least) / (near - far)
+    return (start[0] + part * (wanted[0] - start[0]), start[1] + part * (wanted[1] - start[1]))
+
+
+def _drawn_to_line(setting: Setting, target: Point2) -> Point2:
+    """Return the target, on the ground line if it is that near."""
+    gx, gy = setting.ground.origin[:2]
+    across = setting.across
+    off = (target[0] - gx) * across[0] + (target[1] - gy) * across[1]
+    if abs(off) > setting.view.canvas_length(SNAP_VIEW_PX):
+        return target
+    return (target[0] - off * across[0], target[1] - off * across[1])
+
+
+def _front(setting: Setting, piece: PieceFrame) -> Vector3:
+    """Return the end of the arm out of a piece's front, on the ground."""
+    stand, camera = piece.stand, setting.camera
+    depth = piece.measures.depth_px / 2 if piece.measures.kind in DEEP else 0.0
+    arm = setting.view.canvas_length(ARM_VIEW_PX) * piece.scale
+    start, end = (seen(camera, moved(stand.origin, (way, stand.v))) for way in (depth, depth + arm))
+    length = max(hypot(end[0] - start[0], end[1] - start[1]), 1e-6)
+    stretched = setting.view.canvas_length(_LEAST_ARM_VIEW_PX) / length
+    return moved(stand.origin, (depth + arm * min(max(stretched, 1.0), _MOST_STRETCHED), stand.v))
+
+
+def _lean_pivot(setting: Setting, piece: PieceFrame) -> Point2:
+    """Return where the side view of a wall stands: beside its right foot, kept within the picture."""
+    stand, canvas_length = piece.stand, setting.view.canvas_length
+    sides = (moved(stand.origin, (side * piece.measures.width_px / 2, stand.u)) for side in (-1, 1))
+    foot = max((seen(setting.camera, end) for end in sides), key=lambda end: end[0])
+    away, room, canvas = canvas_length(LEAN_AWAY_VIEW_PX), canvas_length(LEAN_ARM_VIEW_PX), setting.document.canvas
+    x, y = foot[0] + away * setting.along[0], foot[1] + away * setting.along[1]
+    return (
+        min(max(x, room / 2), max(canvas.width_px - room / 2, room / 2)),
+        min(max(y, room * 1.3), max(float(canvas.height_px), room * 1.3)),
+    )
+
+
+def _lean_end(setting: Setting, piece: PieceFrame, lean_deg: float) -> Point2:
+    (x, y), along, across = _lean_pivot(setting, piece), setting.along, setting.across
+    arm, lean = setting.view.canvas_length(LEAN_ARM_VIEW_PX), radians(lean_deg)
+    back, up = arm * sin(lean), arm * cos(lean)
+    return (x + back * along[0] - up * across[0], y + back * along[1] - up * across[1])

@@ -1,0 +1,112 @@
+"""The sizes of a set piece: its sides are drawn out along its width, its depth and its height.
+
+Each grip moves along one line of the piece; the hand means the place on that line which is seen nearest to it. Sizes
+grow to both sides of where the piece stands.
+"""
+
+from math import cos, radians, sin
+
+from kagezou.document import set_properties as lines
+from kagezou.document.model import Document
+from kagezou.document.property import Property
+from kagezou.geometry.vectors import Vector3
+from kagezou.scene.piece_frames import PieceFrame
+from kagezou.tools.drag import Aim
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
+from kagezou.tools.set_outlines import outlines_of
+from kagezou.tools.setting import Setting
+from kagezou.tools.sight import moved, part_seen_at, seen
+
+WIDTH = "piece.width"
+DEPTH = "piece.depth"
+HEIGHT = "piece.height"
+
+_LINES: dict[str, Property] = {WIDTH: lines.PIECE_WIDTH, DEPTH: lines.PIECE_DEPTH, HEIGHT: lines.PIECE_HEIGHT}
+_CURSORS = {WIDTH: Cursor.HORIZONTAL, DEPTH: Cursor.VERTICAL, HEIGHT: Cursor.VERTICAL}
+
+DEEP = ("box", "steps", "ramp")
+"""Kinds with a depth of their own."""
+
+_KINDS = {
+    WIDTH: lines.BUILT_KINDS,
+    DEPTH: DEEP,
+    HEIGHT: ("wall", *DEEP, "cylinder"),
+}
+
+
+def handles(setting: Setting) -> tuple[Handle, ...]:
+    """Return the grips of the piece worked on."""
+    piece = setting.piece
+    if piece is None:
+        return ()
+    return tuple(
+        Handle(
+            handle_id, Shape.GRIP, seen(setting.camera, _end(piece, handle_id)), setting.address(_LINES[handle_id]),
+            _LINES[handle_id].label, _CURSORS[handle_id], stays_in_view=True, piece_id=piece.id,
+        )
+        for handle_id in (DEPTH, HEIGHT, WIDTH)
+        if piece.measures.kind in _KINDS[handle_id]
+    )  # fmt: skip
+
+
+def guides(setting: Setting) -> tuple[Guide, ...]:
+    """Return the edges of the whole set while a piece of it is worked on."""
+    if setting.piece_id is None:
+        return ()
+    made: list[Guide] = []
+    for outline in outlines_of(setting.document, setting.frame):
+        if outline.piece_id == setting.piece_id:
+            made += [Guide(GuideKind.PIECE_HIDDEN, line) for line in outline.hidden]
+            made += [Guide(GuideKind.PIECE_EDGE, line) for line in outline.seen]
+        else:
+            made += [Guide(GuideKind.PIECE_OTHER, line) for line in outline.seen]
+    return tuple(made)
+
+
+def move_size(setting: Setting, handle: Handle, aim: Aim) -> Document:
+    """Draw a side out, or push it in; constrained, the piece keeps its proportions.
+
+    Seen end-on, the hand's way down draws it out.
+    """
+    piece, line = setting.piece, _LINES[handle.id]
+    if piece is None:
+        return setting.document
+    base, way = _line(piece, handle.id)
+    size = part_seen_at(setting.camera, base, way, aim.target)
+    if size is None:
+        (x, y), (across_x, across_y) = aim.offset, setting.across
+        size = setting.number(line) + x * across_x + y * across_y
+    document = setting.edited(line, size)
+    if aim.modifiers.constrain:
+        grown = max(size, line.low) / setting.number(line)
+        for other in _LINES:
+            if other != handle.id and piece.measures.kind in _KINDS[other]:
+                document = setting.edited(_LINES[other], grown * setting.number(_LINES[other]), document)
+    return document
+
+
+def _line(piece: PieceFrame, handle_id: str) -> tuple[Vector3, Vector3]:
+    """Return where the line begins on which a grip lies, and the way on it for one px of the property, world px."""
+    stand, measures, scale = piece.stand, piece.measures, piece.scale
+    nowhere: Vector3 = (0.0, 0.0, 0.0)
+    match handle_id, measures.kind:
+        case "piece.width", "sphere":
+            return stand.origin, moved(nowhere, (scale / 2, stand.u), (scale / 2, stand.normal))
+        case "piece.width", _:
+            return stand.origin, moved(nowhere, (scale / 2, stand.u))
+        case "piece.depth", _:
+            return stand.origin, moved(nowhere, (scale / 2, stand.v))
+        case _, "wall":
+            lean = radians(measures.lean_deg)
+            return stand.origin, moved(nowhere, (scale * cos(lean), stand.normal), (-scale * sin(lean), stand.v))
+        case _, "steps" | "ramp":
+            return moved(stand.origin, (-measures.depth_px / 2, stand.v)), moved(nowhere, (scale, stand.normal))
+        case _:
+            return stand.origin, moved(nowhere, (scale, stand.normal))
+
+
+def _end(piece: PieceFrame, handle_id: str) -> Vector3:
+    measures = piece.measures
+    sizes = {WIDTH: measures.width_px, DEPTH: measures.depth_px, HEIGHT: measures.height_px}
+    base, way = _line(piece, handle_id)
+    return moved(base, (sizes[handle_id] / piece.scale, way))
