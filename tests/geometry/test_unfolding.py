@@ -17,7 +17,7 @@ from kagezou.geometry.vectors import Matrix, height_over
 GROUND_PLANE = ground_plane((500.0, 900.0), 4.0, 60.0)
 
 
-def lit_faces(bodies: tuple[Solid, ...], azimuth_deg: float, elevation_deg: float) -> list[FlatFace]:
+def lit_faces(bodies: tuple[Solid, ...], azimuth_deg: float, elevation_deg: float) -> tuple[FlatFace, ...]:
     u, v, up = (np.array(each) for each in (GROUND_PLANE.u, GROUND_PLANE.v, GROUND_PLANE.normal))
     azimuth, elevation = radians(azimuth_deg), radians(elevation_deg)
     toward = cos(elevation) * (sin(azimuth) * u + cos(azimuth) * v) + sin(elevation) * up
@@ -28,7 +28,7 @@ def lit_faces(bodies: tuple[Solid, ...], azimuth_deg: float, elevation_deg: floa
             plane = facet.plane(is_turned=False)
             if height_over(plane.equation, light) > 1e-6:
                 found.append(FlatFace(index, plane, np.array(facet.corners)))
-    return found
+    return tuple(found)
 
 
 def sides(points: Matrix) -> Matrix:

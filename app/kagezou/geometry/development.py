@@ -10,6 +10,7 @@ not neighbours on one chart they are joined: near the seam they pass over into a
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -154,6 +155,7 @@ class Development:
     joins: tuple[Join, ...]
     crowded: frozenset[int] = frozenset()
 
+    @lru_cache(maxsize=128)  # noqa: B019 -- a development is kept as long as its set stays
     def outlines(self, chart: int, beyond_px: float) -> list["Outline"]:
         """Return what of the sheets of a chart is to be seen, flat.
 

@@ -27,7 +27,8 @@ _Waiting: TypeAlias = tuple[bool, float, int, int, _Seam]
 """A seam behind what decides when its turn is: coplanar faces first, then those near to the contact line."""
 
 
-def unfolded(contact: Plane, faces: Sequence[FlatFace], most_charts: int, apart_px: float) -> Development:
+@lru_cache(maxsize=32)
+def unfolded(contact: Plane, faces: tuple[FlatFace, ...], most_charts: int, apart_px: float) -> Development:
     """Lay faces flat, from the ground outward, those nearest to the contact line first.
 
     Parameters

@@ -60,7 +60,7 @@ def charted(job: Job, receivers: Receivers) -> Job:
     """Return a job with its charts: the ground alone, and those with the faces that its shadow reaches laid flat."""
     flat = laid_out(bands_of(job.blur, job.extent))
     alone = replace(job, charts=(Chart(job.extent, flat),))
-    faces = [face for face in flat_faces(job.cast, receivers) if _is_reached(job, face)]
+    faces = tuple(face for face in flat_faces(job.cast, receivers) if _is_reached(job, face))
     for most in range(_MOST_CHARTS if faces else 0, 1, -1):
         development = unfolded(job.plane, faces, most, _APART * beyond_of(job, alone.charts[0]))
         if len(development.charts) == 1:

@@ -1,7 +1,7 @@
 """What is to be filtered: a cast, the coordinates it is blurred in, and how; and what a receiver shows of it."""
 
 from dataclasses import dataclass
-from math import isfinite
+from math import ceil, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,8 @@ RAMP = 0.75
 
 _EDGE_SIGMAS = 2.5
 """How many standard deviations of its own blur an edge may be away from the outline."""
+
+_STEP_PX = 16.0
 
 _FULL_AT_ONCE = 2.5
 """Already half a px of growth, softness or waves has the finest blur, so that nothing of the sharp shadow is left."""
@@ -141,7 +143,9 @@ class Job:
 def beyond_of(job: Job, chart: Chart) -> float:
     """Return how far a face that is laid flat goes on beyond its free edges: as far as it is felt, px."""
     farthest = max(abs(chart.extent.low), abs(chart.extent.high))
-    return _BEYOND_SIGMAS * job.blur.sigma_at(farthest) * float(np.abs(job.ground_from_blurred).max()) + 2.0
+    beyond = _BEYOND_SIGMAS * job.blur.sigma_at(farthest) * float(np.abs(job.ground_from_blurred).max()) + 2.0
+    # In steps, so that what is known of a set laid flat holds while a light is dragged.
+    return ceil(beyond / _STEP_PX) * _STEP_PX
 
 
 @dataclass(frozen=True, slots=True, eq=False)
