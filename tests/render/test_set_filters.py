@@ -1,5 +1,6 @@
 """Filters on set pieces: against an exact Gaussian on ground and wall laid flat, and where receivers meet."""
 
+from collections.abc import Mapping
 from itertools import pairwise
 from pathlib import Path
 
@@ -29,8 +30,8 @@ FILTERS: dict[str, dict[str, object]] = {
 }
 
 
-def seen(renderer: Renderer, figure: Path, pieces: Pieces, values: dict[str, object]) -> tuple[ShadowCast, Array]:
-    scene = evaluate(in_a_set(figure, pieces, LIGHT | values), 1)
+def seen(renderer: Renderer, figure: Path, pieces: Pieces, values: Mapping[str, object]) -> tuple[ShadowCast, Array]:
+    scene = evaluate(in_a_set(figure, pieces, LIGHT | dict(values)), 1)
     cast = scene.layers[0].cast
     assert cast is not None
     return cast, np.asarray(renderer.coverage(scene, scene.layers[0]) / 65535)
@@ -108,6 +109,25 @@ def test_no_gap_along_the_edges_of_a_box(renderer: Renderer, figure: Path, name:
         solid = solid & rim[2:, 1:-1] & rim[:-2, 1:-1] & rim[1:-1, 2:] & rim[1:-1, :-2]
     assert solid.sum() > 2000
     assert got[solid].min() > 0.98
+
+
+@pytest.mark.parametrize("simplify", [0.0, 15.0])
+def test_opacity_falls_down_the_ground_and_up_the_wall(renderer: Renderer, figure: Path, simplify: float) -> None:
+    wall: Pieces = {"wall": {"kind": "wall", "position": [500, 800], "width": 2400, "height": 600}}
+    values = {SHADOW + "fade": 500.0, SHADOW + "opacity": 1.0, SHADOW + "simplify": simplify}
+    scene = evaluate(in_a_set(figure, wall, LIGHT | values), 1)
+    image = renderer.shadow(scene, scene.layers[0], depth=16)
+    covered = renderer.coverage(scene, scene.layers[0]) / 65535
+    box = image.box
+    alpha = np.zeros((1000, 1000))
+    alpha[box.top : box.bottom, box.left : box.right] = image.alpha / 65535
+    middles = np.arange(1000) + 0.5
+    # Seen at 60 degrees, the ground is half as high on the canvas as it is deep, and a wall 0.866 times as it is high.
+    away = np.where(middles > 800, (900 - middles) / 0.5, 200 + (800 - middles) / np.sin(np.radians(60)))
+    for row in (890, 850, 802, 797, 750, 700):
+        inside = covered[row] > 0.999
+        assert inside.sum() > 10
+        assert np.abs(alpha[row][inside] - (1 - away[row] / 500)).max() < 0.002
 
 
 def test_without_filters_and_far_from_pieces_nothing_changes(renderer: Renderer, figure: Path) -> None:
