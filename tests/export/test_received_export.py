@@ -3,17 +3,19 @@
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from small_cuts import cut, drawings, export, with_key, with_values
 
 from kagezou.document.edits import add_layer, set_canvas
-from kagezou.document.model import Cels, Document, Exposure
+from kagezou.document.model import Cels, Document, Exposure, PicturePart
 from kagezou.errors import UsageProblem
 from kagezou.export.after_effects.export import HandOffRequest, export_to_after_effects
 from kagezou.export.request import RECEIVED, SHADOWS
 from kagezou.geometry.box import Box
 from kagezou.io.encode import write_rgba
 from kagezou.io.images import read_cel
+from kagezou.io.psd_file import psd_tree
 from kagezou.render.context import open_headless_context
 
 
@@ -94,3 +96,16 @@ def test_after_effects_lays_it_over_the_character(tmp_path: Path, duo: Document,
     assert not list((tmp_path / "ae" / "matte_shadow").glob("*_received"))
     # At the opacity of the caster: After Effects has none of its own for it.
     assert read_cel(tmp_path / "ae" / "shadows" / "A_received" / "A_received_0001.png").rgba[..., 3].max() == 128
+
+
+def test_a_frame_of_layers_has_it_over_the_character(tmp_path: Path, duo: Document) -> None:
+    export(duo, tmp_path / "out", only=RECEIVED)
+    export(duo, tmp_path / "out", layered=True, format="psd")
+    frame = next((tmp_path / "out" / "layered").glob("*_0001.psd"))
+    assert [node.name for node in psd_tree(frame).layers] == ["A_shadow", "B_shadow", "A", "A_received", "B"]
+    layer = read_cel(PicturePart(frame, "A_received")).rgba[..., 3]
+    assert np.array_equal(layer, read_cel(tmp_path / "out" / "A_received" / "A_received_0001.png").rgba[..., 3])
+    hidden = with_values(duo, **{"layers.B.visible": False})
+    export(hidden, tmp_path / "none", layered=True, format="psd")
+    frame = next((tmp_path / "none" / "layered").glob("*_0001.psd"))
+    assert [(node.name, node.is_empty) for node in psd_tree(frame).layers][-1] == ("A_received", True)

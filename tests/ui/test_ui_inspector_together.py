@@ -32,7 +32,7 @@ def trio(filled: Desk) -> Desk:
     session = filled.bridge.session
     path = session.document.layers[0].cels.drawings[0].path
     for name in ("Second", "Third"):
-        filled.bring((CharacterSource(name, path),))
+        filled.bring((CharacterSource(name, path),)).at_once()
     document = session.document
     for layer, opacity in zip(document.layers, (0.6, 0.3, 0.9), strict=True):
         document = edits.set_constant(document, Address(OPACITY, layer.id), opacity)

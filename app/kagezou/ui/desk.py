@@ -3,6 +3,7 @@
 What takes time comes as a ``Load``: read beside the window, then put on the desk at once.
 """
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -10,10 +11,12 @@ from PySide6.QtCore import QObject, Signal
 from kagezou.document.edits import set_background
 from kagezou.document.model import Canvas, Document, PictureSource
 from kagezou.errors import Problem
+from kagezou.geometry.set_camera import SetCamera
 from kagezou.io import project_file
 from kagezou.io.cels import CelCache
 from kagezou.io.keepsake import Keepsake
 from kagezou.io.meshes import MeshCache
+from kagezou.io.set_cameras import cameras_of
 from kagezou.io.timesheet import Timesheet
 from kagezou.io.xdts import read_timesheet, write_xdts
 from kagezou.session.session import Session
@@ -129,6 +132,15 @@ class Desk(QObject):
                 self.bring(sources).at_once()
 
         return Load(_names(sources), read, put)
+
+    def read_set(self, path: Path, put: Callable[[Path, tuple[SetCamera, ...]], None]) -> AnyLoad:
+        """Read a set from a file, so that it is there when ``put`` puts it into the picture."""
+
+        def read(_watch: Watch) -> tuple[SetCamera, ...]:
+            self.meshes.mesh(path)
+            return cameras_of(path, self.bridge.document.canvas.frame_rate)
+
+        return Load(path.name, read, lambda cameras: put(path, cameras))
 
     def time_by(self, path: Path) -> AnyLoad:
         """Expose the drawings as a timesheet says; with nothing on the desk they are looked for beside it."""

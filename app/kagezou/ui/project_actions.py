@@ -42,8 +42,8 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
-    set_arrived = Signal(Path)
-    """A set from a 3-D program was dropped or chosen."""
+    set_read = Signal(Path, object)
+    """A set was read from a file, with its cameras, a tuple of SetCamera."""
 
     def __init__(self, desk: Desk, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()
@@ -78,7 +78,7 @@ class ProjectActions(QObject):
         one of what is in it.
         """
         if is_psd(path):
-            return self._try(lambda: self._desk.bring((CharacterSource(None, path),)))
+            return self._load(self._desk.bring((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
             return self.time_by(path)
         holder = self._lock.holder_of(path)
@@ -183,7 +183,7 @@ class ProjectActions(QObject):
         elif arrivals.timesheet is not None:
             self.time_by(arrivals.timesheet)
         elif arrivals.set_file is not None:
-            self.set_arrived.emit(arrivals.set_file)
+            self._load(self._desk.read_set(arrivals.set_file, self.set_read.emit))
         elif arrivals.background is not None:
             self._load(self._desk.put_background(arrivals.background))
         elif arrivals.characters:
