@@ -46,7 +46,7 @@ def test_a_wall_shows_the_gaussian_of_its_own_plane(
     folded = FoldedGround.of(cast)
     shadow = folded.fallen(raycast.Art(figure_alpha() / 255))
     assert not np.concatenate([*shadow.value[[0, -1]], *shadow.value.T[[0, -1]]]).any()
-    field, level = simplified(folded, shadow, amount, distance)
+    field, level = simplified(shadow, amount, distance)
     rows, columns = np.nonzero(got.any(axis=1))[0], np.nonzero(got.any(axis=0))[0]
     box = (int(columns[0]) - 6, int(rows[0]) - 6, int(columns[-1]) + 6, 880)
     exact = folded.coverage(field, level, box)

@@ -1,4 +1,4 @@
-"""The float64 reference of filters on a wall: ground and wall as one flat sheet of squares, blurred and levelled there."""
+"""The float64 reference of filters on a wall: ground and wall as one flat sheet of squares, blurred there."""
 
 from dataclasses import dataclass
 from math import ceil, floor
@@ -21,8 +21,8 @@ SAMPLES_A_SIDE = 6
 class FoldedGround:
     """The ground up to the foot of a wall, and the wall turned down behind it.
 
-    ``start`` and ``across`` are a point of the foot and the unit vector away from the character, flat; ``up`` the wall's
-    own upward direction in the world.
+    ``start`` and ``across`` are a point of the foot and the unit vector away from the character, flat; ``up`` is the
+    wall's own upward direction in the world.
     """
 
     cast: ShadowCast
@@ -104,7 +104,7 @@ def _flat(cast: ShadowCast, line: ContactLine, points: Array) -> Array:
     return np.stack(line.from_ground(u, v), axis=-1)
 
 
-def simplified(folded: FoldedGround, shadow: Squares, amount_px: float, distance_px: float) -> tuple[Squares, float]:
+def simplified(shadow: Squares, amount_px: float, distance_px: float) -> tuple[Squares, float]:
     """Return the blurred shadow and its area-preserving level."""
     field = blurred(shadow, amount_px, distance_px)
     return field, level_of(field, shadow.area)

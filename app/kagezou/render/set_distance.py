@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.development import GROUND as THE_GROUND
 from kagezou.geometry.development import Sheet
