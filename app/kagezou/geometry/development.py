@@ -160,12 +160,15 @@ class Development:
         """Return what of the sheets of a chart is to be seen, flat.
 
         Beyond edges without a hinge a face's plane goes on for a while, so that the set's own edges blur no shadow; but
-        not over other faces, nor where there is no room for it.
+        not over other faces, nor where there is no room for it, nor farther than half of what there is of the face.
         """
         beyond_px = 0.0 if chart in self.crowded else beyond_px
         laid = self.charts[chart]
         own = {each: self.sheets[each].corners for each in laid}
-        wide = {each: widened(own[each], self._hinges(each, laid), beyond_px) for each in laid}
+        wide = {
+            each: widened(own[each], self._hinges(each, laid), min(beyond_px, narrowest(own[each]) / 2))
+            for each in laid
+        }
         found: list[Outline] = []
         for each in laid:
             upper = [other for other in laid if self._is_over(other, each)]
@@ -207,6 +210,12 @@ def lines_of(corners: Matrix) -> Matrix:
     lines = np.column_stack([normals, -(normals * corners).sum(axis=1)])
     middle = np.append(corners.mean(axis=0), 1.0)
     return np.asarray(lines * np.where(lines @ middle >= 0, 1.0, -1.0)[:, np.newaxis])
+
+
+def narrowest(corners: Matrix) -> float:
+    """Return the width of a convex polygon (N, 2) across its narrowest way."""
+    lines = lines_of(corners)
+    return float((corners @ lines[:, :2].T + lines[:, 2]).max(axis=0).min())
 
 
 def covers(first: Matrix, second: Matrix) -> bool:

@@ -23,13 +23,14 @@ class _Seam:
     child: int
 
 
-_Waiting: TypeAlias = tuple[bool, float, int, int, _Seam]
-"""A seam behind what decides when its turn is: coplanar faces first, then those near to the contact line."""
+_Waiting: TypeAlias = tuple[int, bool, float, int, int, _Seam]
+"""A seam behind what decides when its turn is: first those that run farthest along the contact line, as shadows pass
+over them, then coplanar faces, then those near to that line."""
 
 
 @lru_cache(maxsize=32)
 def unfolded(contact: Plane, faces: tuple[FlatFace, ...], most_charts: int, apart_px: float) -> Development:
-    """Lay faces flat, from the ground outward, those nearest to the contact line first.
+    """Lay faces flat, from the ground outward, over the seams that a shadow is likely to pass first.
 
     Parameters
     ----------
@@ -51,7 +52,8 @@ def unfolded(contact: Plane, faces: tuple[FlatFace, ...], most_charts: int, apar
             if child not in number_of:
                 flat = _flat_ends(contact, sheets, parent, ends)
                 folds = parent == GROUND or not _is_coplanar(sheets[parent].face, faces[child])
-                order = (folds, abs(float(flat[:, 1].mean())), len(sheets), len(waiting))
+                along = abs(float((ends[1] - ends[0]) @ np.array(contact.u)))
+                order = (-round(along), folds, abs(float(flat[:, 1].mean())), len(sheets), len(waiting))
                 heapq.heappush(waiting, (*order, _Seam(ends, flat, parent, child)))
         seam = _next(waiting, number_of)
         if seam is None:
@@ -123,9 +125,11 @@ def _charted(sheets: Sequence[Sheet], most_charts: int, apart_px: float) -> Deve
     for number, sheet in enumerate(sheets):
         line = _line(sheets, sheet.parent)
         home = placed[sheet.parent].chart if sheet.parent != GROUND else 0
-        order = sorted(range(1, len(charts)), key=lambda index: index != home)
+        order = range(1, len(charts))
         mine = [sheet.corners, *(placed[each].corners for each in line)]
-        chart = _free_chart(order, charts, line, placed, mine, apart_px)
+        # Beside what it hangs on it may be felt by others: a chain of faces is to stay whole.
+        chart = _free_chart([home], charts, line, placed, mine, 0.0) if home else 0
+        chart = chart or _free_chart(order, charts, line, placed, mine, apart_px)
         if chart == 0 and len(charts) < most_charts:
             chart = len(charts)
             charts.append([])

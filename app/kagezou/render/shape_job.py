@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from kagezou.geometry.bands import FINEST_SIGMA_PX, REACH_SIGMAS, Blur, Extent
 from kagezou.geometry.box import Box
-from kagezou.geometry.development import FLAT, GROUND, Development, Join
+from kagezou.geometry.development import FLAT, GROUND, Development, Join, narrowest
 from kagezou.geometry.ground import Plane, canvas_from_plane
 from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.shadow import cast_card
@@ -207,8 +207,14 @@ class View:
         return np.asarray(join.seam @ np.linalg.inv(self.job.ground_from_blurred).T)
 
     def reach_of(self, join: Join) -> float:
-        """Return how far from its seam a join is felt: as far as the blur reaches there, px of the blur."""
-        return REACH_SIGMAS * max(self.job.blur.sigma_at(float(v)) for v in self.seam_of(join)[:, 1]) + 2.0
+        """Return how far from its seam a join is felt: as far as the blur reaches there, px of the blur.
+
+        Where paper is cut, no farther than half of the face: the other chart knows less of it than its own.
+        """
+        reach = REACH_SIGMAS * max(self.job.blur.sigma_at(float(v)) for v in self.seam_of(join)[:, 1]) + 2.0
+        if join.most == 1 or join.sheet == GROUND:
+            return reach
+        return min(reach, narrowest(self.job.development.sheets[join.sheet].corners) / 2 + 2.0)
 
 
 def stretched(canvas_from_plane: Matrix, ground_from_blurred: Matrix) -> Matrix:
