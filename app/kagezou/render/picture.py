@@ -69,9 +69,16 @@ class Picture:
             self._copy_base(box)
         self._drawn_over = []
 
-    def lay_shadow(self, coverage: Texture, box: Box, cast: ShadowCast | None, look: ShadowLook) -> None:
+    def lay_shadow(
+        self,
+        coverage: Texture,
+        box: Box,
+        cast: ShadowCast | None,
+        look: ShadowLook,
+        distances: Texture | None = None,
+    ) -> None:
         """Lay a shadow over the picture; ``coverage`` is of the canvas' size, ``cast`` None for the set's own."""
-        switches, uniforms = look_uniforms(cast, look, box)
+        switches, uniforms = look_uniforms(cast, look, box, distances)
         self._lay(
             self._target,
             box,

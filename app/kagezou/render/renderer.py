@@ -118,7 +118,9 @@ class Renderer:
                 canvas.width, canvas.height, look.color, np.zeros((0, 0), _DEPTHS[depth]), Box(0, 0, 0, 0)
             )
         box = coverage.box
-        switches, uniforms = look_uniforms(cast, look, box)
+        switches, uniforms = look_uniforms(
+            cast, look, box, coverage.measured if isinstance(coverage, Coverage) else None
+        )
         if not switches:
             covered = coverage.target.read(box)
             check("drawing a shadow")
@@ -201,7 +203,7 @@ class Renderer:
                 if line_px:
                     outlines.append((coverage.target.texture, coverage.box))
                 else:
-                    picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look)
+                    picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look, coverage.measured)
         for layer in scene.layers:
             if layer.drawing is not None:
                 picture.lay_cel(cels[layer.id])
