@@ -13,6 +13,7 @@ from kagezou.export.jobs import CompositeContent, Content, Job, LayeredContent, 
 from kagezou.export.layered import LayerPainter
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.pipeline import Draw, Image, Outcome, Stages, flow, window_for
+from kagezou.export.receivers import ReceiverContent
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
 from kagezou.export.writing import blank_image, write_all
 from kagezou.io.atomic import sweep_stale
@@ -104,6 +105,8 @@ def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: Job) -> Im
     if isinstance(job.content, ReceivedContent):
         assert job.layer is not None, job
         return renderer.received(job.scene, job.layer, depth)
+    if isinstance(job.content, ReceiverContent):
+        return renderer.receiver_matte(job.scene.canvas, job.content.cast, depth)
     if isinstance(job.content.cast, SetCast) and job.scene.set_shadow is not None:
         return renderer.set_shadow(job.scene, job.scene.set_shadow, depth)
     if job.layer is None:

@@ -12,7 +12,8 @@ from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.choice import chosen_frames, chosen_layers, is_ever
 from kagezou.export.names import digits_for, safe_names
-from kagezou.export.request import RECEIVED, SHADOWS, ExportRequest
+from kagezou.export.receivers import ReceiverContent, receiver_content, receivers_of
+from kagezou.export.request import RECEIVED, RECEIVERS, SHADOWS, ExportRequest
 from kagezou.geometry.camera import Camera
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.pieces import PieceScene, SetCast
@@ -74,10 +75,14 @@ class LayeredContent:
     receiving: frozenset[str] = frozenset()
 
 
-Content = ShadowContent | ReceivedContent | CompositeContent | LayeredContent
+Content = ShadowContent | ReceivedContent | ReceiverContent | CompositeContent | LayeredContent
 
 _Picture = tuple[str, Content, LayerScene | None]
 """Its folder's name, what it shows, and the layer it is drawn from."""
+
+
+_UNSEEN = ShadowContent(None, ShadowLook((255, 255, 255), 0.0, multiply=True))
+"""The matte of a receiver that is not there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,7 +158,7 @@ class Job:
     @property
     def _picture(self) -> CompositeContent | None:
         """The whole picture it shows, None for a shadow alone."""
-        if isinstance(self.content, ShadowContent | ReceivedContent):
+        if isinstance(self.content, ShadowContent | ReceivedContent | ReceiverContent):
             return None
         return self.content.picture if isinstance(self.content, LayeredContent) else self.content
 
@@ -185,14 +190,16 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     frames = chosen_frames(document, request)
     layers = chosen_layers(document, request)
     names = safe_names(layer.name for layer in document.layers)
-    receiving = [layer for layer in layers if ever_receives(layer)] if request.only != SHADOWS else []
-    layers = layers if request.only != RECEIVED else ()
+    receiving = [layer for layer in layers if ever_receives(layer)] if request.only in (None, RECEIVED) else []
+    layers = layers if request.only in (None, SHADOWS) else ()
     folders = [request.folder / f"{names[layer.name]}_shadow" for layer in layers]
     folders += [request.folder / f"{names[layer.name]}_received" for layer in receiving]
-    has_set = request.layers is None and request.only != RECEIVED and _set_ever_casts(document)
+    has_set = request.layers is None and request.only in (None, SHADOWS) and _set_ever_casts(document)
     set_label = _set_label(document, names) if has_set else None
     if set_label is not None:
         folders.append(request.folder / set_label)
+    receivers = receivers_of(document) if request.receivers or request.only == RECEIVERS else ()
+    folders += [request.folder / each.label for each in receivers]
     if request.composite:
         folders.append(request.folder / COMPOSITE)
     if not folders:
@@ -207,6 +214,9 @@ def planned(document: Document, request: ExportRequest) -> Plan:
         pictures += [(f"{names[each.name]}_received", *_received(document, each, scene, frame)) for each in receiving]
         if set_label is not None:
             pictures.append((set_label, _set_shadow(scene), None))
+        pictures += [
+            (each.label, receiver_content(document, scene, frame, each) or _UNSEEN, None) for each in receivers
+        ]
         if request.composite:
             pictures.append((COMPOSITE, _composite(scene), None))
         for label, content, layer_scene in pictures:

@@ -20,7 +20,9 @@ MAX_WORKERS: Final = 64
 
 SHADOWS: Final = "shadows"
 RECEIVED: Final = "received"
-"""What may be asked for alone: shadows on the ground and the set, or what characters cast on each other."""
+RECEIVERS: Final = "receivers"
+"""What may be asked for alone: shadows on the ground and the set, what characters cast on each other, or where the
+ground and the pieces of the set are seen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +54,9 @@ class ExportRequest:
         Whether each frame is one file that holds background, shadows and characters as layers, instead of a folder
         for each shadow.
     only
-        `SHADOWS` or `RECEIVED`; None for both.
+        `SHADOWS`, `RECEIVED` or `RECEIVERS`; None for the first two.
+    receivers
+        Whether mattes of the ground and of every set piece are written as well.
     """
 
     folder: Path
@@ -67,6 +71,7 @@ class ExportRequest:
     once: bool = False
     layered: bool = False
     only: str | None = None
+    receivers: bool = False
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:

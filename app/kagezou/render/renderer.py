@@ -22,6 +22,7 @@ from kagezou.render.program import Variants
 from kagezou.render.received import ReceivedCoverage
 from kagezou.render.shadow_layers import Coverage, ShadowLayers
 from kagezou.render.targets import Format, Target, Texture
+from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
 MATTE_BUDGET_BYTES = 256 << 20
@@ -30,6 +31,7 @@ _SQUARE_PX = 16
 
 _DEPTHS = {8: np.uint8, 16: np.uint16}
 _MOST_COVERED = 65535
+_WHITE_MATTE = ShadowLook((255, 255, 255), 1.0, multiply=False)
 
 
 class Renderer:
@@ -104,6 +106,13 @@ class Renderer:
     def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
         """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""
         return self._shaded_image(scene.canvas, self._shadows.set_coverage(scene), None, shadow.look, depth)
+
+    def receiver_matte(self, canvas: Box, cast: SetCast, depth: int = 8) -> ShadowImage:
+        """Return where the pieces that cast are seen, or, where none does, the ground: white, straight alpha.
+
+        ``cast`` needs no lights.
+        """
+        return self._shaded_image(canvas, self._shadows.seen_of_set(canvas, cast), None, _WHITE_MATTE, depth)
 
     def _shaded_image(
         self,

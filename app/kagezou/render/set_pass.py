@@ -137,6 +137,39 @@ class SetPass:
             drawn = self._united(own, box, target, drawn)
         return drawn
 
+    def draw_seen(self, cast: SetCast, target: Target) -> Box | None:
+        """Draw where the pieces that cast are seen, or, where none does, the ground; return the box that may hold it.
+
+        It is the shadow of a light that stands, for every place, opposite to the eye: all that is seen is turned away
+        from it.
+        """
+        target.clear()
+        stage = self._stage(cast.camera, target.box, cast.ground, cast.pieces)
+        ground = cast.ground if cast.ground_receives else None
+        ex, ey, ez, ew = cast.camera.eye
+        lit = self._unlit(stage, (-ex, -ey, -ez, -ew), ground)
+        wants_ground = ground is not None and not any(piece.casts for piece in cast.pieces)
+        drawn: Box | None = None
+        for face in stage.faces:
+            if stage.is_caster(face) or (face.body == GROUND and wants_ground):
+                mask, shade = stage.mask(face, (EVERYWHERE,)), _shade(face, None, face.box)
+                box = self._adding.add_own(mask, shade, face.box, target, self._screen(lit, face))
+                drawn = _around(drawn, box)
+        if lit.meshes is not None:
+            drawn = _around(drawn, self._mesh.draw_own(lit.meshes, target))
+        for each in filter(stage.is_caster, stage.rounds):
+            alone = self._scratch("face", target)
+            round_lit = RoundLit(stage, each, lit.light, {}, self._screen(lit, each))
+            drawn = _around(
+                drawn, self._add_round(lit, each, self._round.draw_own(round_lit, alone, is_caster=True), target)
+            )
+        return drawn
+
+    def _unlit(self, stage: Stage, light: Vector4, ground: Plane | None) -> _Lit:
+        """Return a set under a light that nobody keeps from anybody."""
+        view = self._mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
+        return _Lit(stage, light, {}, None if view is None else MeshLit(view, stage, light, {}, None, ground))
+
     def pictures(self, cast: SetCast, canvas: Box, displays: Iterable[Display]) -> tuple[SetPicture, ...]:
         """Return what is to be shown of meshes themselves, those under the background first."""
         ways = {display.value for display in displays}

@@ -60,6 +60,7 @@ class ShadowLayers:
         self._distance = DistancePass(boxes, self._cast)
         self._received = ReceivedLayers(boxes, self._cast, cels, self._mattes)
         self._of_set: Coverage | None = None
+        self._seen: Coverage | None = None
         self._meshes = meshes
         self._set_cast: tuple[SetCast, tuple[Mesh, ...]] | None = None
         self._by_layer: dict[str, Coverage] = {}
@@ -116,6 +117,12 @@ class ShadowLayers:
             self.casts_drawn += 1
         return kept if kept.box is not None else None
 
+    def seen_of_set(self, canvas: Box, cast: SetCast) -> Coverage:
+        """Return where the pieces that cast are seen, or, where none does, the ground."""
+        kept = self._seen = _fitting(self._seen, canvas)
+        kept.box = self._set.draw_seen(cast, kept.target)
+        return kept
+
     def set_pictures(self, scene: Scene, displays: Sequence[Display]) -> tuple[SetPicture, ...]:
         """Return what is to be shown of meshes themselves, those under the background first."""
         return self._set.pictures(SetCast(scene.camera, scene.ground, scene.pieces, ()), scene.canvas, displays)
@@ -134,8 +141,9 @@ class ShadowLayers:
         for coverage in self._by_layer.values():
             coverage.close()
         self._by_layer.clear()
-        if self._of_set is not None:
-            self._of_set.target.close()
+        for kept in (self._of_set, self._seen):
+            if kept is not None:
+                kept.target.close()
         self._received.close()
         self._distance.close()
         self._set.close()

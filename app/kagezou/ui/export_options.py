@@ -122,6 +122,7 @@ class ExportOptions(QWidget):
             "core": self.tr("Matte: the part near the feet"),
             "distance": self.tr("Matte: distance from the feet"),
             "lit": self.tr("Matte: what no shadow lies on"),
+            "receivers": self.tr("Mattes: the ground and every set piece"),
         }
 
 

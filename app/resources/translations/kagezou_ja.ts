@@ -1198,6 +1198,10 @@
         <source>Matte: what no shadow lies on</source>
         <translation>マット: 影のない部分</translation>
     </message>
+    <message>
+        <source>Mattes: the ground and every set piece</source>
+        <translation>マット：地面とセットのそれぞれ</translation>
+    </message>
 </context>
 <context>
     <name>Exporting</name>

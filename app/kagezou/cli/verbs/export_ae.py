@@ -33,7 +33,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "--footage", choices=("copy", "reference"), default="copy", help="copy drawings, or leave them where they lie"
     )
-    parser.add_argument("--mattes", metavar="LIST", default="", help="out of shadow,core,distance,lit")
+    parser.add_argument("--mattes", metavar="LIST", default="", help="out of shadow,core,distance,lit,receivers")
     parser.add_argument("--format", choices=("png", "exr"), default="png", help="the format of the shadows (png)")
     parser.add_argument("--depth", type=int, choices=(8, 16), default=8, help="bits a channel of png (8)")
     parser.add_argument(

@@ -37,6 +37,9 @@ def add_arguments(parser: Parser) -> None:
         "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
     )
     parser.add_argument(
+        "--receivers", action="store_true", help="also DIR/ground_matte/ and DIR/PIECE_matte/: where each is seen"
+    )
+    parser.add_argument(
         "--layered",
         action="store_true",
         help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
@@ -74,6 +77,7 @@ def run(options: Namespace, doors: Doors) -> int:
         depth=options.depth or _DEFAULT_DEPTH.get(form, 8),
         composite=options.composite,
         layered=options.layered,
+        receivers=options.receivers,
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
         keep_going=options.keep_going,

@@ -16,6 +16,7 @@ from kagezou.export.after_effects import comp as ae
 from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import Cels
 from kagezou.export.after_effects.guides import guides_of
+from kagezou.export.receivers import GROUND
 
 SET: Final = "set"
 """Stands for the set where layers have their ids, which are all of another form."""
@@ -76,7 +77,8 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
 
 
 def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
-    names = {SET: "Set"} | {layer.id: layer.name for layer in document.layers}
+    names = {SET: "Set", GROUND: "Ground"} | {layer.id: layer.name for layer in document.layers}
+    names |= {piece.id: piece.name for piece in document.pieces}
     made = []
     if written.background is not None:
         path = _path(written.background, written.folder)
@@ -88,7 +90,8 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
         alpha = "PREMULTIPLIED" if first.suffix == ".exr" else "STRAIGHT"
         is_matte = kind.startswith("matte:")
         folder = "Mattes" if is_matte else "Shadows"
-        title = f"{names[layer_id]} {kind.removeprefix('matte:')}{' matte' if is_matte else ''}"
+        what = "" if kind == "matte:receivers" else f" {kind.removeprefix('matte:')}"
+        title = f"{names[layer_id]}{what}{' matte' if is_matte else ''}"
         made.append(ae.Footage(f"{kind}:{layer_id}", title, _path(first, written.folder), count, alpha, folder))
     return tuple(made)
 

@@ -3,6 +3,7 @@
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final
 
 from kagezou.document.model import Document
@@ -14,7 +15,17 @@ from kagezou.export.after_effects.script import script_of
 from kagezou.export.frames import export_frames
 from kagezou.export.jobs import ever_receives, pictures_of, planned
 from kagezou.export.names import digits_for, safe_names
-from kagezou.export.request import RECEIVED, SHADOWS, SUFFIXES, Cancelled, ExportRequest, Progress, Summary
+from kagezou.export.receivers import GROUND, receivers_of
+from kagezou.export.request import (
+    RECEIVED,
+    RECEIVERS,
+    SHADOWS,
+    SUFFIXES,
+    Cancelled,
+    ExportRequest,
+    Progress,
+    Summary,
+)
 from kagezou.io.atomic import write_bytes
 from kagezou.io.encode import write_rgba
 from kagezou.io.faults import output_problem
@@ -26,6 +37,9 @@ _AE_LONGEST_S: Final = 10800
 _AE_SIZES_PX: Final = (4, 30000)
 _AE_RATES: Final = (1, 99)
 FORMATS: Final = ("png", "exr")
+_OF_RECEIVERS: Final = f"matte:{RECEIVERS}"
+_ONLY: Final = MappingProxyType({"received": RECEIVED, _OF_RECEIVERS: RECEIVERS})
+"""What is asked for alone, by kind; anything else are shadows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,12 +153,15 @@ class _Run:
 
     def documents(self) -> dict[str, Document]:
         """Return what is to be rendered: the shadows and the mattes."""
-        mattes = dict.fromkeys("shadow" if matte == "lit" else matte for matte in self._request.mattes)
+        asked = [matte for matte in self._request.mattes if matte != RECEIVERS]
+        mattes = dict.fromkeys("shadow" if matte == "lit" else matte for matte in asked)
         made = {"shadow": at_full_opacity(self._document)}
         if any(ever_receives(layer) for layer in self._document.layers):
             # At the opacity of those who cast, which one property there could not tell.
             made["received"] = self._document
         made.update({f"matte:{matte}": matte_document(self._document, matte) for matte in mattes})
+        if RECEIVERS in self._request.mattes:
+            made[_OF_RECEIVERS] = self._document
         return made
 
     def export(self, kind: str, document: Document, open_context: OpenContext) -> Summary:
@@ -197,7 +214,7 @@ class _Run:
             skip_existing=request.skip_existing,
             workers=request.workers,
             once=request.per_drawing,
-            only=RECEIVED if kind == "received" else SHADOWS,
+            only=_ONLY.get(kind, SHADOWS),
         )
 
     def _note_folders(self, kind: str, document: Document, request: ExportRequest) -> None:
@@ -210,6 +227,8 @@ class _Run:
         of_set = [folder for folder in plan.folders if folder not in folders.values()]
         if kind in ("shadow", "matte:shadow") and of_set:
             folders[SET] = of_set[0]
+        if kind == _OF_RECEIVERS:
+            folders = {each.piece_id or GROUND: request.folder / each.label for each in receivers_of(document)}
         for layer_id, folder in folders.items():
             pictures = pictures_of(plan, folder) if request.once else None
             count = document.canvas.length_frames if pictures is None else max(pictures) + 1

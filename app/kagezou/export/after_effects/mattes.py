@@ -18,6 +18,7 @@ MATTES: Final[Mapping[str, str]] = MappingProxyType({
     "core": "its part near the feet, fading out over a fifth of the character's height",
     "distance": "white at the feet to black at twice the character's height, within the shadow",
     "lit": "what no shadow lies on, white on black; a composition of the shadows alone",
+    "receivers": "the ground and every set piece, each white where it is seen",
 })  # fmt: skip
 
 _CORE_HEIGHT: Final = 0.2
