@@ -46,7 +46,7 @@ def test_the_same_frame_by_window_and_by_command_line_is_the_same_bytes(walking:
 def test_what_characters_cast_on_each_other_is_the_same_in_every_view(walking: MainWindow, tmp_path: Path) -> None:
     desk = walking.desk
     write_rgba(tmp_path / "paper.png", np.full((200, 240, 4), 255, np.uint8))
-    desk.put_background(tmp_path / "paper.png")
+    desk.put_background(tmp_path / "paper.png").at_once()
     document = desk.bridge.document
     first = document.layers[0]
     document = add_layer(document, "Before", first.cels, first.figure)

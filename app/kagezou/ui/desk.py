@@ -4,6 +4,7 @@ What takes time comes as a ``Load``: read beside the window, then put on the des
 """
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -212,13 +213,16 @@ class Desk(QObject):
 
     def _read_first(self, document: Document, watch: Watch) -> None:
         """Read what the first frame shows, so that the viewport finds it there."""
-        wanted = [(self.cels.background, document.background)] if document.background else []
+        wanted: list[Callable[[], object]] = []
+        if document.background is not None:
+            wanted.append(partial(self.cels.background, document.background))
         first = (layer.cels.drawing_at(1) for layer in document.layers)
-        wanted += [(self.cels.cel, drawing.source) for drawing in first if drawing is not None]
-        for index, (read, source) in enumerate(wanted):
+        wanted += [partial(self.cels.cel, drawing.source) for drawing in first if drawing is not None]
+        wanted += [partial(self.meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
+        for index, read in enumerate(wanted):
             watch(Part.READING, index, len(wanted))
             try:
-                read(source)
+                read()
             except Problem:
                 # The viewport meets the same file, and says what is wrong with it.
                 continue

@@ -72,7 +72,7 @@ class Loading(QWidget):
         self._failed, self._may_put = failed, may_put
         self._job: _Job | None = None
         self._waiting: deque[AnyLoad] = deque()
-        self._part, self._since_s = Part.FINDING, 0.0
+        self._part, self._done, self._since_s = Part.FINDING, 0, 0.0
         self._words = QLabel()
         self._words.setTextFormat(Qt.TextFormat.PlainText)
         self._left = QLabel()
@@ -130,6 +130,7 @@ class Loading(QWidget):
             job.join(_LAST_WAIT_S)
 
     def _begin(self, load: AnyLoad) -> bool:
+        self._since_s = monotonic()
         job = self._job = _Job(load)
         job.start()
         job.join(PATIENCE_S)
@@ -175,8 +176,9 @@ class Loading(QWidget):
         self.progressed.emit()
 
     def _show_progress(self, part: Part, done: int, whole: int) -> None:
-        if part is not self._part or done == 0:
+        if part is not self._part or done < self._done:
             self._part, self._since_s = part, monotonic()
+        self._done = done
         name = self._job.load.what if self._job else ""
         self._words.setText(part_words(part).replace("%1", name))
         self._progress.setRange(0, whole)
