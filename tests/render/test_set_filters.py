@@ -155,3 +155,12 @@ def test_a_light_that_moves_a_little_moves_a_filtered_shadow_a_little(renderer: 
     shown = [at(300.0 + step) for step in range(3)]
     for before, after in pairwise(shown):
         assert np.abs(after - before).sum() < 0.02 * before.sum()
+
+
+def test_a_light_below_the_ground_or_low_over_it_is_no_harm(renderer: Renderer, figure: Path) -> None:
+    values = {**FILTERS["with the distance"], SHADOW + "softness": 12.0}
+    _, dark = seen(renderer, figure, WALL, {**values, "light.position": [500.0, 2000.0, 0.0]})
+    assert not dark.any()
+    low = {"light.kind": "sun", "light.azimuth": 20.0, "light.elevation": 2.5}
+    _, shown = seen(renderer, figure, WALL, {**values, **low})
+    assert shown.any()

@@ -100,7 +100,7 @@ class SetPass:
         if matte is None:
             return None
         stage = self._stage(cast.camera, target.box, cast.receivers[0], cast.pieces)
-        shaped = self._shaped(stage, cast, matte, target) if cast.is_filtered else None
+        shaped = self._shaped(stage, cast, matte, target) if cast.is_filtered and cast.lights else None
         drawn: Box | None = None
         ground = cast.receivers[0] if cast.ground_receives else None
         for light in cast.lights:

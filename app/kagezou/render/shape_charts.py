@@ -25,6 +25,9 @@ _MOST_CHARTS = 6
 _APART = 0.6
 """How far apart faces lie on a chart, as a part of how far they go on beyond their edges."""
 
+_TALLEST_TEXELS = 8192
+"""No driver's textures are smaller; under a low light there is room for few charts, or none but the ground's."""
+
 _MARGIN_PX = 4.0
 
 
@@ -68,8 +71,8 @@ def charted(job: Job, receivers: Receivers) -> Job:
         job = replace(job, development=development)
         extents = [job.extent, *(_extent(job, number) for number in range(1, len(development.charts)))]
         bands = [bands_of(job.blur, extent) for extent in extents]
-        if sum(map(len, bands)) <= MAX_BANDS:
-            strips = laid_out(band for each in bands for band in each)
+        strips = laid_out(band for each in bands for band in each)
+        if strips and len(strips) <= MAX_BANDS and strips[-1].box.bottom <= _TALLEST_TEXELS:
             return replace(job, charts=tuple(_split(extents, bands, strips)))
     return alone
 

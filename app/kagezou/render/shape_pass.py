@@ -232,6 +232,7 @@ class ShapePass:
             for target in old or ():
                 width, height = max(width, target.box.width), max(height, target.box.height)
                 target.close()
+            self._atlases = None
             forms = (Format.ALPHA16, Format.FLOAT, Format.FLOAT)
             shadow, half, blurred = (Target(width, height, form) for form in forms)
             self._atlases = (shadow, half, blurred)
