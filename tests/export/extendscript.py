@@ -4,6 +4,7 @@ import json
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -93,13 +94,15 @@ def checkers() -> Path:
 
 def complaints(script: str, folder: Path) -> str:
     """Return what the ECMAScript 3 parser and After Effects' types say against a script; nothing if it is fine."""
-    checked = folder / "checked.jsx"
-    checked.write_text(script, encoding="utf-8")
     said = ""
-    for command in (
-        ["node_modules/acorn/bin/acorn", "--ecma3", "--silent", "checked.jsx"],
-        ["node_modules/typescript/lib/tsc.js", "-p", "tsconfig.json"],
-    ):
-        done = subprocess.run([str(NODE), *command], cwd=folder, capture_output=True, text=True, check=False)
-        said += done.stdout + done.stderr if done.returncode else ""
+    # A place of its own, as several runs of the tests may share the checkers.
+    with tempfile.TemporaryDirectory(dir=folder, prefix="checked-") as place:
+        Path(place, "checked.jsx").write_text(script, encoding="utf-8")
+        shutil.copy(folder / "tsconfig.json", place)
+        for command in (
+            ["../node_modules/acorn/bin/acorn", "--ecma3", "--silent", "checked.jsx"],
+            ["../node_modules/typescript/lib/tsc.js", "-p", "tsconfig.json"],
+        ):
+            done = subprocess.run([str(NODE), *command], cwd=place, capture_output=True, text=True, check=False)
+            said += done.stdout + done.stderr if done.returncode else ""
     return said

@@ -85,3 +85,46 @@ def test_no_face_of_a_chart_lies_over_another_that_is_looked_up_there(height: fl
     cuts = [join for join in development.joins if join.most == 0.5]
     assert len(cuts) % 2 == 0
     assert cuts
+    assert all(join in development.joins_of(join.sheet) for join in cuts)
+
+
+def two_boxes() -> tuple[FlatFace, ...]:
+    """The lit faces of two boxes 180 px apart."""
+    stands = (shapes.stand_on(GROUND_PLANE, GROUND_PLANE.point(x, -200.0), 30.0) for x in (40.0, 320.0))
+    return lit_faces(tuple(body for stand in stands for body in shapes.box(stand, 100.0, 80.0, 40.0)), 10.0, 40.0)
+
+
+def test_faces_share_a_chart_only_where_there_is_no_room_apart() -> None:
+    faces = two_boxes()
+    roomy = unfolded(GROUND_PLANE, faces, 12, 400.0)
+    assert not roomy.crowded
+    scant = unfolded(GROUND_PLANE, faces, 2, 400.0)
+    assert scant.crowded == {1}
+    assert {sheet.face.body for sheet in scant.sheets if sheet.chart == 1} == {0, 1}
+    # What shares is not widened: it would lie over what stands beside it.
+    for outline in scant.outlines(1, 30.0):
+        assert np.allclose(np.ptp(outline.corners, axis=0), np.ptp(scant.sheets[outline.sheet].corners, axis=0))
+
+
+def test_faces_without_a_place_crowd_nothing() -> None:
+    stand = shapes.stand_on(GROUND_PLANE, GROUND_PLANE.point(40.0, -200.0), 30.0)
+    faces = lit_faces(shapes.box(stand, 120.0, 100.0, 220.0), 10.0, 40.0)
+    development = unfolded(GROUND_PLANE, faces, 2, 0.0)
+    assert not development.crowded
+    assert any(sheet.chart == 0 for sheet in development.sheets)
+
+
+def test_what_stays_on_a_chart_lies_over_its_guests() -> None:
+    stand = shapes.stand_on(GROUND_PLANE, GROUND_PLANE.point(40.0, -200.0), 30.0)
+    development = unfolded(GROUND_PLANE, lit_faces(shapes.steps(stand, 120.0, 80.0, 60.0, 3), 10.0, 40.0), 12, 0.0)
+    over = 0
+    for chart, laid in list(enumerate(development.charts))[1:]:
+        outlines = development.outlines(chart, 0.0)
+        guests = [number for number in laid if development.sheets[number].is_guest]
+        own = [development.sheets[number].corners for number in laid if number not in guests]
+        for guest in guests:
+            covering = [corners for corners in own if covers(corners, development.sheets[guest].corners)]
+            hidden_by = [corners for outline in outlines if outline.sheet == guest for corners in outline.over]
+            assert all(any(np.array_equal(corners, found) for found in hidden_by) for corners in covering)
+            over += len(covering)
+    assert over

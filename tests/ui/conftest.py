@@ -2,13 +2,14 @@
 
 import os
 from collections.abc import Iterator
+from itertools import count
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
-from PySide6.QtGui import QGuiApplication, QOpenGLContext
-from PySide6.QtWidgets import QApplication
+from PySide6.QtGui import QClipboard, QGuiApplication, QOpenGLContext
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.io.encode import write_rgba
@@ -63,6 +64,28 @@ def _no_context_stays_current(qapp: QApplication) -> Iterator[None]:  # noqa: AR
     current = QOpenGLContext.currentContext()
     if current is not None:
         current.doneCurrent()
+
+
+@pytest.fixture
+def clipboard(qtbot: QtBot, request: pytest.FixtureRequest) -> QClipboard:
+    """The clipboard, ready: an X server gives it to no one whose last event is older than its last owner's."""
+    found = QGuiApplication.clipboard()
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.show()
+    titles = count()
+
+    def is_given() -> bool:
+        # A new title comes back as an event that bears the server's time.
+        window.setWindowTitle(str(next(titles)))
+        QGuiApplication.processEvents()
+        found.setText("ready")
+        return found.text() == "ready"
+
+    with request.getfixturevalue("qtlog").disabled():
+        qtbot.waitUntil(is_given)
+    window.close()
+    return found
 
 
 @pytest.fixture

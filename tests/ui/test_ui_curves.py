@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QGuiApplication, QMouseEvent
+from PySide6.QtGui import QClipboard, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
@@ -310,10 +310,10 @@ def test_the_table_shows_and_takes_keys(editor: CurveEditor, keyed: Desk) -> Non
     assert kept.text() == "42.5"
 
 
-def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: Desk) -> None:
+def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: Desk, clipboard: QClipboard) -> None:
     keyed.bridge.session.select_keys(frozenset({KeyRef(LIGHT, 5)}))
     editor.table.copy()
-    text = QGuiApplication.clipboard().text()
+    text = clipboard.text()
     assert text.splitlines()[0] == "\t".join(HEADINGS)
     assert len(text.splitlines()) == 1 + 3 * 3
     before = keyed.bridge.document
@@ -321,7 +321,7 @@ def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: Desk) -> 
     for frame in range(1, 49):
         assert value_of(back, LIGHT, frame) == value_of(before, LIGHT, frame)
     assert pasted(back, LIGHT, text_of(rows_of(back, LIGHT))) is back
-    QGuiApplication.clipboard().setText("12\t1\t7\n12\t2\t8\n12\t3\t900\thold\n")
+    clipboard.setText("12\t1\t7\n12\t2\t8\n12\t3\t900\thold\n")
     editor.table.paste()
     assert value_of(keyed.bridge.document, LIGHT, 12) == (7.0, 8.0, 900.0)
     assert keyed.bridge.session.undo_name == "Paste keys"

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtGui import QAction, QClipboard
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
@@ -243,9 +243,11 @@ def test_a_link_is_made_shown_obeyed_and_undone(qtbot: QtBot, inspector: Inspect
     assert not inspector.row(OPACITY.name).link.is_linked
 
 
-def test_a_value_goes_through_the_clipboard_as_scripts_write_it(inspector: Inspector, trio: Desk) -> None:
+def test_a_value_goes_through_the_clipboard_as_scripts_write_it(
+    inspector: Inspector, trio: Desk, clipboard: QClipboard
+) -> None:
     act(row_menu(inspector, OPACITY.name), "Copy Value").trigger()
-    assert QGuiApplication.clipboard().text() == "0.9"
+    assert clipboard.text() == "0.9"
     choose_all(trio)
     act(row_menu(inspector, "shadow.fade_curve"), "Paste Value").trigger()
     assert field_of(inspector, "shadow.fade_curve").text() == "0.9"
@@ -253,12 +255,13 @@ def test_a_value_goes_through_the_clipboard_as_scripts_write_it(inspector: Inspe
     assert opacities(trio) == [0.9, 0.9, 0.9]
     assert not act(row_menu(inspector, "shadow.color"), "Paste Value").isEnabled(), "0.9 is no colour"
     for nothing in ("", "hello", "[1,2", "NaN", "1e999"):
-        QGuiApplication.clipboard().setText(nothing)
+        clipboard.setText(nothing)
         assert not act(row_menu(inspector, OPACITY.name), "Paste Value").isEnabled()
     act(row_menu(inspector, OPACITY.name), "Copy Name").trigger()
-    assert QGuiApplication.clipboard().text() == "layers.Third.shadow.opacity"
+    assert clipboard.text() == "layers.Third.shadow.opacity"
 
 
+@pytest.mark.usefixtures("clipboard")
 def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, trio: Desk) -> None:
     session = trio.bridge.session
     inspector.row("shadow.simplify").enter(33.0)
@@ -280,11 +283,13 @@ def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, 
     assert field_of(inspector, "shadow.grow").value == 4.0
 
 
-def test_a_look_is_pasted_on_all_chosen_layers(layers: LayerList, inspector: Inspector, trio: Desk) -> None:
+def test_a_look_is_pasted_on_all_chosen_layers(
+    layers: LayerList, inspector: Inspector, trio: Desk, clipboard: QClipboard
+) -> None:
     session = trio.bridge.session
     inspector.row("shadow.color").enter("#334455")
     layers.looks.copy()
-    style = loads_style(QGuiApplication.clipboard().text())
+    style = loads_style(clipboard.text())
     assert style is not None
     assert style.name.en == "Third"
     lower = [layer.id for layer in session.document.layers[:2]]
@@ -296,7 +301,7 @@ def test_a_look_is_pasted_on_all_chosen_layers(layers: LayerList, inspector: Ins
     assert opacities(trio) == [0.6, 0.3, 0.9]
     said: list[str] = []
     layers.looks.refused.connect(said.append)
-    QGuiApplication.clipboard().setText("no look")
+    clipboard.setText("no look")
     layers.looks.paste()
     assert len(said) == 1
     assert not layers.looks.can_paste

@@ -13,6 +13,7 @@ from kagezou.document.model import Document
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import add_piece
 from kagezou.ui.main_window import MainWindow
+from kagezou.ui.viewport.viewport import Viewport
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -36,16 +37,24 @@ def at(window: MainWindow, x: float, y: float) -> QPoint:
     return QPoint(round(seen[0]), round(seen[1]))
 
 
+def hover(qtbot: QtBot, viewport: Viewport, pos: QPoint, words: str) -> None:
+    """Rest the pointer there until the picture says these words: the screen's own pointer may leave the window late."""
+
+    def says() -> bool:
+        qtbot.mouseMove(viewport, pos)
+        return viewport.hand.words == words
+
+    qtbot.waitUntil(says)
+
+
 def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
     qtbot: QtBot, furnished: MainWindow
 ) -> None:
     viewport, bridge = furnished.viewport, furnished.desk.bridge
     edge = at(furnished, 20, 80)
-    qtbot.mouseMove(viewport, edge)
-    assert viewport.hand.words == "Back"
+    hover(qtbot, viewport, edge, "Back")
     assert viewport.hand.pieces.guides
-    qtbot.mouseMove(viewport, at(furnished, 60, 40))
-    assert viewport.hand.words == ""
+    hover(qtbot, viewport, at(furnished, 60, 40), "")
     history = bridge.session.undo_name
     qtbot.mouseClick(viewport, LEFT, pos=edge)
     assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)

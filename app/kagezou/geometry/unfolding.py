@@ -135,7 +135,7 @@ def _charted(sheets: Sequence[Sheet], most_charts: int, apart_px: float) -> Deve
             charts.append([])
         if chart == 0:
             chart = _free_chart(order, charts, line, placed, mine, 0.0)
-            crowded.add(chart)
+            crowded |= {chart} - {0}
         if chart:
             charts[chart] = sorted({*charts[chart], *line, number})
         placed.append(Sheet(sheet.face, sheet.flat_from_plane, sheet.parent, sheet.seam, chart))

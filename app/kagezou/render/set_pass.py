@@ -6,34 +6,29 @@ seen and lit of a face adds up to the whole picture pixel by pixel: there is no 
 
 from collections import OrderedDict
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
-
-import numpy as np
+from dataclasses import replace
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane
-from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
-from kagezou.geometry.regions import Group, Region
 from kagezou.geometry.round_view import RoundFace
 from kagezou.geometry.set_view import GROUND, Face
-from kagezou.geometry.shadow import plane_coordinates
 from kagezou.geometry.vectors import Vector4, height_over
-from kagezou.geometry.veils import Veil
 from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Stroke, Window, strokes
-from kagezou.render.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.mesh_display import Display, SetPicture
 from kagezou.render.mesh_pass import MeshLit, MeshPass
 from kagezou.render.mesh_screen import Screen
 from kagezou.render.set_adding import Adding, OwnShade
+from kagezou.render.set_parts import EVERYWHERE, Lit, Shaped, own_shade
 from kagezou.render.set_round import RoundLit, RoundPass
 from kagezou.render.set_shapes import blocks, casts, receivers_of, views_of
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Mask
 from kagezou.render.shape_pass import ShapePass
+from kagezou.render.silhouette import SilhouettePass
 from kagezou.render.targets import Target
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import ShadowCast
@@ -43,24 +38,7 @@ _KEPT_STAGES = 4
 _MOST_ASIDES = 6
 """Targets of the canvas' size for tiles with edges."""
 
-EVERYWHERE = Group((Region(np.zeros((0, 3))),), overlaps=False)
-"""What a face that is turned away from the light loses of it."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Lit:
-    """A set under one light: who keeps it from whom."""
-
-    stage: Stage
-    light: Vector4
-    veils: dict[int, Veil]
-    meshes: MeshLit | None
-
-
 _Character = tuple[ShadowCast, PlacedMatte]
-
-_Shaped = dict[Face, tuple[Target, Box | None]]
-"""Filtered shadows, each on a face as if nothing else were there."""
 
 
 class SetPass:
@@ -72,6 +50,7 @@ class SetPass:
         self._adding = Adding(boxes, caster)
         self._round = RoundPass(boxes)
         self._mesh = MeshPass(boxes, meshes)
+        self._silhouette = SilhouettePass(boxes, shaper)
         self._stages: OrderedDict[int, Stage] = OrderedDict()
         self._scratches: dict[str, Target] = {}
 
@@ -80,6 +59,7 @@ class SetPass:
         self._adding.close()
         self._round.close()
         self._mesh.close()
+        self._silhouette.close()
         for target in self._scratches.values():
             target.close()
         self._scratches.clear()
@@ -108,7 +88,7 @@ class SetPass:
             own = target if len(cast.lights) == 1 else self._scratch("light", target)
             box = self._draw_light(lit, cast, matte, own, shaped)
             drawn = self._united(own, box, target, drawn)
-        for alone, box in (shaped or {}).values():
+        for alone, box in (shaped.faces if shaped else {}).values():
             if box is not None:
                 alone.clear(box)
         return drawn
@@ -152,7 +132,7 @@ class SetPass:
         drawn: Box | None = None
         for face in stage.faces:
             if stage.is_caster(face) or (face.body == GROUND and wants_ground):
-                mask, shade = stage.mask(face, (EVERYWHERE,)), _shade(face, None, face.box)
+                mask, shade = stage.mask(face, (EVERYWHERE,)), own_shade(face, None, face.box)
                 box = self._adding.add_own(mask, shade, face.box, target, self._screen(lit, face))
                 drawn = _around(drawn, box)
         if lit.meshes is not None:
@@ -165,10 +145,10 @@ class SetPass:
             )
         return drawn
 
-    def _unlit(self, stage: Stage, light: Vector4, ground: Plane | None) -> _Lit:
+    def _unlit(self, stage: Stage, light: Vector4, ground: Plane | None) -> Lit:
         """Return a set under a light that nobody keeps from anybody."""
         view = self._mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
-        return _Lit(stage, light, {}, None if view is None else MeshLit(view, stage, light, {}, None, ground))
+        return Lit(stage, light, {}, None if view is None else MeshLit(view, stage, light, {}, None, ground))
 
     def pictures(self, cast: SetCast, canvas: Box, displays: Iterable[Display]) -> tuple[SetPicture, ...]:
         """Return what is to be shown of meshes themselves, those under the background first."""
@@ -184,7 +164,7 @@ class SetPass:
         return self._caster.unite(alone, matte, target, Window(face.box))
 
     def _draw_light(
-        self, lit: _Lit, cast: ShadowCast, matte: PlacedMatte, target: Target, shaped: _Shaped | None
+        self, lit: Lit, cast: ShadowCast, matte: PlacedMatte, target: Target, shaped: Shaped | None
     ) -> Box | None:
         """Add up what one light casts on all faces; return the box that may hold it."""
         stage = lit.stage
@@ -193,7 +173,7 @@ class SetPass:
         for face in stage.faces:
             if not stage.receives(face) or (face.body == GROUND and not cast.ground_receives):
                 continue
-            of_face = None if shaped is None else shaped.get(face)
+            of_face = None if shaped is None else shaped.faces.get(face)
             if of_face is None and len(cast.card.pieces) == 1 and lit.meshes is None:
                 found = strokes(cast, (face.plane, lit.light), matte, Window(face.box))
                 single += [(self._mask(lit, face), each) for each in found if each.grid.touched.any()]
@@ -201,6 +181,8 @@ class SetPass:
                 drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_face))
         asides = [self._scratch(f"edges {number}", target) for number in range(min(len(single), _MOST_ASIDES))]
         drawn = _around(drawn, self._adding.add_strokes(single, asides, target) if single else None)
+        if shaped is not None and shaped.silhouette is not None:
+            cast, matte = shaped.silhouette.cast, shaped.silhouette.matte
         if lit.meshes is not None:
             drawn = _around(drawn, self._mesh.draw(lit.meshes, cast, matte, target))
         for round_face in stage.rounds:
@@ -212,7 +194,7 @@ class SetPass:
 
     def _add_face(
         self,
-        lit: _Lit,
+        lit: Lit,
         character: _Character,
         face: Face,
         target: Target,
@@ -232,19 +214,19 @@ class SetPass:
         alone.clear(box)
         return drawn
 
-    def _lit(self, stage: Stage, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]) -> _Lit:
+    def _lit(self, stage: Stage, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]) -> Lit:
         view = self._mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
         meshes = None if view is None else self._mesh.lit(view, stage, light, ground, wanted)
-        return _Lit(stage, light, stage.veils(light, wanted), meshes)
+        return Lit(stage, light, stage.veils(light, wanted), meshes)
 
-    def _screen(self, lit: _Lit, face: Face | RoundFace) -> Screen | None:
+    def _screen(self, lit: Lit, face: Face | RoundFace) -> Screen | None:
         return None if lit.meshes is None else self._mesh.screen(lit.meshes, face)
 
     @staticmethod
-    def _mask(lit: _Lit, face: Face) -> Mask:
+    def _mask(lit: Lit, face: Face) -> Mask:
         return lit.stage.mask(face, face.unlit(lit.veils))
 
-    def _add_round(self, lit: _Lit, face: RoundFace, box: Box | None, target: Target) -> Box | None:
+    def _add_round(self, lit: Lit, face: RoundFace, box: Box | None, target: Target) -> Box | None:
         """Add what is seen of a round face, and empty the scratch it was drawn in."""
         if box is None:
             return None
@@ -253,29 +235,33 @@ class SetPass:
         alone.clear(box)
         return drawn
 
-    def _shaped(self, stage: Stage, cast: ShadowCast, matte: PlacedMatte, target: Target) -> _Shaped:
+    def _shaped(self, stage: Stage, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Shaped:
         """Draw the filtered shadow on the ground and on every flat face it reaches, each as if it were seen alone."""
         blurred = self._shaper.blurred(replace(cast, pieces=()), matte, receivers_of(stage, cast.lights[0]))
-        shaped: _Shaped = {}
+        shaped = Shaped()
         if blurred is None:
             return shaped
         for number, (face, view) in enumerate(views_of(stage, blurred.job)):
             alone = self._scratch(f"shaped {number}", target)
-            shaped[face] = alone, self._shaper.show(blurred, view, alone)
+            shaped.faces[face] = alone, self._shaper.show(blurred, view, alone)
+        if any(piece.receives and piece.mesh is not None for piece in stage.pieces) or any(
+            stage.receives(each) for each in stage.rounds
+        ):
+            shaped.silhouette = self._silhouette.drawn(blurred, target.box)
         return shaped
 
-    def _add_own(self, lit: _Lit, face: Face, target: Target) -> Box | None:
+    def _add_own(self, lit: Lit, face: Face, target: Target) -> Box | None:
         """Add what the set takes from one light on one face."""
         stage, screen = lit.stage, self._screen(lit, face)
         is_caster = stage.is_caster(face)
         if height_over(face.plane.equation, lit.light) <= 0:
             if not is_caster:
                 return None
-            shade = _shade(face, None, face.box)
+            shade = own_shade(face, None, face.box)
             return self._adding.add_own(stage.mask(face, (EVERYWHERE,)), shade, face.box, target, screen)
         unlit = face.unlit(lit.veils)
         by_mesh = screen is not None and screen.light_map is not None
-        shade = _shade(face, lit.light if unlit or is_caster or by_mesh else None, face.box)
+        shade = own_shade(face, lit.light if unlit or is_caster or by_mesh else None, face.box)
         if is_caster and not shade.is_even:
             # It passes over into a face that is turned away: every tile is a little dark.
             dark = OwnShade(shade.switches | {"DARK_WHEN_TURNED"}, shade.uniforms, is_even=False)
@@ -318,14 +304,3 @@ def _around(box: Box | None, other: Box | None) -> Box | None:
     if box is None or other is None:
         return box or other
     return box.union(other)
-
-
-def _shade(face: Face, light: Vector4 | None, box: Box) -> OwnShade:
-    """Return how strong the set's shadow is on a face under a light; without one, at its full strength."""
-    frame = Frame(clipped(box_polygon(box), shifted(distance_form(face.flat.lift[3]), -0.01)))
-    grazing = FULL_STRENGTH if light is None else Grazing.of(face.plane, light)
-    receiver_from_canvas = plane_coordinates(face.plane) @ face.flat.lift
-    switches = grazing.switches(receiver_from_canvas, frame)
-    x, y = (float(each) for each in frame.origin)
-    uniforms = {"u_origin_px": (x, y), **grazing.uniforms(receiver_from_canvas, frame)}
-    return OwnShade(switches, uniforms, is_even=not switches and uniforms["u_strength"] == 1.0)

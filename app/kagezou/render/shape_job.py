@@ -164,6 +164,8 @@ class View:
         The one it is looked up on.
     joins
         Where it passes over into others.
+    is_silhouette
+        Whether it is no receiver that is drawn, but the silhouette that casts the shadow, which no light weakens.
     """
 
     job: Job
@@ -172,6 +174,7 @@ class View:
     box: Box
     chart: int = 0
     joins: tuple[Join, ...] = ()
+    is_silhouette: bool = False
 
     @staticmethod
     def of_ground(job: Job, box: Box) -> "View":

@@ -118,9 +118,12 @@ class ShapePass:
         ]
         return Blurred(job, area_preserving_level(counted), tuple(each.blurred for each in counted))
 
-    def show(self, blurred: "Blurred", view: View, target: Target) -> Box | None:
-        """Draw what a receiver shows of a blurred shadow; return the box that may hold it."""
-        sharp_box = self._cast_sharp(view, target)
+    def show(self, blurred: "Blurred", view: View, target: Target, sharp: Target | None = None) -> Box | None:
+        """Draw what a receiver shows of a blurred shadow; return the box that may hold it.
+
+        ``sharp`` is the shadow as it would be unfiltered, as large as the target; without it, it is cast.
+        """
+        sharp_box = self._cast_sharp(view, target) if sharp is None else _box_near_contact(view)
         box = _box_of(view, sharp_box)
         if box is not None:
             looks = [Look(blurred.pairs(view.chart), view.blurred_from_canvas)]
@@ -128,7 +131,9 @@ class ShapePass:
                 there = view.there_from_here(join) @ view.blurred_from_canvas
                 looks.append(Look(blurred.pairs(join.chart), there, view.seam_of(join), view.reach_of(join)))
             tiles = outline_tiles(looks, _reach(view.job, blurred.level), view.job.blur, box)
-            self._show_tiles(view, target, box, tiles, blurred.level)
+            unfiltered = sharp or self._sharp
+            assert unfiltered is not None
+            self._show_tiles(view, (target, unfiltered), box, tiles, blurred.level)
             box = around_boxes(np.concatenate(tiles))
         return box
 
@@ -196,10 +201,13 @@ class ShapePass:
             self._boxes.draw(tiles)
 
     def _show_tiles(
-        self, view: View, target: Target, box: Box, tiles: tuple[TileBoxes, TileBoxes], level: float
+        self, view: View, targets: tuple[Target, Target], box: Box, tiles: tuple[TileBoxes, TileBoxes], level: float
     ) -> None:
-        """Draw the tiles within the shape, and those its outline crosses, as strong as the light makes them."""
-        assert self._sharp is not None
+        """Draw the tiles within the shape, and those its outline crosses, as strong as the light makes them.
+
+        ``targets`` are the one drawn into, and the shadow as it would be unfiltered.
+        """
+        target, sharp = targets
         full, outline = tiles
         switches, common = strength(view, box)
         common["u_target_size_px"] = target.size_px
@@ -211,7 +219,7 @@ class ShapePass:
             self._boxes.draw(full)
         if len(outline):
             self._atlases_for(view.job.strips)[2].texture.bind(0)
-            self._sharp.texture.bind(1)
+            sharp.texture.bind(1)
             wanted, uniforms = shape_uniforms(view, box, level)
             self._show[switches | wanted].use(common | uniforms)
             self._boxes.draw(outline)

@@ -11,7 +11,7 @@ from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip
-from kagezou.render.cast_uniforms import Frame, Grazing
+from kagezou.render.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.program import Uniform
 from kagezou.render.shape_job import Job, View
 from kagezou.scene.scene import Edge, Water
@@ -40,7 +40,7 @@ def strength(view: View, box: Box) -> tuple[frozenset[str], Uniforms]:
     job, receiver = view.job, view.receiver
     light = job.cast.lights[0]
     frame = _frame(view, box)
-    grazing = Grazing.of(receiver, light)
+    grazing = FULL_STRENGTH if view.is_silhouette else Grazing.of(receiver, light)
     receiver_from_canvas = inverse(canvas_from_plane(job.cast.camera, receiver))
     uniforms: Uniforms = {"u_origin_px": frame.origin}
     return grazing.switches(receiver_from_canvas, frame), uniforms | grazing.uniforms(receiver_from_canvas, frame)
