@@ -59,6 +59,7 @@ out float o_coverage;
 
 const int CELLS = 2;                   // each way; an edge within a cell is integrated as if it were straight there
 const float CELL = 1.0 / float(CELLS);
+const float CLEAR_PX = 0.75;           // a line no nearer to a pixel's middle misses the pixel
 
 const int LAST = 1, OVERLAPS = 2, OWN = 4, LIGHT = 8;
 
@@ -78,8 +79,30 @@ float region_coverage(vec4 region, vec2 here) {
     for (int index = int(region.x); index < int(region.y); ++index) {
         vec3 line = u_lines[index].xyz;
         covered *= cell_coverage(dot(line, vec3(here, 1.0)), line.xy * CELL);
+        // Loops are what a software rasteriser leaves early.
+        if (covered == 0.0) {
+            break;
+        }
     }
     return region.z < 0.0 ? covered : covered * conic_coverage(int(region.z), here);
+}
+
+// Into how many cells, each way, a pixel is split: one where no region's edge comes near.
+int cells_at(vec2 pixel) {
+    float nearest = CLEAR_PX;
+    for (int index = 0; index < u_region_count; ++index) {
+        vec4 region = u_regions[index];
+        // How deep within the region; a conic may run anywhere within its lines.
+        float depth = region.z < 0.0 ? CLEAR_PX : 0.0;
+        for (int line = int(region.x); line < int(region.y); ++line) {
+            depth = min(depth, dot(u_lines[line].xyz, vec3(pixel, 1.0)));
+            if (depth <= -CLEAR_PX) {
+                break;
+            }
+        }
+        nearest = min(nearest, abs(depth));
+    }
+    return nearest < CLEAR_PX ? CELLS : 1;
 }
 
 // Seen part and lit part of a cell.
@@ -116,23 +139,28 @@ void main() {
 #ifdef OWN_SHADOW
     float strength = grazing_strength(pixel);
 #endif
-    for (int y = 0; y < CELLS; ++y) {
-        for (int x = 0; x < CELLS; ++x) {
-            vec2 left = seen_and_lit(pixel + (vec2(float(x), float(y)) + 0.5) * CELL - 0.5);
-#if defined(DARK_WHEN_TURNED)
-            sum += left.x * (1.0 - strength * left.y * lit);
-#elif defined(OWN_SHADOW)
-            sum += left.x * strength * (1.0 - left.y * lit);
+#ifdef OWN_SHADOW
+    int cells = cells_at(pixel);
 #else
-            sum += left.x * left.y * lit;
+    float shadow = texelFetch(u_coverage, ivec2(gl_FragCoord.xy), 0).r;
+    int cells = shadow > 0.0 ? cells_at(pixel) : 0;
 #endif
-        }
+    for (int index = 0; index < cells * cells; ++index) {
+        vec2 offset = cells == 1 ? vec2(0.0) : (vec2(float(index % CELLS), float(index / CELLS)) + 0.5) * CELL - 0.5;
+        vec2 left = seen_and_lit(pixel + offset);
+#if defined(DARK_WHEN_TURNED)
+        sum += left.x * (1.0 - strength * left.y * lit);
+#elif defined(OWN_SHADOW)
+        sum += left.x * strength * (1.0 - left.y * lit);
+#else
+        sum += left.x * left.y * lit;
+#endif
     }
-    o_coverage = sum * CELL * CELL;
+    o_coverage = sum / float(max(cells * cells, 1));
 #ifdef PAST_MESHES
     o_coverage *= part_of(parts);
 #endif
 #ifndef OWN_SHADOW
-    o_coverage *= texelFetch(u_coverage, ivec2(gl_FragCoord.xy), 0).r;
+    o_coverage *= shadow;
 #endif
 }

@@ -1,6 +1,6 @@
 """Adding what is seen of one receiver's shadow to the picture of them all."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,6 +16,9 @@ from kagezou.render.set_uniforms import TABLE_SIZES, fits, mask_uniforms
 from kagezou.render.targets import Target
 from kagezou.render.tiles import Boxes as TileBoxes
 from kagezou.render.tiles import Tiling, around_boxes, whole_grid
+
+_MOST_ASIDES = 12
+"""Targets of the canvas' size for tiles with edges."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,29 +50,45 @@ class Adding:
         self._copy.close()
 
     def add_strokes(
-        self, strokes: Sequence[tuple[Mask, Stroke]], asides: Sequence[Target], target: Target
+        self, strokes: Iterable[tuple[Mask, Stroke]], aside: Callable[[int], Target], target: Target
     ) -> Box | None:
         """Add the seen and lit parts of strokes, each the only one on its receiver; return the box they are in.
 
         Most is drawn where it belongs at once; only tiles with an edge of a mask are drawn aside, where anything may
-        lie before and after. Several are drawn aside before the first is read, as a driver waits between the two.
-        Every stroke touches one tile at least.
+        lie before and after. They go there as soon as they are known, and are read as late as can be: what a driver
+        draws meanwhile, nobody waits for.
+
+        Parameters
+        ----------
+        strokes
+            Every one touches one tile at least.
+        aside
+            Targets of the same size by their numbers.
+        target
+            What to add to.
         """
         drawn: Box | None = None
-        edges: list[_Edge] = []
+        wholes: list[tuple[Stroke, Tiling]] = []
+        waiting: list[tuple[_Edge, Target]] = []
         for mask, stroke in strokes:
             whole, found = _sorted(mask, stroke, target.box)
-            self._caster.paint(stroke, whole, target, Laying.ADDED)
-            edges += found
+            wholes.append((stroke, whole))
+            for edge in found:
+                if len(waiting) == _MOST_ASIDES:
+                    self._add_edges(waiting, target)
+                    waiting.clear()
+                waiting.append((edge, aside(len(waiting))))
+                self._caster.paint(stroke, edge.tiling, waiting[-1][1], Laying.INSTEAD)
             for box in (whole.box, *(edge.tiling.box for edge in found)):
                 drawn = box if drawn is None else drawn.union(box or drawn)
-        for first in range(0, len(edges), len(asides)):
-            batch = list(zip(edges[first : first + len(asides)], asides, strict=False))
-            for edge, aside in batch:
-                self._caster.paint(edge.stroke, edge.tiling, aside, Laying.INSTEAD)
-            for edge, aside in batch:
-                self._add_edge(edge.needed, aside, edge.tiling.boxes, target)
+        for stroke, whole in wholes:
+            self._caster.paint(stroke, whole, target, Laying.ADDED)
+        self._add_edges(waiting, target)
         return drawn
+
+    def _add_edges(self, edges: Iterable[tuple["_Edge", Target]], target: Target) -> None:
+        for edge, aside in edges:
+            self._add_edge(edge.needed, aside, edge.tiling.boxes, target)
 
     def add(self, mask: Mask, alone: Target, box: Box, target: Target, screen: Screen | None = None) -> Box | None:
         """Add the seen and lit part of a receiver's shadow; return the box it was added in, None for nowhere.
@@ -171,7 +190,6 @@ class Adding:
 class _Edge:
     """Tiles of a stroke with an edge of its mask, and what of the mask they need."""
 
-    stroke: Stroke
     tiling: Tiling
     needed: Mask
 
@@ -187,7 +205,7 @@ def _sorted(mask: Mask, stroke: Stroke, canvas: Box) -> tuple[Tiling, list[_Edge
         edge_tiles = parts[0][0]
     whole, first = stroke.grid.tilings(canvas, whole_tiles, edge_tiles)
     tilings = [first, *(stroke.grid.tiling(canvas, tiles) for tiles, _ in parts[1:])]
-    edges = [_Edge(stroke, tiling, needed) for tiling, (_, needed) in zip(tilings, parts, strict=False)]
+    edges = [_Edge(tiling, needed) for tiling, (_, needed) in zip(tilings, parts, strict=False)]
     return whole, [edge for edge in edges if edge.tiling.box is not None]
 
 

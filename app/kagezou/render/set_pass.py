@@ -7,6 +7,7 @@ seen and lit of a face adds up to the whole picture pixel by pixel: there is no 
 from collections import OrderedDict
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import partial
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
@@ -16,7 +17,7 @@ from kagezou.geometry.set_view import GROUND, Face
 from kagezou.geometry.vectors import Vector4, height_over
 from kagezou.io.meshes import MeshCache
 from kagezou.render.boxes import Boxes
-from kagezou.render.cast_pass import CastPass, Stroke, Window, strokes
+from kagezou.render.cast_pass import CastPass, Window, strokes
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.mesh_display import Display, SetPicture
 from kagezou.render.mesh_pass import MeshLit, MeshPass
@@ -34,9 +35,6 @@ from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import ShadowCast
 
 _KEPT_STAGES = 4
-
-_MOST_ASIDES = 6
-"""Targets of the canvas' size for tiles with edges."""
 
 _Character = tuple[ShadowCast, PlacedMatte]
 
@@ -169,18 +167,22 @@ class SetPass:
         """Add up what one light casts on all faces; return the box that may hold it."""
         stage = lit.stage
         drawn: Box | None = None
-        single: list[tuple[Mask, Stroke]] = []
+        single: list[Face] = []
         for face in stage.faces:
             if not stage.receives(face) or (face.body == GROUND and not cast.ground_receives):
                 continue
             of_face = None if shaped is None else shaped.faces.get(face)
             if of_face is None and len(cast.card.pieces) == 1 and lit.meshes is None:
-                found = strokes(cast, (face.plane, lit.light), matte, Window(face.box))
-                single += [(self._mask(lit, face), each) for each in found if each.grid.touched.any()]
+                single.append(face)
             else:
                 drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_face))
-        asides = [self._scratch(f"edges {number}", target) for number in range(min(len(single), _MOST_ASIDES))]
-        drawn = _around(drawn, self._adding.add_strokes(single, asides, target) if single else None)
+        masked = (
+            (self._mask(lit, face), stroke)
+            for face in single
+            for stroke in strokes(cast, (face.plane, lit.light), matte, Window(face.box))
+            if stroke.grid.touched.any()
+        )
+        drawn = _around(drawn, self._adding.add_strokes(masked, partial(self._aside, target), target))
         if shaped is not None and shaped.silhouette is not None:
             cast, matte = shaped.silhouette.cast, shaped.silhouette.matte
         if lit.meshes is not None:
@@ -287,6 +289,9 @@ class SetPass:
         if len(self._stages) > _KEPT_STAGES:
             self._stages.popitem(last=False)
         return stage
+
+    def _aside(self, target: Target, number: int) -> Target:
+        return self._scratch(f"edges {number}", target)
 
     def _scratch(self, name: str, target: Target) -> Target:
         """Return an empty target like another one; whoever draws into it empties it again."""

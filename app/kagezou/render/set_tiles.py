@@ -116,9 +116,12 @@ def region_states(regions: Sequence[Region], corners: Matrix) -> States:
     lined = [index for index, region in enumerate(regions) if len(region.lines)]
     if lined:
         starts = np.cumsum([0, *(len(regions[index].lines) for index in lined[:-1])])
-        distances = np.matmul(np.concatenate([regions[index].lines for index in lined]), corners)
-        full[lined] = np.minimum.reduceat(distances.min(axis=0), starts, axis=0) >= 0
-        some[lined] = np.minimum.reduceat(distances.max(axis=0), starts, axis=0) > 0
+        lines = np.concatenate([regions[index].lines for index in lined])
+        # Tiles are squares of one size: from its middle to its corners a line's distance changes alike in all of them.
+        distances = lines @ ((corners[0] + corners[2]) / 2)
+        reach = (np.abs(lines[:, :2]) @ (corners[2, :2, :1] - corners[0, :2, :1])) / 2
+        full[lined] = np.minimum.reduceat(distances - reach, starts, axis=0) >= 0
+        some[lined] = np.minimum.reduceat(distances + reach, starts, axis=0) > 0
     for index, region in enumerate(regions):
         if region.conic is not None:
             low, high = _conic_bounds(region.conic, corners)

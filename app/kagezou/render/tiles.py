@@ -157,11 +157,11 @@ def tile_corners(columns: Codes, rows: Codes) -> Matrix:
 
     One px of margin: a pixel's own area and all that its sampling may touch lies within its tile's corners.
     """
-    left, top = (axis.ravel() * float(TILE_PX) for axis in np.meshgrid(columns, rows))
-    near, far = -1, TILE_PX + 1
-    ones = np.ones_like(left)
-    around = ((near, near), (far, near), (far, far), (near, far))
-    return np.array([(left + dx, top + dy, ones) for dx, dy in around])
+    near, far = -1.0, TILE_PX + 1.0
+    corners = np.ones((4, 3, len(rows), len(columns)))
+    corners[:, 0] = (columns * TILE_PX + np.array([[near], [far], [far], [near]]))[:, np.newaxis]
+    corners[:, 1] = (rows * TILE_PX + np.array([[near], [near], [far], [far]]))[:, :, np.newaxis]
+    return corners.reshape(4, 3, -1)
 
 
 def _corner_of(box: Box) -> Matrix:
@@ -207,7 +207,8 @@ def _kind(code: int) -> EdgeKind:
 
 def runs_of(codes: Codes, origin: tuple[int, int], canvas: Box) -> tuple[Boxes, Codes]:
     """Return the boxes of neighbouring tiles in a row that have one code, cut to the canvas, and their codes."""
-    framed = np.pad(codes, ((0, 0), (1, 1)))
+    framed = np.full((codes.shape[0], codes.shape[1] + 2), _UNTOUCHED)
+    framed[:, 1:-1] = codes
     row, start = np.nonzero(framed[:, 1:] != framed[:, :-1])
     # Each change begins a run that ends at the next; the one that begins a row's empty end is dropped as untouched.
     kinds = framed[row, start + 1]
