@@ -1,6 +1,7 @@
 """Videos, decoded again: how many frames, how fast, and in which colours."""
 
 import sys
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -121,7 +122,9 @@ def test_a_picture_that_holds_is_drawn_once_and_one_that_comes_again_in_its_plac
 def test_a_stopped_video_is_not_there_and_the_old_one_still_is(meadow: Document, tmp_path: Path) -> None:
     folder = tmp_path / "videos"
     folder.mkdir()
-    assert not filmed(meadow, folder / "a.mp4", stop_after=2).is_whole
+    # Longer than what is drawn ahead, so that there is something left to stop.
+    long = replace(meadow, canvas=replace(meadow.canvas, length_frames=200))
+    assert not filmed(long, folder / "a.mp4", stop_after=2).is_whole
     assert list(folder.iterdir()) == []
     (folder / "a.mp4").write_bytes(b"old")
     meadow.layers[0].cels.drawings[2].path.write_bytes(b"\x89PNG\r\n\x1a\nbroken")

@@ -1,7 +1,7 @@
 """What the tests of the window share: an application as the program makes it, settings of their own, small cels."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
 
@@ -67,24 +67,34 @@ def _no_context_stays_current(qapp: QApplication) -> Iterator[None]:  # noqa: AR
 
 
 @pytest.fixture
-def clipboard(qtbot: QtBot, request: pytest.FixtureRequest) -> QClipboard:
-    """The clipboard, ready: an X server gives it to no one whose last event is older than its last owner's."""
-    found = QGuiApplication.clipboard()
+def present(qtbot: QtBot) -> Iterator[Callable[[], None]]:
+    """What brings the server's time: an X server refuses the focus and the clipboard to whoever's last event is old."""
     window = QWidget()
     qtbot.addWidget(window)
     window.show()
     titles = count()
 
-    def is_given() -> bool:
-        # A new title comes back as an event that bears the server's time.
+    def pass_time() -> None:
+        # A new title comes back as an event that bears the time.
         window.setWindowTitle(str(next(titles)))
         QGuiApplication.processEvents()
+
+    yield pass_time
+    window.close()
+
+
+@pytest.fixture
+def clipboard(qtbot: QtBot, present: Callable[[], None], request: pytest.FixtureRequest) -> QClipboard:
+    """The clipboard, ready."""
+    found = QGuiApplication.clipboard()
+
+    def is_given() -> bool:
+        present()
         found.setText("ready")
         return found.text() == "ready"
 
     with request.getfixturevalue("qtlog").disabled():
         qtbot.waitUntil(is_given)
-    window.close()
     return found
 
 
@@ -150,3 +160,17 @@ def figure_rgba(frame: int) -> np.ndarray[tuple[int, int, int], np.dtype[np.uint
     rgba[130:170, 106 - stride : 116 - stride] = (70, 60, 50, 255)
     rgba[130:170, 124 + stride : 134 + stride] = (70, 60, 50, 255)
     return rgba
+
+
+@pytest.fixture
+def active(qtbot: QtBot, walking: MainWindow, present: Callable[[], None]) -> MainWindow:
+    """The window with a character and the keyboard."""
+
+    def is_active() -> bool:
+        present()
+        walking.activateWindow()
+        QGuiApplication.processEvents()
+        return walking.isActiveWindow()
+
+    qtbot.waitUntil(is_active)
+    return walking

@@ -16,12 +16,10 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def cornering(qtbot: QtBot, walking: MainWindow) -> MainWindow:
+def cornering(active: MainWindow) -> MainWindow:
     """The window, asked for a corner."""
-    walking.activateWindow()
-    qtbot.waitUntil(walking.isActiveWindow)
-    walking.actions_of["draw_corner"].trigger()
-    return walking
+    active.actions_of["draw_corner"].trigger()
+    return active
 
 
 def stroke(

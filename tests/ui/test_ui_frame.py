@@ -26,14 +26,6 @@ AWAITED = {
 """Commands of parts that may not be there; whoever makes one says what it does by ``Actions.on``."""
 
 
-@pytest.fixture
-def active(qtbot: QtBot, walking: MainWindow) -> MainWindow:
-    """The window with a character and the keyboard."""
-    walking.activateWindow()
-    qtbot.waitUntil(walking.isActiveWindow)
-    return walking
-
-
 def search_of(window: MainWindow) -> CommandSearch:
     found = window.findChild(CommandSearch)
     assert isinstance(found, CommandSearch)
