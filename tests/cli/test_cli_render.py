@@ -12,6 +12,7 @@ from projects import Shell, make_drawings
 from kagezou import __main__
 from kagezou.cli import examination
 from kagezou.cli.bench import operations, throughput
+from kagezou.cli.bench.hills import write_hills
 from kagezou.cli.demo import pose, stage
 from kagezou.cli.demo.figure import drawn
 from kagezou.cli.demo.scenery import painted
@@ -176,7 +177,7 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
     names = [each["name"] for each in report["operations"]]
     places = ["ground position", "declination", "roll", "tilt", "grounding point"]
     simplifying = ["simplify", "distance", "light, simplified", "light, simplified, waves", "wave", "softness", "fade"]
-    assert names == ["light", *places, "opacity", *simplifying, "light on a set", "frame step"]
+    assert names == ["light", *places, "opacity", *simplifying, "light on a set", "light on a mesh set", "frame step"]
     for each in report["operations"]:
         assert each["fps"] == pytest.approx(1000 / each["median_ms"], rel=0.02)
         assert each["ratio"] == pytest.approx(each["median_ms"] / report["copy_ms"], rel=0.05)
@@ -187,12 +188,12 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
     assert "frame step" in shell.out
 
 
-def test_no_round_of_an_operation_shows_what_another_has(project: Path) -> None:
+def test_no_round_of_an_operation_shows_what_another_has(project: Path, tmp_path: Path) -> None:
     from kagezou.io.project_file import load
     from kagezou.scene.evaluate import evaluate
 
     document = load(project)
-    for name, change in operations._changes(document):
+    for name, change in operations._changes(document, write_hills(tmp_path / "hills.ply")):
         rounds = 3 if name == "frame step" else operations.ROUNDS + 4
         scenes = [evaluate(*change(document, number)) for number in range(rounds)]
         assert len(set(scenes)) == rounds, name

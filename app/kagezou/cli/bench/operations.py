@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from statistics import median
 from typing import Final
 
@@ -12,6 +13,7 @@ from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
+from kagezou.document.set_properties import GROUND_RECEIVES, MESH
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 
@@ -44,15 +46,17 @@ class Measured:
     operations: tuple[Operation, ...]
 
 
-def measured(document: Document, renderer: Renderer, rounds: int = ROUNDS) -> Measured:
+def measured(document: Document, renderer: Renderer, hills: Path, rounds: int = ROUNDS) -> Measured:
     """Measure every operation with the context that is current; copies are measured in between.
 
     Parameters
     ----------
     document
         With one character layer at least, whose drawings are already in memory.
+    hills
+        The file of a large set.
     """
-    changes = dict(_changes(document))
+    changes = dict(_changes(document, hills))
     copies: list[float] = []
     times: dict[str, float] = {}
     for name, change in changes.items():
@@ -79,7 +83,7 @@ def _copy_timed(renderer: Renderer) -> float:
     return (time.perf_counter() - started) * 1000
 
 
-def _changes(document: Document) -> Iterator[tuple[str, Change]]:
+def _changes(document: Document, hills: Path) -> Iterator[tuple[str, Change]]:
     layer = document.layers[-1]
     height = layer.figure.height
     foot = ((layer.figure.left + layer.figure.right) / 2, float(layer.figure.bottom))
@@ -118,6 +122,8 @@ def _changes(document: Document) -> Iterator[tuple[str, Change]]:
             _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2])),
         ),
     )
+    drag = _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))
+    yield "light on a mesh set", _upon(_on_hills(document, foot, hills), drag)
     yield "frame step", lambda same, n: (same, 1 + n % same.canvas.length_frames)
 
 
@@ -136,6 +142,13 @@ def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Doc
         place: dict[str, object] = {"position": [x + across * height, y - back * height], "angle": angle}
         document = add_piece(document, "box", "box", {**size, **place})
     return document
+
+
+def _on_hills(document: Document, foot: tuple[float, float], hills: Path) -> Document:
+    """Return the document with the character on hills of a hundred thousand triangles that take the light, too."""
+    wide = 1.8 * max(document.canvas.width_px, document.canvas.height_px)
+    document = add_piece(document, "hills", MESH, {"position": [*foot], "scale": wide}, source=hills)
+    return set_constant(document, Address(GROUND_RECEIVES), False)  # noqa: FBT003 - a value
 
 
 def _setting(address: Address, value: Callable[[int], Value]) -> Change:

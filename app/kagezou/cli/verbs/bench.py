@@ -39,6 +39,7 @@ def add_arguments(parser: Parser) -> None:
 def run(options: Namespace, doors: Doors) -> int:
     """Measure and report."""
     from kagezou.cli.bench import operations, throughput
+    from kagezou.cli.bench.hills import write_hills
     from kagezou.io.cels import CelCache
     from kagezou.render.renderer import Renderer
 
@@ -51,7 +52,7 @@ def run(options: Namespace, doors: Doors) -> int:
         with doors.open_context() as context:
             renderer = Renderer(cels)
             name = context.info.renderer
-            drawn = operations.measured(document, renderer)
+            drawn = operations.measured(document, renderer, write_hills(Path(folder, "hills.ply")))
             renderer.close()
         cels.clear()
         one = (document.layers[0].name,)
