@@ -1,13 +1,24 @@
 // How a shadow changes with the distance from the contact line. Switches:
 //   FADING   its opacity falls
 //   TINTED   its colour passes over into a second one
+//   MEASURED the distance is that of a picture, where it has any
 
 #if defined(FADING) || defined(TINTED)
 uniform vec2 u_origin_px;      // canvas px around which the forms below are given, for precision
 uniform vec3 u_away;           // their quotient is v, the distance from the contact line on the receiver
 uniform vec3 u_lift;
 
+#ifdef MEASURED
+uniform sampler2D u_distances;   // px, along the receivers
+#endif
+
 float distance_at(vec2 pixel) {
+#ifdef MEASURED
+    float measured = texelFetch(u_distances, ivec2(pixel), 0).r;
+    if (measured > 0.0) {
+        return measured;
+    }
+#endif
     vec3 place = vec3(pixel - u_origin_px, 1.0);
     return abs(dot(u_away, place) / dot(u_lift, place));
 }

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from kagezou.render.context import GraphicsContext
     from kagezou.render.info import GraphicsInfo
 
-PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts")
-"""What the window opens: projects, and the timesheets that drawing programs hand over."""
+PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb")
+"""What the window opens: projects, and the timesheets and PSD files that drawing programs hand over."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -116,7 +116,7 @@ def test_component_names_match_the_components_of_values(line: Property) -> None:
 
 
 def test_names_are_unique_and_sorted_into_three_tables() -> None:
-    assert len({line.name for line in TABLE}) == len(TABLE)
+    assert len({(line.scope, line.name) for line in TABLE}) == len(TABLE)
     assert set(OF_DOCUMENT) | set(OF_LAYER) | set(OF_PIECE) == {line.name for line in TABLE}
     assert len(OF_DOCUMENT) + len(OF_LAYER) + len(OF_PIECE) == len(TABLE)
 

@@ -1,6 +1,7 @@
 """Edits of the set: what comes, goes and is renamed, and what a document refuses."""
 
 from dataclasses import replace
+from pathlib import Path
 from types import MappingProxyType
 
 import pytest
@@ -15,7 +16,7 @@ from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Document, Piece
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
 from kagezou.document.set_pieces import MAX_PIECES, add_piece, copy_piece, kind_of, remove_piece, rename_piece
-from kagezou.document.set_properties import KINDS
+from kagezou.document.set_properties import GROUND_RECEIVES, KINDS
 from kagezou.errors import ProjectProblem, UsageProblem
 
 EMPTY = set_constant(Document(Canvas(1000, 800)), Address(GROUND_POSITION), [500, 700])
@@ -106,3 +107,15 @@ def test_unsound_sets_are_told() -> None:
     wrong = Piece("p", "a", MappingProxyType({"width": Track(-5.0)}))
     with pytest.raises(ProjectProblem, match=r"set\.a\.width: constant"):
         check(replace(EMPTY, pieces=(wrong,)))
+
+
+def test_with_the_last_set_from_a_file_the_flat_ground_comes_back() -> None:
+    document = Document(Canvas(640, 360))
+    for name, source in (("a", Path("/a.glb")), ("b", Path("/b.glb")), ("wall", None)):
+        document = add_piece(document, name, "mesh" if source else "wall", source=source)
+    document = set_constant(document, Address(GROUND_RECEIVES), raw=False)
+    first, second, wall = (piece.id for piece in document.pieces)
+    assert value_of(remove_piece(document, wall), Address(GROUND_RECEIVES), 1) is False
+    document = remove_piece(document, first)
+    assert value_of(document, Address(GROUND_RECEIVES), 1) is False
+    assert value_of(remove_piece(document, second), Address(GROUND_RECEIVES), 1) is True

@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.card import MAX_SLOPE_DEG, card_for
+from kagezou.geometry.card import MAX_SLOPE_DEG, CardPiece, card_for, receiver_of
 from kagezou.geometry.ground import ground_plane, place_on
-from kagezou.geometry.vectors import Point2, height_over
+from kagezou.geometry.vectors import Point2, coincide, dot, height_over
 
 CAMERA = Camera(1000, 1000)
 GROUND = ground_plane((500.0, 800.0), 0.0, 60.0)
@@ -101,3 +101,29 @@ def test_any_points_make_a_card_that_stands_on_the_ground(points: list[Point2], 
     limit = 3.7320508075688776 + 1e-9
     assert MAX_SLOPE_DEG == 75.0
     assert all(abs(piece.slope) <= limit for piece in card.pieces)
+
+
+@given(st.floats(-3.7, 3.7), st.floats(-500, 1500), st.floats(-400, 400), st.sampled_from([0.0, 30.0, 110.0]))
+def test_a_piece_receives_on_the_side_that_is_seen(slope: float, x0: float, z0: float, fov: float) -> None:
+    camera, piece = Camera(1000, 1000, fov), CardPiece(x0, z0, slope)
+    plane = receiver_of(camera, piece)
+    assert coincide(plane.equation, piece.plane)
+    assert height_over(plane.equation, camera.eye) >= 0
+    assert abs(height_over(piece.plane, (*plane.point(120.0, -70.0), 1.0))) < 1e-6
+    for axis in (plane.u, plane.v, plane.normal):
+        assert dot(axis, axis) == pytest.approx(1.0)
+    assert dot(plane.u, plane.normal) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_piece_seen_from_behind_is_lit_from_behind() -> None:
+    """Steep enough, a card at the left turns its back on an eye close by."""
+    camera = Camera(1000, 1000, 110.0)
+    assert receiver_of(camera, CardPiece(0.0, 0.0, 3.5)).normal[2] < 0
+    assert receiver_of(camera, CardPiece(0.0, 0.0, 0.0)).normal[2] > 0
+
+
+def test_planes_coincide_whichever_way_they_face() -> None:
+    plane = (0.6, 0.0, 0.8, -120.0)
+    assert coincide(plane, (-1.2, 0.0, -1.6, 240.0))
+    assert not coincide(plane, (0.6, 0.0, 0.8, -120.001))
+    assert not coincide(plane, (0.6, 0.0, -0.8, -120.0))

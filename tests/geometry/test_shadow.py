@@ -10,7 +10,7 @@ from single_rays import Wall, World, shading_points, walls_through
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera, project
-from kagezou.geometry.card import Card, CardPiece, card_for
+from kagezou.geometry.card import Card, CardPiece, card_for, receiver_of
 from kagezou.geometry.ground import Plane, ground_plane, place_on
 from kagezou.geometry.light import is_over, lamp, sun
 from kagezou.geometry.polygon import bounding_box
@@ -289,3 +289,11 @@ def test_a_fold_with_the_light_on_different_sides_of_its_pieces_overlaps() -> No
     card = card_for(camera, ground, [(300.0, 800.0), (500.0, 950.0), (700.0, 800.0)], 0.0, 400.0)
     light = lamp((1000.0, 200.0, 200.0))
     assert [cast.joins_left for cast in cast_card(camera, ground, card, light)] == [False, False]
+
+
+def test_a_card_casts_nothing_on_itself() -> None:
+    camera = Camera(1000, 1000, 35.0)
+    piece = CardPiece(400.0, 30.0, 0.4)
+    assert cast_on(camera, receiver_of(camera, piece), piece, lamp((100.0, -300.0, 900.0))) is None
+    before = CardPiece(400.0, 90.0, 0.4)
+    assert cast_on(camera, receiver_of(camera, piece), before, lamp((100.0, -300.0, 900.0))) is not None

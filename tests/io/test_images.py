@@ -376,7 +376,7 @@ def sentence_of(path: Path, read: Callable[[Path], object] = read_cel) -> str:
 def test_plain_faults(tmp_path: Path, read: Callable[[Path], object]) -> None:
     (tmp_path / "folder.png").mkdir()
     (tmp_path / "zero.png").write_bytes(b"")
-    (tmp_path / "a.psd").write_bytes(b"8BPS")
+    (tmp_path / "a.gif").write_bytes(b"GIF89a")
     (tmp_path / "html.png").write_bytes(b"<html></html>")
     (tmp_path / "html.tga").write_bytes(b"<html></html>")
     files.save(tmp_path / "a.exr", np.ones((4, 4, 4), np.float16))
@@ -385,7 +385,7 @@ def test_plain_faults(tmp_path: Path, read: Callable[[Path], object]) -> None:
         "none.png": "it does not exist",
         "folder.png": "it is not a file",
         "zero.png": "the file is empty",
-        "a.psd": "'.psd' is no picture format that can be read",
+        "a.gif": "'.gif' is no picture format that can be read",
         "a": "'' is no picture format that can be read",
         "html.png": "it is not PNG, whatever its name says",
         "exr.png": "it is not PNG but OpenEXR, whatever its name says",

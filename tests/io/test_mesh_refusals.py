@@ -111,6 +111,8 @@ REFUSED: dict[str, bytes] = {
     "many_corners.glb": _many_corners(),
     "index_beyond.obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999\n",
     "nan.obj": b"v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    "flat.obj": b"v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n",
+    "uneven.obj": b"v 0 0\n1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
     "words.obj": b"v a b c\nf x y z\n",
     "corners_only.obj": b"v 0 0 0\nv 1 0 0\n",
     "many_corners_claimed.ply": files.CUBE_PLY.replace("vertex 8", f"vertex {_HUGE}").encode(),
@@ -187,6 +189,37 @@ def test_broken_stages_are_refused(tmp_path: Path, text: str) -> None:
     with pytest.raises(InputProblem) as caught:
         read_mesh(path)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["../other.usda", "/etc/passwd", "http://example.com/a.usd", "//server/share/a.usd"])
+@pytest.mark.parametrize("arc", ["subLayers = [@{}@]", "references = @{}@</a>"])
+def test_stages_are_not_made_of_what_lies_outside_their_folder(tmp_path: Path, name: str, arc: str) -> None:
+    pytest.importorskip("pxr")
+    head = f"(\n {arc.format(name)}\n)\n" if "sub" in arc else ""
+    prim = "" if "sub" in arc else f" (\n {arc.format(name)}\n)"
+    body = files.CUBE_USDA.removeprefix("#usda 1.0\n").replace('"cube"', f'"cube"{prim}')
+    path = files.written(tmp_path / "set.usda", f"#usda 1.0\n{head}{body}")
+    with pytest.raises(InputProblem, match="outside its own folder, which is not followed"):
+        read_mesh(path)
+
+
+def test_a_stage_may_be_made_of_layers_beside_it(tmp_path: Path) -> None:
+    pytest.importorskip("pxr")
+    files.written(tmp_path / "cube.usda", files.CUBE_USDA)
+    path = files.written(tmp_path / "set.usda", "#usda 1.0\n(\n subLayers = [@./cube.usda@]\n)\n")
+    assert len(read_mesh(path).triangles) == 12
+    files.written(tmp_path / "cube.usda", "#usda 1.0\n(\n subLayers = [@../far.usda@, @./set.usda@]\n)\n")
+    again = files.written(tmp_path / "again.usda", "#usda 1.0\n(\n subLayers = [@./cube.usda@]\n)\n")
+    with pytest.raises(InputProblem):
+        read_mesh(again)
+
+
+def test_one_file_named_many_times_is_not_read_into_all_memory(tmp_path: Path) -> None:
+    with (tmp_path / "a.bin").open("wb") as stream:
+        stream.truncate(200 << 20)
+    tree = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": 1, "uri": "a.bin"}] * 1000}
+    with pytest.raises(InputProblem, match="its buffers are larger than 512 MB"):
+        read_mesh(files.written(tmp_path / "set.gltf", json.dumps(tree)))
 
 
 def _reads_or_refuses(path: Path) -> None:

@@ -3,6 +3,9 @@
 import contextlib
 import json
 import os
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +15,8 @@ from hypothesis import strategies as st
 from mesh_files import TRIANGLE, glb, gltf, tree_with, triangle_tree
 
 from kagezou.errors import InputProblem
+from kagezou.geometry.mesh import Mesh
+from kagezou.io import meshes
 from kagezou.io.meshes import MeshCache, is_mesh, read_mesh
 
 CUBE = """\
@@ -207,3 +212,24 @@ def test_a_damaged_file_is_a_set_or_a_sentence(tmp_path: Path, data: st.DataObje
     path.write_bytes(whole[: data.draw(st.integers(0, len(whole)))] if data.draw(st.booleans()) else whole)
     with contextlib.suppress(InputProblem):
         assert len(read_mesh(path).triangles)
+
+
+def test_many_threads_get_one_reading(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = glb(tmp_path / "a.glb", *triangle_tree())
+    cache, readings = MeshCache(), []
+    together = threading.Barrier(4)
+
+    def slow(wanted: Path) -> Mesh:
+        readings.append(wanted)
+        time.sleep(0.05)
+        return read_mesh(wanted)
+
+    def ask(_: int) -> Mesh:
+        together.wait()
+        return cache.mesh(path)
+
+    monkeypatch.setattr(meshes, "read_mesh", slow)
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(ask, range(4)))
+    assert all(each is found[0] for each in found)
+    assert readings == [path]

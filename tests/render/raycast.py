@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG
 from kagezou.geometry.vectors import Vector4
-from kagezou.scene.scene import ShadowCast
+from kagezou.scene.scene import Received, ShadowCast
 
 Array = NDArray[np.float64]
 
@@ -125,3 +125,40 @@ def spread(count: int) -> Array:
     plastic = 1.32471795724474602596
     index = np.arange(1, count + 1)[:, np.newaxis]
     return np.asarray((0.5 + index * np.array([1 / plastic, 1 / plastic**2])) % 1)
+
+
+def received_at(received: Received, caster: ShadowCast, arts: tuple[Art, Art], x: Array, y: Array) -> Array:
+    """Return how much light canvas points of a character's card lose to another, 0 to 1, before the card is cut.
+
+    ``arts`` are the drawings of the character and of the other; the other's is enough here.
+    """
+    ex, ey, ez, ew = caster.camera.eye
+    total = np.zeros_like(x)
+    for piece in received.card.pieces:
+        seen = (x >= piece.left) & (x < piece.right)
+        # X(z) = p + z·r along the view ray through the canvas point p, with r = (p - e) / -ez or nothing
+        rx, ry = (np.zeros_like(x), np.zeros_like(y)) if ew == 0 else ((ex - x) / ez, (ey - y) / ez)
+        z = (piece.z0 + piece.slope * (x - piece.x0)) / (1 - piece.slope * rx)
+        point = np.stack([x + z * rx, y + z * ry, z], axis=-1)
+        normal = np.array([-piece.slope, 0.0, 1.0]) / np.hypot(1.0, piece.slope)
+        toward_eye = np.array([ex, ey, ez]) - (0 if ew == 0 else point)
+        normal = np.where((toward_eye @ normal)[..., np.newaxis] < 0, -normal, normal)
+        for light in caster.lights:
+            lamp = np.array(light)
+            toward = np.broadcast_to(lamp[:3], point.shape) if lamp[3] == 0 else lamp[:3] - point
+            sine = (toward * normal).sum(axis=-1) / np.linalg.norm(toward, axis=-1)
+            low, high = sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG))
+            t = np.clip((sine - low) / (high - low), 0, 1)
+            dark = shade_from(caster, arts[1], light, point) * (t * t * (3 - 2 * t))
+            total = np.maximum(total, np.where(seen, dark, 0.0))
+    return total
+
+
+def received(found: Received, caster: ShadowCast, arts: tuple[Art, Art], rays: int = 160) -> Array:
+    """Return the part of every pixel of a character (H, W) that another shades, cut to the character's alpha."""
+    alpha = arts[0].alpha
+    y, x = np.nonzero(alpha)
+    part = sum(received_at(found, caster, arts, x + dx, y + dy) for dx, dy in spread(rays)) / rays
+    result = np.zeros_like(alpha)
+    result[y, x] = part * alpha[y, x]
+    return result

@@ -9,13 +9,14 @@ from hypothesis import strategies as st
 from documents import documents
 from kagezou.document import edits
 from kagezou.document.address import Address
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, PicturePart
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.light import sun
 from kagezou.scene.evaluate import card_at, contact_of, evaluate, light_at
+from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import ShadowLook
 
 CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0), Exposure(9, None)))
@@ -155,3 +156,40 @@ class TestTiming:
         assert [lights.index(each) for each in lights] == [0, 0, 0, 3, 3, 3]
         ones = self.lights("ones")
         assert (lights[0], lights[3]) == (ones[0], ones[3])
+
+
+def test_a_layer_receives_the_plain_shadows_of_the_others() -> None:
+    document = document_with(receives=True, light__position=[50, -100, 300], shadow__color="#FF0000")
+    for name in "BC":
+        document = edits.add_layer(document, name, CELS, Box(0, 0, 9, 9))
+    fading = {"shadow.fade": 100, "shadow.simplify": 20, "shadow.tip_distance": 30}
+    for name, value in fading.items():
+        document = edits.set_constant(document, Address(OF_LAYER[name], "layer-2"), value)
+    a, b, _ = evaluate(document, 1).layers
+    assert b.received is None
+    assert a.received is not None
+    assert a.cast is not None
+    assert (a.received.drawing, a.received.card) == (a.drawing, a.cast.card)
+    (shade,) = a.received.shades
+    assert shade.look == ShadowLook(color=(0x20, 0x20, 0x3A), opacity=0.6, multiply=True)
+    assert [(cast.receivers, cast.is_filtered) for cast in shade.casts] == [((), False), ((), False)]
+    apart = edits.set_constant(document, Address(OF_LAYER["shadow.opacity"], "layer-3"), 0.3)
+    received = evaluate(apart, 1).layers[0].received
+    assert received is not None
+    assert [each.look.opacity for each in received.shades] == [0.6, 0.3]
+    assert evaluate(document, 9).layers[0].received is None
+
+
+def test_what_cannot_be_read_casts_on_nobody() -> None:
+    document = document_with(receives=True, light__position=[50, -100, 300])
+    other = Cels((Drawing("1", Path("/c/2.psd"), "A/1"),), (Exposure(1, 0),))
+    for name, cels in (("B", CELS), ("C", other)):
+        document = edits.add_layer(document, name, cels, Box(0, 0, 9, 9))
+    layer = evaluate(document, 1).layers[0]
+    assert without_drawings(layer, set()) is layer
+    kept = without_drawings(layer, {PicturePart(Path("/c/2.psd"), "A/1")}).received
+    assert kept is not None
+    assert [cast.drawing for shade in kept.shades for cast in shade.casts] == [CELS.drawings[0]]
+    nothing = without_drawings(layer, {PicturePart(Path("/c/2.psd"), "A/1"), Path("/c/1.png")}).received
+    assert nothing is not None
+    assert nothing.shades == ()

@@ -10,10 +10,9 @@ from kagezou.document.address import Address, value_of
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Document
 from kagezou.document.property import Property
+from kagezou.document.set_properties import BUILT_KINDS
 from kagezou.scene.evaluate import evaluate
 from kagezou.tools.placing import add_placed
-
-KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
 
 
 def value(document: Document, piece_id: str, line: Property) -> object:
@@ -29,7 +28,7 @@ def point(document: Document, piece_id: str) -> tuple[float, float]:
 
 @settings(max_examples=60)
 @given(
-    st.sampled_from(KINDS),
+    st.sampled_from(BUILT_KINDS),
     st.one_of(st.just(0.0), st.floats(10, 70)),
     st.floats(-25, 25),
     st.floats(20, 80),

@@ -25,7 +25,6 @@ from kagezou.tools.set_outlines import outlines_of, piece_at
 from kagezou.tools.sight import between
 from kagezou.tools.view import View
 
-KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
 SIZES = {"piece.width": s.PIECE_WIDTH, "piece.depth": s.PIECE_DEPTH, "piece.height": s.PIECE_HEIGHT}
 offsets = st.tuples(st.floats(-300, 300), st.floats(-300, 300)).filter(lambda way: hypot(*way) > 0.01)
 views = st.builds(View, st.floats(0.2, 8.0), offsets)
@@ -43,9 +42,9 @@ def sets(draw: DrawFn, *kinds: str, lowest: float = 20.0) -> Document:
     position = draw(st.tuples(st.floats(200, 800), st.floats(750, 950)))
     assume(place_on(camera_at(document, 1), ground_at(document, 1), position) is not None)
     return with_piece(
-        document, draw(st.sampled_from(kinds or KINDS)), position=list(position), angle=draw(st.floats(-400, 400)),
-        lean=draw(st.floats(-60, 60)), width=draw(st.floats(20, 700)), height=draw(st.floats(20, 700)),
-        depth=draw(st.floats(20, 500)),
+        document, draw(st.sampled_from(kinds or s.BUILT_KINDS)), position=list(position),
+        angle=draw(st.floats(-400, 400)), lean=draw(st.floats(-60, 60)), width=draw(st.floats(20, 700)),
+        height=draw(st.floats(20, 700)), depth=draw(st.floats(20, 500)),
     )  # fmt: skip
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QOpenGLContext
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -54,6 +54,15 @@ def patient(monkeypatch: pytest.MonkeyPatch) -> None:
 def steady(monkeypatch: pytest.MonkeyPatch) -> None:
     """No picture is late, however busy the machine: what is compared is drawn at full resolution."""
     monkeypatch.setattr(resolution, "DUE_S", 60.0)
+
+
+@pytest.fixture(autouse=True)
+def _no_context_stays_current(qapp: QApplication) -> Iterator[None]:  # noqa: ARG001 - Qt objects need the application
+    """A window's OpenGL context left current on the thread would keep later tests from making one without a display."""
+    yield
+    current = QOpenGLContext.currentContext()
+    if current is not None:
+        current.doneCurrent()
 
 
 @pytest.fixture

@@ -32,7 +32,7 @@ def trio(filled: Desk) -> Desk:
     session = filled.bridge.session
     path = session.document.layers[0].cels.drawings[0].path
     for name in ("Second", "Third"):
-        filled.bring((CharacterSource(name, path),))
+        filled.bring((CharacterSource(name, path),)).at_once()
     document = session.document
     for layer, opacity in zip(document.layers, (0.6, 0.3, 0.9), strict=True):
         document = edits.set_constant(document, Address(OPACITY, layer.id), opacity)
@@ -300,6 +300,17 @@ def test_a_look_is_pasted_on_all_chosen_layers(layers: LayerList, inspector: Ins
     layers.looks.paste()
     assert len(said) == 1
     assert not layers.looks.can_paste
+
+
+def test_a_changed_row_says_so_in_words_too(inspector: Inspector) -> None:
+    row = inspector.row("shadow.fade")
+    assert "default" not in row.label.toolTip()
+    row.enter(120.0)
+    assert row.label.toolTip().endswith("layers.Third.shadow.fade\nChanged; double-click for the default, 0.0")
+    row.enter(1e9)
+    assert "1000000000.0 is not a number from 0 to 10000 px" in row.label.toolTip()
+    row.reset()
+    assert row.label.toolTip().endswith("layers.Third.shadow.fade")
 
 
 def test_folded_sections_stay_folded_on_the_next_layer(inspector: Inspector, trio: Desk) -> None:

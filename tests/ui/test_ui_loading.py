@@ -318,10 +318,10 @@ def test_the_work_area_is_read_into_memory_and_that_can_be_stopped(
     walking.project.loading.cancel_button.click()
     go_on.set()
     qtbot.wait(50)
-    assert not set(played_drawings(bridge.document)) <= desk.cels.kept_paths()
+    assert not set(played_drawings(bridge.document)) <= desk.cels.kept_sources()
 
     walking.actions_of["read_ahead"].trigger()
-    qtbot.waitUntil(lambda: set(played_drawings(bridge.document)) <= desk.cels.kept_paths())
+    qtbot.waitUntil(lambda: set(played_drawings(bridge.document)) <= desk.cels.kept_sources())
     bridge.session.mark_saved()
 
 

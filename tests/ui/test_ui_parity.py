@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 from viewing import picture
 
+from kagezou.document.address import resolve
+from kagezou.document.edits import add_layer, set_constant
 from kagezou.io.encode import write_rgba
 from kagezou.io.images import read_cel
 from kagezou.tools.grounding import add_grounding
@@ -39,3 +41,32 @@ def test_the_same_frame_by_window_and_by_command_line_is_the_same_bytes(walking:
     written = read_cel(tmp_path / "out" / "composite" / "composite_0003.png").rgba
     assert np.array_equal(shown, written)
     assert not np.array_equal(shown[..., :3], ramp[..., :3])
+
+
+def test_what_characters_cast_on_each_other_is_the_same_in_every_view(walking: MainWindow, tmp_path: Path) -> None:
+    desk = walking.desk
+    write_rgba(tmp_path / "paper.png", np.full((200, 240, 4), 255, np.uint8))
+    desk.put_background(tmp_path / "paper.png").at_once()
+    document = desk.bridge.document
+    first = document.layers[0]
+    document = add_layer(document, "Before", first.cels, first.figure)
+    values = {
+        f"layers.{first.name}.receives": True,
+        f"layers.{first.name}.grounding": [[120.0, 160.0]],
+        "layers.Before.grounding": [[118.0, 176.0]],
+        "light.position": [90.0, 40.0, 260.0],
+    }
+    for path, value in values.items():
+        document = set_constant(document, resolve(document, path), value)
+    desk.bridge.session.edit("Two", document)
+    desk.save(tmp_path / "cut.kage")
+    shown = picture(walking.viewport)
+    walking.actions_of["view_matte"].trigger()
+    matte = picture(walking.viewport)[..., 0]
+
+    by_command_line("render", str(tmp_path / "cut.kage"), "-o", str(tmp_path / "out"), "--frames", "1", "--composite")
+    composite = read_cel(tmp_path / "out" / "composite" / "composite_0001.png", white_is_clear=False)
+    assert np.array_equal(shown, composite.rgba)
+    written = read_cel(tmp_path / "out" / f"{first.name}_received" / f"{first.name}_received_0001.png").rgba[..., 3]
+    assert (written > 0).sum() > 100
+    assert (matte >= written).all()

@@ -53,7 +53,7 @@ def keyed(desk: Desk, cels: Path) -> Desk:
 
 @pytest.fixture
 def timeline(qtbot: QtBot, keyed: Desk) -> Timeline:
-    made = Timeline(keyed.bridge, keyed.cels.kept_paths)
+    made = Timeline(keyed.bridge, keyed.cels.kept_sources)
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()

@@ -289,5 +289,7 @@ def test_a_message_never_moves_the_picture(qtbot: QtBot, walking: MainWindow) ->
     assert walking.top_bars.isVisible()
     assert walking.top_bars.width() == walking.pages.width()
     assert walking.viewport.geometry() == before
+    qtbot.waitUntil(lambda: walking.bar.height() >= walking.bar.minimumSizeHint().height())
+    assert walking.top_bars.height() == walking.bar.height()
     walking.bar.clear()
     qtbot.waitUntil(lambda: not walking.top_bars.isVisible())

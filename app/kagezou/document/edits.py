@@ -6,13 +6,12 @@ An edit that would change nothing returns the very same document, so that ``new 
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import count
-from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks
+from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, PictureSource, Tracks
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 
@@ -129,9 +128,9 @@ def set_canvas(document: Document, canvas: Canvas) -> Document:
     return document if canvas == document.canvas else replace(document, canvas=canvas)
 
 
-def set_background(document: Document, path: Path | None) -> Document:
+def set_background(document: Document, source: PictureSource | None) -> Document:
     """Put a picture under everything, or take it away."""
-    return document if path == document.background else replace(document, background=path)
+    return document if source == document.background else replace(document, background=source)
 
 
 def free_name(document: Document, name: str) -> str:

@@ -33,11 +33,45 @@ class Canvas:
 
 
 @dataclass(frozen=True, slots=True)
+class PicturePart:
+    """A layer or a group within a picture file.
+
+    Parameters
+    ----------
+    path
+        The file.
+    address
+        The names that lead to it, as :func:`kagezou.io.psd_tree.addressed` joins them.
+    """
+
+    path: Path
+    address: str
+
+
+PictureSource = Path | PicturePart
+"""What pixels come from: a whole file, or a part of one."""
+
+
+def file_of(source: PictureSource) -> Path:
+    """Return the file that a picture comes from."""
+    return source.path if isinstance(source, PicturePart) else source
+
+
+@dataclass(frozen=True, slots=True)
 class Drawing:
-    """One cel: its name on the sheet and its picture file. It lies centred on the canvas, pixel for pixel."""
+    """One cel: its name on the sheet, its picture file, and perhaps the part of that file which it is.
+
+    It lies centred on the canvas, pixel for pixel.
+    """
 
     name: str
     path: Path
+    part: str | None = None
+
+    @property
+    def source(self) -> PictureSource:
+        """What its pixels come from."""
+        return self.path if self.part is None else PicturePart(self.path, self.part)
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +204,7 @@ class Document:
     """
 
     canvas: Canvas
-    background: Path | None = None
+    background: PictureSource | None = None
     layers: tuple[Layer, ...] = ()
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
     work_area: tuple[int, int] | None = None

@@ -88,6 +88,12 @@ VISIBLE = Property(
     Words("Visible", "表示"),
     Words("Whether the layer and its shadow are shown and rendered.", "レイヤーとその影を表示・書き出しするか。"),
 )  # fmt: skip
+RECEIVES = Property(
+    "receives", Kind.SWITCH, Scope.LAYER, False,  # noqa: FBT003 - a default, named by its column
+    Words("Receives shadows", "影を受ける"),
+    Words("Whether the shadows of the other characters fall on this one, where the light meets them first.",
+          "ほかのキャラの影がこのキャラに落ちるか（光源から見て手前にいるキャラの影だけ）。"),
+)  # fmt: skip
 MATTE = Property(
     "shadow.matte", Kind.CHOICE, Scope.LAYER, "solid",
     Words("Matte", "マット"),
@@ -270,7 +276,7 @@ WAVE2 = _wave(2, 37.0, 70.0, 2.0)
 TABLE: tuple[Property, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
     LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS,
-    GROUNDING, TILT, VISIBLE, TIMING, MATTE,
+    GROUNDING, TILT, VISIBLE, RECEIVES, TIMING, MATTE,
     SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, GROW, SOFTNESS, PENUMBRA,
     COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE,
     WAVES_ON, WAVE1.amplitude, WAVE1.wavelength, WAVE1.direction, WAVE1.velocity,

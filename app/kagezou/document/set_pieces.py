@@ -12,6 +12,7 @@ from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Piece
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
 from kagezou.document.set_properties import (
+    GROUND_RECEIVES,
     MESH,
     PIECE_DEPTH,
     PIECE_HEIGHT,
@@ -78,8 +79,12 @@ def add_piece(
 
 
 def remove_piece(document: Document, piece_id: str) -> Document:
-    """Take a piece out of the set."""
-    return replace(document, pieces=tuple(piece for piece in document.pieces if piece.id != piece_id))
+    """Take a piece out of the set; with the last set from a file the flat ground comes back."""
+    had_file = _has_file(document)
+    document = replace(document, pieces=tuple(piece for piece in document.pieces if piece.id != piece_id))
+    if had_file and not _has_file(document):
+        return set_constant(document, Address(GROUND_RECEIVES), raw=True)
+    return document
 
 
 def rename_piece(document: Document, piece_id: str, name: str) -> Document:
@@ -124,6 +129,10 @@ def _first_values(document: Document, kind: str) -> dict[str, Value]:
         PIECE_HEIGHT.name: height,
         PIECE_DEPTH.name: depth,
     }
+
+
+def _has_file(document: Document) -> bool:
+    return any(piece.source is not None for piece in document.pieces)
 
 
 def _check_name(name: str) -> None:

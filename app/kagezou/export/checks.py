@@ -1,16 +1,18 @@
 """What can be known before the first frame: drawings that are not there, a folder that refuses, a disk too small."""
 
 import shutil
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import Final
 
+from kagezou.document.model import PicturePart
 from kagezou.errors import DiskFullProblem, InputProblem
 from kagezou.export.jobs import CompositeContent, Job, Plan
 from kagezou.export.request import ExportRequest
 from kagezou.io.atomic import write_bytes
 from kagezou.io.faults import output_problem, shown
 from kagezou.io.meshes import is_mesh
+from kagezou.io.psd_file import has_part
 
 LISTED: Final = 50
 """So many missing files are named in full; of more, the number is."""
@@ -26,16 +28,29 @@ def missing_files(jobs: Iterable[Job]) -> tuple[Path, ...]:
     return tuple(path for path in needed if not _is_file(path))
 
 
-def check_sources(jobs: Iterable[Job]) -> None:
-    """Raise InputProblem that names every missing file in one sentence."""
-    missing = missing_files(jobs)
+def missing_parts(jobs: Iterable[Job]) -> tuple[PicturePart, ...]:
+    """Return the layers of files that are needed and are not in them, each once, in order of need.
+
+    Raises
+    ------
+    InputProblem
+        A file cannot be read at all.
+    """
+    needed = dict.fromkeys(each for job in jobs for each in job.pictures if isinstance(each, PicturePart))
+    return tuple(part for part in needed if not has_part(part))
+
+
+def check_sources(jobs: Collection[Job]) -> None:
+    """Raise InputProblem that names every missing file, or every layer missing in one, in one sentence."""
+    missing = [shown(path) for path in missing_files(jobs)]
+    missing = missing or [f"{shown(part.path)} ({part.address})" for part in missing_parts(jobs)]
     if not missing:
         return
     if len(missing) == 1:
-        kind = "set" if is_mesh(missing[0]) else "drawing"
-        raise InputProblem(f"{shown(missing[0])}: the {kind} is missing")
+        kind = "set" if is_mesh(Path(missing[0])) else "drawing"
+        raise InputProblem(f"{missing[0]}: the {kind} is missing")
     rest = f" and {len(missing) - LISTED} more" if len(missing) > LISTED else ""
-    raise InputProblem(f"{len(missing)} drawings are missing: {', '.join(map(shown, missing[:LISTED]))}{rest}")
+    raise InputProblem(f"{len(missing)} drawings are missing: {', '.join(missing[:LISTED])}{rest}")
 
 
 def prepare_folders(request: ExportRequest, plan: Plan) -> None:

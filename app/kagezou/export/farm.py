@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Document
+from kagezou.document.model import Document, file_of
 from kagezou.errors import UsageProblem
 from kagezou.export.jobs import planned
 from kagezou.export.request import DEPTHS, SUFFIXES, ExportRequest
@@ -177,7 +177,7 @@ def _assets(document: Document, request: FarmRequest) -> Json:
     """Return what must be there on a worker: the project, every picture it shows and every set."""
     pictures = {drawing.path for layer in document.layers for drawing in layer.cels.drawings}
     if document.background is not None:
-        pictures.add(document.background)
+        pictures.add(file_of(document.background))
     for piece in document.pieces:
         if piece.source is not None:
             pictures |= {piece.source, *files_beside(piece.source)}

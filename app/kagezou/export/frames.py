@@ -9,7 +9,7 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
-from kagezou.export.jobs import CompositeContent, Content, Job, LayeredContent, Plan, planned
+from kagezou.export.jobs import CompositeContent, Content, Job, LayeredContent, Plan, ReceivedContent, planned
 from kagezou.export.layered import LayerPainter
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.pipeline import Draw, Image, Outcome, Stages, flow, window_for
@@ -86,13 +86,13 @@ def drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[D
 
 def decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
     """Bring the drawings of a job into memory; in colour at once where a composite will want them so."""
-    for path in job.cels:
-        cels.cel(path)
-    for path in job.mattes:
+    for source in job.cels:
+        cels.cel(source)
+    for source in job.mattes:
         if in_color:
-            cels.cel(path)
+            cels.cel(source)
         else:
-            cels.matte(path)
+            cels.matte(source)
 
 
 def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: Job) -> Image:
@@ -101,6 +101,9 @@ def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: Job) -> Im
     if isinstance(job.content, CompositeContent):
         renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
         return renderer.read_picture()
+    if isinstance(job.content, ReceivedContent):
+        assert job.layer is not None, job
+        return renderer.received(job.scene, job.layer, depth)
     if isinstance(job.content.cast, SetCast) and job.scene.set_shadow is not None:
         return renderer.set_shadow(job.scene, job.scene.set_shadow, depth)
     if job.layer is None:

@@ -7,16 +7,16 @@ from typing import Final
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.model import Document, Drawing, Layer
+from kagezou.document.model import Document, Drawing, Layer, PictureSource, file_of
 from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.choice import chosen_frames, chosen_layers, is_ever
 from kagezou.export.names import digits_for, safe_names
-from kagezou.export.request import ExportRequest
+from kagezou.export.request import RECEIVED, SHADOWS, ExportRequest
 from kagezou.geometry.camera import Camera
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.pieces import PieceScene, SetCast
-from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
+from kagezou.scene.scene import LayerScene, Received, Scene, SetShadow, ShadowCast, ShadowLook
 
 COMPOSITE: Final = "composite"
 """The folder and the first part of the files of composites."""
@@ -33,14 +33,21 @@ class ShadowContent:
 
 
 @dataclass(frozen=True, slots=True)
+class ReceivedContent:
+    """All that decides a picture of what others cast on a character, but its size and format."""
+
+    received: Received
+
+
+@dataclass(frozen=True, slots=True)
 class CompositeContent:
     """All that decides a composite but its size and format: the background and each layer, from the bottom.
 
     ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any.
     """
 
-    background: Path | None
-    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook], ...]
+    background: PictureSource | None
+    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
 
@@ -57,14 +64,20 @@ class LayeredContent:
         Ids and names of the characters, from the bottom, also of those that this frame does not show.
     has_set
         Whether the set casts a shadow at any time.
+    receiving
+        Ids of the characters that receive the shadows of others at any time.
     """
 
     picture: CompositeContent
     layers: tuple[tuple[str, str], ...]
     has_set: bool
+    receiving: frozenset[str] = frozenset()
 
 
-Content = ShadowContent | CompositeContent | LayeredContent
+Content = ShadowContent | ReceivedContent | CompositeContent | LayeredContent
+
+_Picture = tuple[str, Content, LayerScene | None]
+"""Its folder's name, what it shows, and the layer it is drawn from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,28 +109,39 @@ class Job:
     targets: tuple[Target, ...]
 
     @property
-    def mattes(self) -> tuple[Path, ...]:
+    def mattes(self) -> tuple[PictureSource, ...]:
         """The drawings whose alpha it needs."""
+        if isinstance(self.content, ReceivedContent):
+            received = self.content.received
+            casting = (cast.drawing.source for shade in received.shades for cast in shade.casts)
+            return tuple(dict.fromkeys((received.drawing.source, *casting)))
         if not isinstance(self.content, ShadowContent):
             return ()
-        return (self.content.cast.drawing.path,) if isinstance(self.content.cast, ShadowCast) else ()
+        return (self.content.cast.drawing.source,) if isinstance(self.content.cast, ShadowCast) else ()
 
     @property
-    def cels(self) -> tuple[Path, ...]:
+    def cels(self) -> tuple[PictureSource, ...]:
         """The drawings it needs in colour."""
         if self._picture is None:
             return ()
-        return tuple(drawing.path for drawing, _, _ in self._picture.layers if drawing is not None)
+        return tuple(drawing.source for drawing, *_ in self._picture.layers if drawing is not None)
+
+    @property
+    def pictures(self) -> tuple[PictureSource, ...]:
+        """All that it is made of, but for sets."""
+        background = None if self._picture is None else self._picture.background
+        return (*self.mattes, *self.cels, *([background] if background is not None else []))
 
     @property
     def sources(self) -> tuple[Path, ...]:
         """Every file it is made of."""
-        background = None if self._picture is None else self._picture.background
-        return (*self.mattes, *self.cels, *([background] if background is not None else []), *self.sets)
+        return (*map(file_of, self.pictures), *self.sets)
 
     @property
     def sets(self) -> tuple[Path, ...]:
         """The files of imported sets that it needs."""
+        if isinstance(self.content, ReceivedContent):
+            return ()
         if isinstance(self.content, ShadowContent) and self.content.cast is None:
             return ()
         return tuple(dict.fromkeys(piece.mesh.path for piece in self.scene.pieces if piece.mesh is not None))
@@ -129,7 +153,7 @@ class Job:
     @property
     def _picture(self) -> CompositeContent | None:
         """The whole picture it shows, None for a shadow alone."""
-        if isinstance(self.content, ShadowContent):
+        if isinstance(self.content, ShadowContent | ReceivedContent):
             return None
         return self.content.picture if isinstance(self.content, LayeredContent) else self.content
 
@@ -161,8 +185,12 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     frames = chosen_frames(document, request)
     layers = chosen_layers(document, request)
     names = safe_names(layer.name for layer in document.layers)
+    receiving = [layer for layer in layers if ever_receives(layer)] if request.only != SHADOWS else []
+    layers = layers if request.only != RECEIVED else ()
     folders = [request.folder / f"{names[layer.name]}_shadow" for layer in layers]
-    set_label = _set_label(document, names) if request.layers is None and _set_ever_casts(document) else None
+    folders += [request.folder / f"{names[layer.name]}_received" for layer in receiving]
+    has_set = request.layers is None and request.only != RECEIVED and _set_ever_casts(document)
+    set_label = _set_label(document, names) if has_set else None
     if set_label is not None:
         folders.append(request.folder / set_label)
     if request.composite:
@@ -174,9 +202,9 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     targets: dict[Content, list[Target]] = {}
     for frame in frames:
         scene = evaluate(document, frame)
-        pictures: list[tuple[str, Content, LayerScene | None]] = [
-            (f"{names[layer.name]}_shadow", *_shadow(document, layer, scene, frame)) for layer in layers
-        ]
+        pictures: list[_Picture] = []
+        pictures += [(f"{names[each.name]}_shadow", *_shadow(document, each, scene, frame)) for each in layers]
+        pictures += [(f"{names[each.name]}_received", *_received(document, each, scene, frame)) for each in receiving]
         if set_label is not None:
             pictures.append((set_label, _set_shadow(scene), None))
         if request.composite:
@@ -188,7 +216,7 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
     if request.once:
         jobs = tuple(_each_once(jobs, digits))
-    return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in layers})
+    return Plan(jobs, tuple(folders), {layer.name: names[layer.name] for layer in (*layers, *receiving)})
 
 
 def _layered_plan(document: Document, request: ExportRequest) -> Plan:
@@ -200,6 +228,7 @@ def _layered_plan(document: Document, request: ExportRequest) -> Plan:
     ids = {layer.id for layer in layers}
     names = tuple((layer.id, layer.name) for layer in layers)
     has_set = is_all and _set_ever_casts(document)
+    receiving = frozenset(layer.id for layer in layers if ever_receives(layer))
     folder, digits = request.folder / LAYERED, digits_for(document.canvas.length_frames)
     first: dict[Content, Job] = {}
     targets: dict[Content, list[Target]] = {}
@@ -208,7 +237,7 @@ def _layered_plan(document: Document, request: ExportRequest) -> Plan:
         if not is_all:
             chosen = tuple(layer for layer in scene.layers if layer.id in ids)
             scene = replace(scene, background=None, layers=chosen, set_shadow=None)
-        content = LayeredContent(_composite(scene), names, has_set)
+        content = LayeredContent(_composite(scene), names, has_set, receiving)
         path = folder / f"{LAYERED}_{frame:0{digits}d}{request.suffix}"
         first.setdefault(content, Job(content, scene, None, ()))
         targets.setdefault(content, []).append(Target(frame, path))
@@ -244,15 +273,29 @@ def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple
     """Return a layer's shadow on a frame; an empty cel and a hidden layer give an empty one."""
     seen = next((each for each in scene.layers if each.id == layer.id), None)
     if seen is None or seen.cast is None:
-        text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
-        red, green, blue = bytes.fromhex(text.removeprefix("#"))
-        return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True)), None
+        return _nothing(document, layer, frame), None
     # How it is laid on what is under it does not change the layer itself.
     return ShadowContent(seen.cast, replace(seen.look, multiply=True)), seen
 
 
+def _received(
+    document: Document, layer: Layer, scene: Scene, frame: int
+) -> tuple[ShadowContent | ReceivedContent, LayerScene | None]:
+    """Return what falls on a layer on a frame; an empty picture where nothing can."""
+    seen = next((each for each in scene.layers if each.id == layer.id), None)
+    if seen is None or seen.received is None or not seen.received.shades:
+        return _nothing(document, layer, frame), None
+    return ReceivedContent(seen.received), seen
+
+
+def _nothing(document: Document, layer: Layer, frame: int) -> ShadowContent:
+    text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
+    red, green, blue = bytes.fromhex(text.removeprefix("#"))
+    return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True))
+
+
 def _composite(scene: Scene) -> CompositeContent:
-    layers = tuple((each.drawing, each.cast, each.look) for each in scene.layers)
+    layers = tuple((each.drawing, each.cast, each.look, each.received) for each in scene.layers)
     clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
     return CompositeContent(scene.background, layers, scene.set_shadow, (scene.camera, clay) if clay else None)
 
@@ -274,3 +317,8 @@ def _set_label(document: Document, names: dict[str, str]) -> str:
 
 def _set_ever_casts(document: Document) -> bool:
     return any(is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
+
+
+def ever_receives(layer: Layer) -> bool:
+    """Return whether a layer receives the shadows of others at any time."""
+    return is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)

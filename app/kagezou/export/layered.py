@@ -1,13 +1,13 @@
-"""A frame as layers: background, the shadow of the set, each character's shadow, each character."""
+"""A frame as layers: background, the set's shadow, each character's shadow, each character and what falls on it."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path
 from typing import Final
 
 import numpy as np
 
+from kagezou.document.model import PictureSource
 from kagezou.export.jobs import Job, LayeredContent
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.cels import CelCache
@@ -37,7 +37,7 @@ class LayerPainter:
 
     renderer: Renderer
     cels: CelCache
-    _background: tuple[Path, Cel] | None = None
+    _background: tuple[PictureSource, Cel] | None = None
 
     def draw(self, job: Job, content: LayeredContent, depth: int) -> LayeredImage:
         """Return a frame as layers; with their opacity beside them, and merged too, where it becomes a PSD."""
@@ -74,7 +74,14 @@ class LayerPainter:
             if layer is None or layer.drawing is None:
                 yield _empty_part(depth)
             else:
-                yield _cel_part(self.cels.cel(layer.drawing.path), scene.canvas)
+                yield _cel_part(self.cels.cel(layer.drawing.source), scene.canvas)
+            if layer_id in content.receiving:
+                yield _empty_part(depth) if layer is None else self._received_part(scene, layer, depth)
+
+    def _received_part(self, scene: Scene, layer: LayerScene, depth: int) -> Part:
+        """Return what others cast on a layer, at the opacity of those who cast."""
+        first = layer.received.shades[0].look if layer.received and layer.received.shades else layer.look
+        return _shadow_part(lambda _look: self.renderer.received(scene, layer, depth), first, keeps_opacity=False)
 
     def _set_shadow(self, scene: Scene, shadow: SetShadow, depth: int, look: ShadowLook) -> ShadowImage:
         return self.renderer.set_shadow(scene, replace(shadow, look=look), depth)
@@ -82,9 +89,9 @@ class LayerPainter:
     def _shadow(self, scene: Scene, layer: LayerScene, depth: int, look: ShadowLook) -> ShadowImage:
         return self.renderer.shadow(scene, replace(layer, look=look), depth)
 
-    def _read_background(self, path: Path) -> Cel:
-        if self._background is None or self._background[0] != path:
-            self._background = (path, read_cel(path, white_is_clear=False))
+    def _read_background(self, source: PictureSource) -> Cel:
+        if self._background is None or self._background[0] != source:
+            self._background = (source, read_cel(source, white_is_clear=False))
         return self._background[1]
 
 
@@ -96,7 +103,8 @@ def part_names(content: LayeredContent) -> tuple[str, ...]:
     names = [_BACKGROUND] if content.picture.background is not None else []
     names += [_SET_SHADOW] if content.has_set else []
     names += [f"{name}_shadow" for _, name in content.layers]
-    names += [name for _, name in content.layers]
+    for layer_id, name in content.layers:
+        names += [name, f"{name}_received"] if layer_id in content.receiving else [name]
     unlike: list[str] = []
     for name in names:
         free = name

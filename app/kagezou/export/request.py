@@ -18,6 +18,10 @@ DEPTHS: Final = {"png": (8, 16), "tga": (8,), "tiff": (8, 16), "exr": (16,), "ps
 
 MAX_WORKERS: Final = 64
 
+SHADOWS: Final = "shadows"
+RECEIVED: Final = "received"
+"""What may be asked for alone: shadows on the ground and the set, or what characters cast on each other."""
+
 
 @dataclass(frozen=True, slots=True)
 class ExportRequest:
@@ -47,6 +51,8 @@ class ExportRequest:
     layered
         Whether each frame is one file that holds background, shadows and characters as layers, instead of a folder
         for each shadow.
+    only
+        `SHADOWS` or `RECEIVED`; None for both.
     """
 
     folder: Path
@@ -60,6 +66,7 @@ class ExportRequest:
     keep_going: bool = False
     once: bool = False
     layered: bool = False
+    only: str | None = None
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan, degrees, inf, radians, tan
+from math import atan, degrees, hypot, inf, radians, tan
 
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
-from kagezou.geometry.vectors import Point2, Vector3, Vector4
+from kagezou.geometry.vectors import Point2, Vector3, Vector4, height_over
 
 MIN_SPACING_OF_FIGURE = 0.02
 """Grounding points closer in x than this part of the figure's height count as one."""
@@ -62,6 +62,17 @@ class Card:
     contacts: tuple[Vector3, ...] = ()
     tilt_deg: float = 0.0
     merged: bool = False
+
+
+def receiver_of(camera: Camera, piece: CardPiece) -> Plane:
+    """Return a piece as a surface that shadows fall on: vertical, its lit side toward the eye."""
+    length = hypot(1.0, piece.slope)
+    normal = (-piece.slope / length, 0.0, 1 / length)
+    if height_over(piece.plane, camera.eye) < 0:
+        normal = (piece.slope / length, 0.0, -1 / length)
+    return Plane(
+        origin=(piece.x0, 0.0, piece.z0), u=(1 / length, 0.0, piece.slope / length), v=(0.0, 1.0, 0.0), normal=normal
+    )
 
 
 def card_for(

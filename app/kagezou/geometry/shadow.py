@@ -17,7 +17,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, rectangle_edges, shifted
-from kagezou.geometry.vectors import Matrix, Vector4, height_over
+from kagezou.geometry.vectors import Matrix, Vector4, coincide, height_over
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,9 +114,11 @@ def cast_in_space(camera: Camera, piece: CardPiece, light: Vector4) -> SpaceCast
 def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -> Cast | None:
     """Return the cast of one piece, or None where nothing is cast or seen.
 
-    Nothing is cast by a light on the dark side of the receiver or within the card's own plane, and nothing is seen
-    of a receiver edge-on.
+    Nothing is cast by a light on the dark side of the receiver or within the card's own plane, nothing by a card on
+    itself, and nothing is seen of a receiver edge-on.
     """
+    if coincide(receiver.equation, piece.plane):
+        return None
     lift = world_from_canvas_on(camera, receiver)
     space = cast_in_space(camera, piece, light)
     if lift is None or space is None or height_over(receiver.equation, light) <= 0:

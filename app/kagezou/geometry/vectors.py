@@ -18,6 +18,10 @@ Matrix: TypeAlias = NDArray[np.float64]
 """A float64 matrix; its shape stands in the docstring of whatever returns it."""
 
 
+_SAME_DIRECTION = 1e-9
+_SAME_PLACE_PX = 1e-6
+
+
 def dot(a: Vector3, b: Vector3) -> float:
     """Return the scalar product of two vectors."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -26,6 +30,13 @@ def dot(a: Vector3, b: Vector3) -> float:
 def plane_through(point: Vector3, normal: Vector3) -> Vector4:
     """Return the plane (n, d) with n·X + d = 0 through ``point``."""
     return (*normal, -dot(normal, point))
+
+
+def coincide(a: Vector4, b: Vector4) -> bool:
+    """Return whether two planes (n, d) are one and the same, whichever way their normals point."""
+    first, second = (np.asarray(each) / np.linalg.norm(each[:3]) for each in (a, b))
+    second = second if first[:3] @ second[:3] > 0 else -second
+    return bool(np.abs(first[:3] - second[:3]).max() < _SAME_DIRECTION and abs(first[3] - second[3]) < _SAME_PLACE_PX)
 
 
 def height_over(plane: Vector4, point: Vector4) -> float:

@@ -5,9 +5,9 @@ from collections import OrderedDict
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Final, Literal, Protocol
 
+from kagezou.document.model import PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
 from kagezou.io.images import Cel, Matte, read_cel, read_matte
@@ -18,30 +18,30 @@ _Kind = Literal["cel", "matte", "background"]
 
 @dataclass(frozen=True, slots=True)
 class _Key:
-    """One state of one file, as a whole drawing or as its matte alone."""
+    """One state of one picture, as a whole drawing or as its matte alone."""
 
     kind: _Kind
-    path: Path
+    source: PictureSource
     size: int
     mtime_ns: int
 
     def of(self, kind: _Kind) -> "_Key":
         """Return the key of the same state of the file as another kind."""
-        return _Key(kind, self.path, self.size, self.mtime_ns)
+        return _Key(kind, self.source, self.size, self.mtime_ns)
 
 
 class CelSource(Protocol):
     """Where whoever draws gets drawings from; each may raise an InputProblem."""
 
-    def cel(self, path: Path) -> Cel:
+    def cel(self, source: PictureSource) -> Cel:
         """Return a drawing."""
         ...
 
-    def matte(self, path: Path) -> Matte:
+    def matte(self, source: PictureSource) -> Matte:
         """Return the matte of a drawing."""
         ...
 
-    def background(self, path: Path) -> Cel:
+    def background(self, source: PictureSource) -> Cel:
         """Return a picture that is opaque where it has no alpha of its own."""
         ...
 
@@ -49,8 +49,9 @@ class CelSource(Protocol):
 class CelCache:
     """Drawings read from files, bounded by memory, the least lately used going first; any thread may ask.
 
-    A file is known by path, size and time of change, so an edited one is read again. Two threads that ask for one
-    drawing wait for one decoding. A failure is told to those who waited for it and then forgotten.
+    A picture is known by its file's path, size and time of change, and its part of the file, so an edited one is read
+    again. Two threads that ask for one drawing wait for one decoding. A failure is told to those who waited for it and
+    then forgotten.
 
     Parameters
     ----------
@@ -71,42 +72,42 @@ class CelCache:
         with self._lock:
             return self._nbytes
 
-    def cel(self, path: Path) -> Cel:
-        """Return the drawing at ``path``.
+    def cel(self, source: PictureSource) -> Cel:
+        """Return the drawing that comes from ``source``.
 
         Raises
         ------
         InputProblem
             It cannot be read.
         """
-        found = self._get(_key("cel", path), lambda: read_cel(path))
+        found = self._get(_key("cel", source), lambda: read_cel(source))
         assert isinstance(found, Cel)
         return found
 
-    def matte(self, path: Path) -> Matte:
-        """Return the matte of the drawing at ``path``, from the drawing where that is kept or on its way.
+    def matte(self, source: PictureSource) -> Matte:
+        """Return the matte of the drawing from ``source``, from the drawing where that is kept or on its way.
 
         Raises
         ------
         InputProblem
             It cannot be read.
         """
-        key = _key("matte", path)
+        key = _key("matte", source)
         whole = key.of("cel")
         with self._lock:
             has_cel = whole in self._kept or whole in self._running
-        found = self._get(whole, lambda: read_cel(path)) if has_cel else self._get(key, lambda: read_matte(path))
+        found = self._get(whole, lambda: read_cel(source)) if has_cel else self._get(key, lambda: read_matte(source))
         return found.matte if isinstance(found, Cel) else found
 
-    def background(self, path: Path) -> Cel:
-        """Return the picture at ``path`` with its white opaque.
+    def background(self, source: PictureSource) -> Cel:
+        """Return the picture from ``source`` with its white opaque.
 
         Raises
         ------
         InputProblem
             It cannot be read.
         """
-        found = self._get(_key("background", path), lambda: read_cel(path, white_is_clear=False))
+        found = self._get(_key("background", source), lambda: read_cel(source, white_is_clear=False))
         assert isinstance(found, Cel)
         return found
 
@@ -115,19 +116,19 @@ class CelCache:
         """The memory that kept drawings may take together."""
         return self._limit_bytes
 
-    def is_kept(self, path: Path) -> bool:
-        """Whether the picture at ``path``, as it is now, is kept whole."""
+    def is_kept(self, source: PictureSource) -> bool:
+        """Whether the picture from ``source``, as it is now, is kept whole."""
         try:
-            key = _key("cel", path)
+            key = _key("cel", source)
         except InputProblem:
             return False
         with self._lock:
             return key in self._kept or key.of("background") in self._kept
 
-    def kept_paths(self) -> frozenset[Path]:
+    def kept_sources(self) -> frozenset[PictureSource]:
         """Return which drawings are kept now."""
         with self._lock:
-            return frozenset(key.path for key in self._kept)
+            return frozenset(key.source for key in self._kept)
 
     def clear(self) -> None:
         """Forget every drawing."""
@@ -166,7 +167,7 @@ class CelCache:
 
     def _keep(self, key: _Key, found: Cel | Matte) -> None:
         """Keep ``found``, dropping its older states, its separate matte, and the least lately used."""
-        for other in [kept for kept in self._kept if kept.path == key.path and self._is_outdone(kept, key)]:
+        for other in [kept for kept in self._kept if kept.source == key.source and self._is_outdone(kept, key)]:
             self._drop(other)
         if found.nbytes > self._limit_bytes:
             return
@@ -183,11 +184,12 @@ class CelCache:
         self._nbytes -= self._kept.pop(key).nbytes
 
 
-def _key(kind: _Kind, path: Path) -> _Key:
+def _key(kind: _Kind, source: PictureSource) -> _Key:
+    path = file_of(source)
     try:
         state = path.stat()
     except OSError as error:
         raise input_problem(path, error) from error
     except ValueError as error:  # a NUL in the name
         raise input_problem(path, "it cannot be a file name") from error
-    return _Key(kind, path, state.st_size, state.st_mtime_ns)
+    return _Key(kind, source, state.st_size, state.st_mtime_ns)

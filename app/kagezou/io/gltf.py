@@ -14,12 +14,14 @@ from numpy.typing import NDArray
 
 from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
+from kagezou.io.set_bytes import MAX_BYTES, bytes_of, check_inside
 
 Tree = dict[str, Any]
 
 _MAX_JSON_BYTES: Final = 32 << 20
 _MAX_NODES: Final = 200_000
 _MAX_DEPTH: Final = 200
+_MAX_BUFFERS: Final = 1000
 MAGIC: Final = b"glTF"
 JSON_CHUNK: Final = 0x4E4F534A
 BINARY_CHUNK: Final = 0x004E4942
@@ -64,16 +66,13 @@ def read_gltf(path: Path) -> Gltf:
     InputProblem
         It is broken, compressed in a way that is not read, or refers to something outside its folder.
     """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise input_problem(path, error) from error
+    data = bytes_of(path)
     try:
         tree, binary = _parts(path, data)
         for name in tree.get("extensionsRequired", ()):
             if name in _UNREADABLE:
                 raise input_problem(path, f"it is compressed ({name}): please export it without compression")
-        buffers = tuple(_buffer(path, each, binary) for each in list_of(path, tree, "buffers"))
+        buffers = _buffers(path, tree, binary)
         file = Gltf(path, tree, buffers, _parents(path, tree))
         for accessor in list_of(path, tree, "accessors"):
             _check_accessor(file, accessor)
@@ -130,6 +129,16 @@ def entry_of(path: Path, tree: Tree, name: str, index: object) -> Tree:
     return entry
 
 
+def _buffers(path: Path, tree: Tree, binary: bytes | None) -> tuple[bytes, ...]:
+    found: list[bytes] = []
+    for buffer in list_of(path, tree, "buffers"):
+        found.append(_buffer(path, buffer, binary))
+        # One file may be named many times.
+        if sum(map(len, found)) > MAX_BYTES or len(found) > _MAX_BUFFERS:
+            raise input_problem(path, f"its buffers are larger than {MAX_BYTES >> 20} MB or too many")
+    return tuple(found)
+
+
 def _buffer(path: Path, buffer: Tree, binary: bytes | None) -> bytes:
     length, uri = buffer["byteLength"], buffer.get("uri")
     if uri is None:
@@ -161,13 +170,8 @@ def files_beside(path: Path) -> tuple[Path, ...]:
 def _beside(path: Path, uri: str) -> bytes:
     """Return a file that the set refers to, which must lie in its folder or below."""
     name = unquote(uri)
-    outside = ":" in name or "\\" in name or "\0" in name or name.startswith("/") or ".." in name.split("/")
-    if outside or not (path.parent / name).resolve().is_relative_to(path.parent.resolve()):
-        raise input_problem(path, f"it refers to {name[:80]!r} outside its own folder, which is not followed")
-    try:
-        return (path.parent / name).read_bytes()
-    except OSError as error:
-        raise input_problem(path.parent / name, error) from error
+    check_inside(path, name)
+    return bytes_of(path.parent / name)
 
 
 def _parents(path: Path, tree: Tree) -> dict[int, int]:

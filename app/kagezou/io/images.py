@@ -11,9 +11,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from kagezou.document.model import PicturePart, PictureSource, file_of
 from kagezou.geometry.box import Box
 from kagezou.io.colour import coded_from_light, steps_from_unit, straight_from_associated
 from kagezou.io.oiio_guard import Header, Picture
+from kagezou.io.psd_file import psd_pixels, psd_tree
+from kagezou.io.psd_tree import psd_header
+from kagezou.io.signatures import is_psd
 
 Steps = NDArray[np.uint8] | NDArray[np.uint16]
 _NO_ALPHA: Final = "no alpha channel: pure white was taken as clear"
@@ -82,14 +86,17 @@ class ImageInfo:
     bit_depth: int
 
 
-def probe(path: Path) -> ImageInfo:
-    """Return the header of the picture at ``path`` without reading pixels.
+def probe(source: PictureSource) -> ImageInfo:
+    """Return the header of the picture from ``source`` without reading pixels.
 
     Raises
     ------
     InputProblem
         It cannot be opened.
     """
+    path = file_of(source)
+    if is_psd(path):
+        return _probe_psd(source)
     with Picture(path, whole=False) as picture:
         header = picture.header
     width, height = header.display[2:]
@@ -98,13 +105,21 @@ def probe(path: Path) -> ImageInfo:
     return ImageInfo(width, height, len(header.channels), header.alpha is not None, header.bit_depth)
 
 
-def read_cel(path: Path, *, white_is_clear: bool = True) -> Cel:
-    """Return the drawing at ``path``.
+def _probe_psd(source: PictureSource) -> ImageInfo:
+    header = psd_header(file_of(source))
+    if isinstance(source, PicturePart):
+        psd_tree(source.path)
+    has_alpha = isinstance(source, PicturePart) or header.has_spare_channel
+    return ImageInfo(header.width_px, header.height_px, header.channels, has_alpha, header.bit_depth)
+
+
+def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
+    """Return the drawing that comes from ``source``.
 
     Parameters
     ----------
-    path
-        A picture file.
+    source
+        A picture file, or a part of one.
     white_is_clear
         In a file without alpha, whether pure white is clear; False for a background, which is opaque.
 
@@ -113,24 +128,34 @@ def read_cel(path: Path, *, white_is_clear: bool = True) -> Cel:
     InputProblem
         It cannot be read as a whole; one sentence with name and cause.
     """
-    with Picture(path) as picture:
-        header = picture.header
-        stored = picture.read()
-    alpha = _alpha_plane(header, stored, header.alpha)
-    rgba = _assembled(header, stored, alpha)
-    rgba = _upright(_on_canvas(rgba, header), header.orientation)
+    rgba, has_alpha = _psd_rgba(source) if is_psd(file_of(source)) else _file_rgba(file_of(source))
     notes: tuple[str, ...] = ()
-    if alpha is None and white_is_clear:
+    if not has_alpha and white_is_clear:
         notes = _clear_white(rgba)
     matte = matte_of(rgba[..., 3])
-    if alpha is not None and white_is_clear and matte.alpha.size and matte.alpha.min() == _full(matte.alpha):
+    if has_alpha and white_is_clear and matte.alpha.size and matte.alpha.min() == _full(matte.alpha):
         notes = (_ALL_FULL,)
     rgba.setflags(write=False)
     return Cel(rgba, matte, notes)
 
 
-def read_matte(path: Path) -> Matte:
-    """Return the matte of the drawing at ``path``, without touching its colours where that is faster.
+def _psd_rgba(source: PictureSource) -> tuple[Steps, bool]:
+    found = psd_pixels(source)
+    return found.rgba, found.has_alpha
+
+
+def _file_rgba(path: Path) -> tuple[Steps, bool]:
+    """Return a file's pixels, (H, W, 4) upright, and whether their alpha is in the file."""
+    with Picture(path) as picture:
+        header = picture.header
+        stored = picture.read()
+    alpha = _alpha_plane(header, stored, header.alpha)
+    rgba = _assembled(header, stored, alpha)
+    return _upright(_on_canvas(rgba, header), header.orientation), alpha is not None
+
+
+def read_matte(source: PictureSource) -> Matte:
+    """Return the matte of the drawing from ``source``, without touching its colours where that is faster.
 
     Of floating point files only the alpha channel is read. Of integer files all channels are: to pick one while
     decoding takes half as long again as to pick it out of the pixels.
@@ -140,10 +165,13 @@ def read_matte(path: Path) -> Matte:
     InputProblem
         As for `read_cel`.
     """
+    path = file_of(source)
+    if is_psd(path):
+        return read_cel(source).matte
     with Picture(path) as picture:
         header = picture.header
         if header.alpha is None or not header.alpha_declared:
-            return read_cel(path).matte
+            return read_cel(source).matte
         if header.dtype == "float32":
             alpha = _alpha_plane(header, picture.read(header.alpha, header.alpha + 1), 0)
         else:

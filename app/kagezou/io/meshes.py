@@ -17,16 +17,19 @@ from kagezou.geometry.mesh_making import mesh_of
 from kagezou.io.faults import input_problem
 from kagezou.io.gltf_meshes import packed_gltf
 from kagezou.io.obj import bare_obj
+from kagezou.io.set_bytes import bytes_of, state_of
 from kagezou.io.usd import read_usd
 
 MESH_SUFFIXES: Final = (".glb", ".gltf", ".obj", ".ply", ".stl", ".usd", ".usda", ".usdc", ".usdz")
 MAX_TRIANGLES: Final = 5_000_000
-MAX_BYTES: Final = 512 << 20
 DEFAULT_LIMIT_BYTES: Final = 512 << 20
 
 _GLTF: Final = (".glb", ".gltf")
 _USD: Final = (".usd", ".usda", ".usdc", ".usdz")
 _FARTHEST: Final = 1e9
+
+_State = tuple[Path, int, int]
+"""A file, its size and its time of change."""
 
 
 class MeshCache:
@@ -42,7 +45,8 @@ class MeshCache:
 
     def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
         self._limit_bytes = limit_bytes
-        self._kept: OrderedDict[tuple[Path, int, int], Mesh] = OrderedDict()
+        self._kept: OrderedDict[_State, Mesh] = OrderedDict()
+        self._reading: dict[_State, threading.Lock] = {}
         self._lock = threading.Lock()
 
     def mesh(self, path: Path) -> Mesh:
@@ -53,18 +57,36 @@ class MeshCache:
         InputProblem
             It cannot be read.
         """
-        key = (path, *_state_of(path))
-        # Two threads that want one mesh wait for one reading; there are few meshes in a project.
+        key = (path, *state_of(path))
+        if (kept := self._found(key)) is not None:
+            return kept
+        with self._lock:
+            reading = self._reading.setdefault(key, threading.Lock())
+        # Two threads that want one mesh wait for one reading; other meshes are had meanwhile.
+        try:
+            with reading:
+                if (kept := self._found(key)) is None:
+                    kept = read_mesh(path)
+                    self._keep(key, kept)
+        finally:
+            with self._lock:
+                self._reading.pop(key, None)
+        return kept
+
+    def _found(self, key: _State) -> Mesh | None:
         with self._lock:
             kept = self._kept.get(key)
-            if kept is None:
-                for other in [each for each in self._kept if each[0] == path]:
-                    del self._kept[other]
-                kept = self._kept[key] = read_mesh(path)
-                while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
-                    self._kept.popitem(last=False)
-            self._kept.move_to_end(key)
+            if kept is not None:
+                self._kept.move_to_end(key)
             return kept
+
+    def _keep(self, key: _State, mesh: Mesh) -> None:
+        with self._lock:
+            for other in [each for each in self._kept if each[0] == key[0]]:
+                del self._kept[other]
+            self._kept[key] = mesh
+            while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
+                self._kept.popitem(last=False)
 
 
 def is_mesh(path: Path) -> bool:
@@ -80,26 +102,17 @@ def read_mesh(path: Path) -> Mesh:
     InputProblem
         The file is missing, broken, of an unknown kind or too large, or has no triangles.
     """
-    size, _ = _state_of(path)
+    state_of(path)
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
         raise input_problem(path, f"this is no set that can be read, only {', '.join(MESH_SUFFIXES)}")
-    if size > MAX_BYTES:
-        raise input_problem(path, f"it is larger than {MAX_BYTES >> 20} MB, too large for a set")
     if suffix in _USD:
         vertices, triangles = read_usd(path, MAX_TRIANGLES)
     elif suffix in _GLTF:
         vertices, triangles = _read_by_trimesh(path, packed_gltf(path, MAX_TRIANGLES), "glb")
     else:
-        vertices, triangles = _read_by_trimesh(path, _bytes_of(path), suffix.removeprefix("."))
+        vertices, triangles = _read_by_trimesh(path, bytes_of(path), suffix.removeprefix("."))
     return _checked(path, vertices, triangles)
-
-
-def _bytes_of(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise input_problem(path, error) from error
 
 
 def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
@@ -124,10 +137,11 @@ def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
 
 def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
     """Return a mesh whose numbers make sense, its equal vertices made one."""
-    points = np.asarray(vertices, np.float64).reshape(-1, 3)
-    corners = np.asarray(triangles).reshape(-1, 3)
-    if not len(corners) or not len(points):
+    points, corners = np.asarray(vertices, np.float64), np.asarray(triangles)
+    if not points.size or not corners.size:
         raise input_problem(path, "there are no triangles in it")
+    if points.shape[1:] != (3,) or corners.shape[1:] != (3,) or corners.dtype.kind not in "iu":
+        raise input_problem(path, "it is damaged: its corners are no points in space")
     if len(corners) > MAX_TRIANGLES:
         raise too_many(path, len(corners), MAX_TRIANGLES)
     if corners.min() < 0 or corners.max() >= len(points):
@@ -148,15 +162,3 @@ def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
 def too_many(path: Path, count: int, most: int) -> InputProblem:
     """Return the problem of a set with more triangles than can be worked with."""
     return input_problem(path, f"it has {count} triangles, more than the {most} that can be worked with")
-
-
-def _state_of(path: Path) -> tuple[int, int]:
-    try:
-        state = path.stat()
-    except OSError as error:
-        raise input_problem(path, error) from error
-    except ValueError as error:  # a NUL in the name
-        raise input_problem(path, "it cannot be a file name") from error
-    if not path.is_file():
-        raise input_problem(path, "it is not a file")
-    return state.st_size, state.st_mtime_ns

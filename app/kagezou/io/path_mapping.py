@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
 
-from kagezou.document.model import Document, Drawing
+from kagezou.document.model import Document, Drawing, PicturePart, PictureSource
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.faults import input_problem, shown
 from kagezou.io.project_json import Reader, parse
@@ -53,12 +53,17 @@ def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:
         replace(layer, cels=replace(layer.cels, drawings=tuple(moved(each) for each in layer.cels.drawings)))
         for layer in document.layers
     )
-    background = None if document.background is None else mapped(document.background, rules)
     pieces = tuple(
         piece if piece.source is None else replace(piece, source=mapped(piece.source, rules))
         for piece in document.pieces
     )
-    return replace(document, layers=layers, background=background, pieces=pieces)
+    return replace(document, layers=layers, background=_mapped_source(document.background, rules), pieces=pieces)
+
+
+def _mapped_source(source: PictureSource | None, rules: tuple[Rule, ...]) -> PictureSource | None:
+    if isinstance(source, PicturePart):
+        return replace(source, path=mapped(source.path, rules))
+    return None if source is None else mapped(source, rules)
 
 
 def mapped(path: Path, rules: tuple[Rule, ...]) -> Path:

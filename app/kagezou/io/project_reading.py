@@ -11,7 +11,18 @@ from typing import Final
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.linking import LINKABLE
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
+from kagezou.document.model import (
+    Canvas,
+    Cels,
+    Document,
+    Drawing,
+    Exposure,
+    Layer,
+    PicturePart,
+    PictureSource,
+    Piece,
+    Tracks,
+)
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import MAX_PIECES
@@ -43,7 +54,7 @@ def document_of(project: Reader, folder: Path) -> Document:
     review = read_review(found, {layer.id for layer in layers})
     document = Document(
         canvas=_canvas(found["canvas"]),
-        background=None if found["background"].value is None else _path(found["background"], folder),
+        background=_background(found["background"], folder),
         layers=layers,
         tracks=_tracks(found["tracks"], OF_DOCUMENT),
         work_area=review.work_area,
@@ -142,8 +153,16 @@ def _cels(drawings: Reader, exposures: Reader, folder: Path) -> Cels:
 
 
 def _drawing(reader: Reader, folder: Path) -> Drawing:
-    name, path = reader.items(2, least=2)
-    return Drawing(name.text(MAX_PATH_CHARACTERS), _path(path, folder))
+    name, path, *part = reader.items(3, least=2)
+    address = part[0].text(MAX_PATH_CHARACTERS) if part else None
+    return Drawing(name.text(MAX_PATH_CHARACTERS), _path(path, folder), address)
+
+
+def _background(reader: Reader, folder: Path) -> PictureSource | None:
+    if isinstance(reader.value, list):
+        path, part = reader.items(2, least=2)
+        return PicturePart(_path(path, folder), part.text(MAX_PATH_CHARACTERS))
+    return None if reader.value is None else _path(reader, folder)
 
 
 def _path(reader: Reader, folder: Path) -> Path:

@@ -6,7 +6,7 @@ from pathlib import Path
 from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
-from kagezou.document.model import Document, Layer, Piece, Tracks
+from kagezou.document.model import Document, Drawing, Layer, PicturePart, PictureSource, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.io.project_json import Row
@@ -28,7 +28,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
             "frame_rate": str(canvas.frame_rate),
             "length_frames": canvas.length_frames,
         },
-        "background": None if background is None else stored_path(background, folder),
+        "background": None if background is None else _background(background, folder),
         "tracks": _tracks(document.tracks, OF_DOCUMENT),
         "layers": [_layer(layer, folder) for layer in document.layers],
         **review_tree(document),
@@ -37,6 +37,17 @@ def tree_of(document: Document, folder: Path) -> Tree:
         **({"vanishing": [Row(line) for line in document.vanishing.all]} if document.vanishing else {}),
         **({"linked": Row([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
     }
+
+
+def _background(source: PictureSource, folder: Path) -> object:
+    if isinstance(source, PicturePart):
+        return Row([stored_path(source.path, folder), source.address])
+    return stored_path(source, folder)
+
+
+def _drawing(drawing: Drawing, folder: Path) -> list[str]:
+    # Without its part where it is a file of its own, so that a cut of such drawings reads as it always did.
+    return [drawing.name, stored_path(drawing.path, folder), *([] if drawing.part is None else [drawing.part])]
 
 
 def _piece(piece: Piece, folder: Path) -> dict[str, object]:
@@ -50,7 +61,7 @@ def _layer(layer: Layer, folder: Path) -> dict[str, object]:
         "id": layer.id,
         "name": layer.name,
         "figure": Row([figure.left, figure.top, figure.right, figure.bottom]),
-        "drawings": [Row([drawing.name, stored_path(drawing.path, folder)]) for drawing in cels.drawings],
+        "drawings": [Row(_drawing(drawing, folder)) for drawing in cels.drawings],
         "exposures": [Row([exposure.frame, exposure.drawing]) for exposure in cels.exposures],
         "tracks": _tracks(layer.tracks, OF_LAYER),
     }

@@ -23,6 +23,8 @@ FORMATS: Final = {
     ".jpg": "jpeg",
     ".jpeg": "jpeg",
     ".bmp": "bmp",
+    ".psd": "psd",
+    ".psb": "psd",
 }
 """The formats that are read, by lower-case suffix."""
 
@@ -40,6 +42,7 @@ _STARTS: Final = (
     ("tiff", b"MM\0+"),
     ("webp", b"RIFF"),
     ("bmp", b"BM"),
+    ("psd", b"8BPS"),
 )
 _TITLES: Final = {
     "png": "PNG",
@@ -49,6 +52,7 @@ _TITLES: Final = {
     "webp": "WebP",
     "jpeg": "JPEG",
     "bmp": "BMP",
+    "psd": "PSD",
 }
 _PNG_HEADER: Final = struct.Struct(">IIBBBBB")
 _PNG_DEPTHS: Final = {0: (1, 2, 4, 8, 16), 2: (8, 16), 3: (1, 2, 4, 8), 4: (8, 16), 6: (8, 16)}
@@ -59,6 +63,11 @@ _CHUNK_CRC: Final = 4
 def is_picture(path: Path) -> bool:
     """Return whether the suffix of ``path``, in any case, is one that is read."""
     return path.suffix.lower() in FORMATS
+
+
+def is_psd(path: Path) -> bool:
+    """Return whether the suffix of ``path``, in any case, is that of a PSD file, which may have many drawings in it."""
+    return FORMATS.get(path.suffix.lower()) == "psd"
 
 
 def checked_format(path: Path, *, whole: bool) -> str:

@@ -3,13 +3,13 @@
 import threading
 from collections.abc import Iterable
 from math import ceil
-from pathlib import Path
 from typing import Any, Final
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kagezou.document.model import PictureSource
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.cels import CelCache
 from kagezou.io.images import Cel, Matte, matte_of
@@ -39,39 +39,39 @@ class SmallerCels:
         self._coming: set[Cel] = set()
         self._lock = threading.Lock()
 
-    def cel(self, path: Path) -> Cel:
-        """Return the drawing at ``path``, smaller.
+    def cel(self, source: PictureSource) -> Cel:
+        """Return the drawing from ``source``, smaller.
 
         Raises
         ------
         InputProblem
             It cannot be read.
         """
-        return self._smaller(self._source.cel(path))
+        return self._smaller(self._source.cel(source))
 
-    def matte(self, path: Path) -> Matte:
-        """Return the matte of the drawing at ``path``, smaller.
-
-        Raises
-        ------
-        InputProblem
-            It cannot be read.
-        """
-        return self.cel(path).matte
-
-    def background(self, path: Path) -> Cel:
-        """Return the opaque picture at ``path``, smaller.
+    def matte(self, source: PictureSource) -> Matte:
+        """Return the matte of the drawing from ``source``, smaller.
 
         Raises
         ------
         InputProblem
             It cannot be read.
         """
-        return self._smaller(self._source.background(path))
+        return self.cel(source).matte
 
-    def is_ready(self, drawings: Iterable[Path], background: Path | None) -> bool:
+    def background(self, source: PictureSource) -> Cel:
+        """Return the opaque picture from ``source``, smaller.
+
+        Raises
+        ------
+        InputProblem
+            It cannot be read.
+        """
+        return self._smaller(self._source.background(source))
+
+    def is_ready(self, drawings: Iterable[PictureSource], background: PictureSource | None) -> bool:
         """Whether these are there without any work; if not, the work is begun on another thread."""
-        wholes = [self._source.cel(path) for path in drawings]
+        wholes = [self._source.cel(source) for source in drawings]
         wholes += [self._source.background(background)] if background is not None else []
         with self._lock:
             missing = [whole for whole in wholes if whole not in self._made and whole not in self._coming]

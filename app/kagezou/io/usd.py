@@ -8,6 +8,7 @@ import numpy as np
 
 from kagezou.errors import InputProblem
 from kagezou.io.faults import input_problem
+from kagezou.io.set_bytes import check_inside, state_of
 
 MISSING: Final = "USD files need the package usd-core: pip install 'kagezou[usd]'"
 
@@ -66,14 +67,32 @@ def pxr(name: str) -> Any:
 
 def open_stage(path: Path) -> Any:
     """Open a stage; InputProblem where the package for it is missing or the file is broken."""
+    state_of(path)
     stages = pxr("Usd").Stage
     try:
+        _check_layers(path)
         stage = stages.Open(str(path), stages.LoadAll)
     except pxr("Tf").ErrorException as error:
         raise input_problem(path, "it cannot be read as USD: the file is damaged") from error
     if stage is None:
         raise input_problem(path, "it cannot be read as USD: the file is damaged")
     return stage
+
+
+def _check_layers(path: Path) -> None:
+    """See that a stage is made of nothing outside of its folder, before that is opened."""
+    layers = pxr("Sdf").Layer
+    waiting, seen = [path], {path}
+    while waiting:
+        place = waiting.pop()
+        layer = layers.FindOrOpen(str(place))
+        # A package holds its own layers.
+        is_package = place.suffix.lower() == ".usdz"
+        for name in () if layer is None or is_package else layer.GetCompositionAssetDependencies():
+            check_inside(place, name)
+            if (other := place.parent / name) not in seen:
+                seen.add(other)
+                waiting.append(other)
 
 
 def _fans(counts: Any, indices: Any) -> Any:

@@ -128,9 +128,19 @@ class CastPass:
             box = self._draw_light(cast, (receiver, light), matte, own, window)
             if box is not None:
                 if apart:
-                    self._unite(own, target, box)
+                    self.merge(own, target, box)
                 drawn = box if drawn is None else drawn.union(box)
         return drawn
+
+    def merge(self, source: Target, target: Target, box: Box) -> None:
+        """Unite a box of ``source`` with ``target`` by maximum, and empty it."""
+        target.bind(box)
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendEquation(GL.GL_MAX)
+        source.texture.bind(0)
+        self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
+        self._boxes.draw_one(box)
+        source.clear(box)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -191,13 +201,3 @@ class CastPass:
             self._scratch = Target(target.box.width, target.box.height, target.texture.form)
             self._scratch.clear()
         return self._scratch
-
-    def _unite(self, source: Target, target: Target, box: Box) -> None:
-        """Unite a box of ``source`` with ``target`` by maximum, and empty it."""
-        target.bind(box)
-        GL.glEnable(GL.GL_BLEND)
-        GL.glBlendEquation(GL.GL_MAX)
-        source.texture.bind(0)
-        self._copy.use({"u_target_size_px": target.size_px, "u_coverage": 0, "u_opacity": 1.0})
-        self._boxes.draw_one(box)
-        source.clear(box)

@@ -29,18 +29,23 @@ class Counted:
         (h - 2·margin,): the area of a texel of each row that counts, px².
     margin
         Texels.
+    counts
+        (h - 2·margin, w - 2·margin): which of the texels count; None for all.
     """
 
     sharp: Floats
     blurred: Floats
     weights: NDArray[np.float64]
     margin: int
+    counts: NDArray[np.bool_] | None = None
 
     @property
     def area(self) -> float:
         """The area of the shadow before, px²."""
         m = self.margin
         inner = self.sharp[m : self.sharp.shape[0] - m, m : self.sharp.shape[1] - m]
+        if self.counts is not None:
+            inner = inner * self.counts
         return float(inner.sum(axis=1, dtype=np.float64) @ self.weights)
 
 
@@ -104,6 +109,8 @@ def _slopes(band: Counted, finer: int) -> _Slopes:
     reach = (np.abs(values[1:-1, 2:] - values[1:-1, :-2]) + np.abs(values[2:, 1:-1] - values[:-2, 1:-1])) / 4
     areas = np.repeat(band.weights / finer**2, finer).astype(np.float32)
     held = middle > 0
+    if band.counts is not None:
+        held &= np.repeat(np.repeat(band.counts, finer, axis=0), finer, axis=1)
     return _Slopes(
         middle[held],
         np.maximum(reach[held], np.float32(1e-12)),

@@ -5,16 +5,25 @@ import numpy as np
 from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import canvas_from_plane
+from kagezou.geometry.vectors import Matrix
 from kagezou.render.program import Uniform
+from kagezou.render.targets import Texture
 from kagezou.scene.scene import ShadowCast, ShadowLook
 
 Rgb = tuple[float, float, float]
 
 
-def look_uniforms(cast: ShadowCast | None, look: ShadowLook, box: Box) -> tuple[frozenset[str], dict[str, Uniform]]:
+DISTANCE_UNIT = 3
+"""The texture unit of a picture of distances."""
+
+
+def look_uniforms(
+    cast: ShadowCast | None, look: ShadowLook, box: Box, distances: Texture | None = None
+) -> tuple[frozenset[str], dict[str, Uniform]]:
     """Return the switches of ``look.glsl`` and its uniforms for a part of the canvas.
 
-    A shadow without a cast, that of the set itself, has no contact line to fade from.
+    A shadow without a cast, that of the set itself, has no contact line to fade from. On a set ``distances`` tell how
+    far from it each pixel is; they are bound.
     """
     switches: set[str] = set()
     uniforms: dict[str, Uniform] = {"u_opacity": look.opacity}
@@ -25,7 +34,13 @@ def look_uniforms(cast: ShadowCast | None, look: ShadowLook, box: Box) -> tuple[
         switches.add("TINTED")
         uniforms |= {"u_tip_color": unit_rgb(look.tip.color), "u_tip_px": look.tip.distance_px}
     if switches and cast is not None:
-        uniforms |= _distance_uniforms(cast, box)
+        plane = contact_plane(cast.card, cast.receivers[0])
+        plane_from_canvas = np.linalg.inv(canvas_from_plane(cast.camera, plane))
+        uniforms |= distance_uniforms(plane_from_canvas[1], plane_from_canvas[2], box)
+        if distances is not None:
+            switches.add("MEASURED")
+            distances.bind(DISTANCE_UNIT)
+            uniforms["u_distances"] = DISTANCE_UNIT
     return frozenset(switches), uniforms
 
 
@@ -35,11 +50,10 @@ def unit_rgb(color: tuple[int, int, int]) -> Rgb:
     return (red / 255, green / 255, blue / 255)
 
 
-def _distance_uniforms(cast: ShadowCast, box: Box) -> dict[str, Uniform]:
-    receiver = cast.receivers[0]
-    plane_from_canvas = np.linalg.inv(canvas_from_plane(cast.camera, contact_plane(cast.card, receiver)))
+def distance_uniforms(away: Matrix, lift: Matrix, box: Box) -> dict[str, Uniform]:
+    """Return forms (3,) over the canvas whose quotient is a distance as shaders want them, for a part of the canvas."""
     origin = ((box.left + box.right) // 2 + 0.5, (box.top + box.bottom) // 2 + 0.5)
     shift = np.array([[1.0, 0.0, origin[0]], [0.0, 1.0, origin[1]], [0.0, 0.0, 1.0]])
-    forms = plane_from_canvas @ shift
-    forms = forms / np.abs(forms[2]).max()
-    return {"u_origin_px": origin, "u_away": forms[1], "u_lift": forms[2]}
+    forms = np.array([away, lift]) @ shift
+    forms = forms / np.abs(forms[1]).max()
+    return {"u_origin_px": origin, "u_away": forms[0], "u_lift": forms[1]}

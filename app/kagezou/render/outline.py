@@ -1,6 +1,6 @@
 """Which tiles of the canvas the outline of a simplified shadow may cross, and which lie wholly within it."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,7 @@ from kagezou.geometry.bands import FINEST_SIGMA_PX, Blur
 from kagezou.geometry.box import Box
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip
-from kagezou.render.occupancy import count_in, summed
+from kagezou.render.occupancy import Flags, count_in, summed
 from kagezou.render.tiles import TILE_PX, Boxes, runs_of, tile_corners
 
 EMPTY, FULL, OUTLINE = 0, 1, 2
@@ -35,31 +35,71 @@ class Reach:
     moved_px: tuple[float, float] = (0.0, 0.0)
 
 
-def outline_tiles(
-    strips: Iterable[tuple[Strip, NDArray[np.float32]]], reach: Reach, blur: Blur, plane_from_canvas: Matrix, box: Box
-) -> tuple[Boxes, Boxes]:
+@dataclass(frozen=True, slots=True, eq=False)
+class Look:
+    """One way in which a receiver looks up the blurred shadow.
+
+    Parameters
+    ----------
+    strips
+        Those of the chart, and what they hold after the blur.
+    plane_from_canvas
+        (3, 3): from the canvas to (u, v) of the blur there.
+    seam, reach_px
+        The ends (2, 2) of the seam near which it counts, in u and v of the receiver's own look, and how near; None for
+        everywhere.
+    """
+
+    strips: Sequence[tuple[Strip, NDArray[np.float32]]]
+    plane_from_canvas: Matrix
+    seam: Matrix | None = None
+    reach_px: float = 0.0
+
+
+def outline_tiles(looks: Sequence[Look], reach: Reach, blur: Blur, box: Box) -> tuple[Boxes, Boxes]:
     """Return the boxes of a canvas box that are wholly in shadow, and those that have to be looked at.
 
     A spline lies between the smallest and the largest of the texels around it, so where all of them are on one side of
-    the level there is no outline.
+    the level there is no outline; nor is there between several looks that agree. The first look is the receiver's own.
     """
     columns = np.arange(box.left // TILE_PX, -(-box.right // TILE_PX))
     rows = np.arange(box.top // TILE_PX, -(-box.bottom // TILE_PX))
-    seen = np.matmul(plane_from_canvas, tile_corners(columns, rows))
-    bounded = seen[:, 2].min(axis=0) > 1e-12 * np.abs(plane_from_canvas[2]).max()
+    corners = tile_corners(columns, rows)
+    codes, own, bounded = _codes(looks[0], reach, blur, corners)
+    for look in looks[1:]:
+        near = ~bounded | _is_near(own, look)
+        others, _, _ = _codes(look, reach, blur, corners[..., near])
+        codes[near] = np.where(codes[near] == others, others, OUTLINE)
+    boxes, kinds = runs_of(codes.reshape(len(rows), len(columns)), (int(columns[0]), int(rows[0])), box)
+    return boxes[kinds == FULL], boxes[kinds == OUTLINE]
+
+
+def _codes(look: Look, reach: Reach, blur: Blur, corners: Matrix) -> tuple[NDArray[np.int64], Matrix, Flags]:
+    """Return the code of each tile (N,), where its corners (4, 2, N) lie, and whether they do."""
+    seen = np.matmul(look.plane_from_canvas, corners)
+    bounded = seen[:, 2].min(axis=0) > 1e-12 * np.abs(look.plane_from_canvas[2]).max()
     plane = seen[:, :2] / np.where(seen[:, 2] > 0, seen[:, 2], 1.0)[:, np.newaxis]
     moved = np.array(reach.moved_px)[:, np.newaxis]
     low, high = plane.min(axis=0) - moved, plane.max(axis=0) + moved
     tiles = _Tiles(low[:, bounded], high[:, bounded])
-    for strip, values in strips:
+    for strip, values in look.strips:
         tiles.look_at(strip, values, reach, is_whole=blur.is_even)
     codes = np.full(low.shape[1], OUTLINE)
     codes[bounded] = tiles.codes
     # Where the blur is narrow the shadow as it was cast is seen too, which the strips do not tell of.
     nearest = np.where(low[1] * high[1] <= 0, 0.0, np.minimum(np.abs(low[1]), np.abs(high[1])))
     codes[nearest < blur.distance_of(FINEST_SIGMA_PX)] = OUTLINE
-    boxes, kinds = runs_of(codes.reshape(len(rows), len(columns)), (int(columns[0]), int(rows[0])), box)
-    return boxes[kinds == FULL], boxes[kinds == OUTLINE]
+    return codes, plane, bounded
+
+
+def _is_near(plane: Matrix, look: Look) -> Flags:
+    """Return which tiles, by their corners (4, 2, N), may lie within reach of a look's seam."""
+    assert look.seam is not None
+    middle = plane.mean(axis=0)
+    half = np.hypot(*(plane - middle).transpose(1, 0, 2)).max(axis=0)
+    start, run = look.seam[0][:, np.newaxis], (look.seam[1] - look.seam[0])[:, np.newaxis]
+    part = np.clip(((middle - start) * run).sum(axis=0) / max(float((run * run).sum()), 1e-12), 0.0, 1.0)
+    return np.asarray(np.hypot(*(middle - start - part * run)) - half < look.reach_px)
 
 
 class _Tiles:

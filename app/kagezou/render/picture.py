@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
+from kagezou.document.model import PictureSource
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.cels import CelSource
 from kagezou.io.images import Cel
@@ -32,7 +32,7 @@ class _Base:
     """What the lowest layer of the picture was made of."""
 
     backdrop: Backdrop
-    background: Path | None
+    background: PictureSource | None
     sets: tuple[SetPicture, ...]
 
 
@@ -58,7 +58,7 @@ class Picture:
         """Where the picture is."""
         return self._target
 
-    def begin(self, backdrop: Backdrop, background: Path | None, sets: tuple[SetPicture, ...] = ()) -> None:
+    def begin(self, backdrop: Backdrop, background: PictureSource | None, sets: tuple[SetPicture, ...] = ()) -> None:
         """Start over from the base: the backdrop, the background picture where it is asked for, and sets."""
         base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None, sets)
         if base != self._base:
@@ -69,9 +69,16 @@ class Picture:
             self._copy_base(box)
         self._drawn_over = []
 
-    def lay_shadow(self, coverage: Texture, box: Box, cast: ShadowCast | None, look: ShadowLook) -> None:
+    def lay_shadow(
+        self,
+        coverage: Texture,
+        box: Box,
+        cast: ShadowCast | None,
+        look: ShadowLook,
+        distances: Texture | None = None,
+    ) -> None:
         """Lay a shadow over the picture; ``coverage`` is of the canvas' size, ``cast`` None for the set's own."""
-        switches, uniforms = look_uniforms(cast, look, box)
+        switches, uniforms = look_uniforms(cast, look, box, distances)
         self._lay(
             self._target,
             box,

@@ -15,9 +15,11 @@ from kagezou.render.gl import GL, check
 from kagezou.render.info import read_info
 from kagezou.render.look import look_uniforms, unit_rgb
 from kagezou.render.mesh_display import Display
+from kagezou.render.mixing import mixed
 from kagezou.render.picture import Picture
 from kagezou.render.presenter import Presenter, WindowView
 from kagezou.render.program import Variants
+from kagezou.render.received import ReceivedCoverage
 from kagezou.render.shadow_layers import Coverage, ShadowLayers
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
@@ -90,19 +92,35 @@ class Renderer:
         """
         return self._shaded_image(scene.canvas, self._shadows.coverage(scene, layer), layer.cast, layer.look, depth)
 
+    def received(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
+        """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are."""
+        shades = self._shadows.received(scene, layer)
+        if not shades:
+            looks = [shade.look for shade in layer.received.shades] if layer.received else []
+            return self._shaded_image(scene.canvas, None, None, looks[0] if looks else layer.look, depth)
+        images = [self._shaded_image(scene.canvas, shade, None, shade.look, depth) for shade in shades]
+        return mixed(images, multiply=shades[0].look.multiply)
+
     def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
         """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""
         return self._shaded_image(scene.canvas, self._shadows.set_coverage(scene), None, shadow.look, depth)
 
     def _shaded_image(
-        self, canvas: Box, coverage: Coverage | None, cast: ShadowCast | None, look: ShadowLook, depth: int
+        self,
+        canvas: Box,
+        coverage: Coverage | ReceivedCoverage | None,
+        cast: ShadowCast | None,
+        look: ShadowLook,
+        depth: int,
     ) -> ShadowImage:
         if coverage is None or coverage.box is None:
             return ShadowImage(
                 canvas.width, canvas.height, look.color, np.zeros((0, 0), _DEPTHS[depth]), Box(0, 0, 0, 0)
             )
         box = coverage.box
-        switches, uniforms = look_uniforms(cast, look, box)
+        switches, uniforms = look_uniforms(
+            cast, look, box, coverage.measured if isinstance(coverage, Coverage) else None
+        )
         if not switches:
             covered = coverage.target.read(box)
             check("drawing a shadow")
@@ -134,6 +152,13 @@ class Renderer:
         target.close()
         check("drawing a depth map")
         return coverage
+
+    def received_coverage(self, scene: Scene, layer: LayerScene) -> Steps:
+        """Return the part of every pixel of a layer that others shade before opacity, (H, W) 16 bit."""
+        most = np.zeros((scene.canvas.height, scene.canvas.width), np.uint16)
+        for each in self._shadows.received(scene, layer):
+            np.maximum(most, each.target.read(scene.canvas), out=most)
+        return most
 
     def set_coverage(self, scene: Scene) -> Steps:
         """Return the covered parts of the shadow of the set itself before opacity, (H, W) 16 bit."""
@@ -170,7 +195,7 @@ class Renderer:
         self._lay_set_shadow(picture, scene)
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
-        cels = [self._cels.cel(layer.drawing.path) for layer in scene.layers if layer.drawing is not None]
+        cels = {each.id: self._cels.cel(each.drawing.source) for each in scene.layers if each.drawing is not None}
         outlines: list[tuple[Texture, Box]] = []
         for layer in scene.layers:
             coverage = self._shadows.coverage(scene, layer)
@@ -178,9 +203,15 @@ class Renderer:
                 if line_px:
                     outlines.append((coverage.target.texture, coverage.box))
                 else:
-                    picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look)
-        for cel in cels:
-            picture.lay_cel(cel)
+                    picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look, coverage.measured)
+        for layer in scene.layers:
+            if layer.drawing is not None:
+                picture.lay_cel(cels[layer.id])
+            for shade in self._shadows.received(scene, layer):
+                if line_px and shade.box is not None:
+                    outlines.append((shade.target.texture, shade.box))
+                elif shade.box is not None:
+                    picture.lay_shadow(shade.target.texture, shade.box, None, shade.look)
         for texture, box in outlines:
             picture.lay_outline(texture, box, line_px)
         check("drawing the picture")

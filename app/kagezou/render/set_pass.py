@@ -30,6 +30,7 @@ from kagezou.render.mesh_pass import MeshLit, MeshPass
 from kagezou.render.mesh_screen import Screen
 from kagezou.render.set_adding import Adding, OwnShade
 from kagezou.render.set_round import RoundLit, RoundPass
+from kagezou.render.set_shapes import blocks, casts, receivers_of, views_of
 from kagezou.render.set_stage import Stage
 from kagezou.render.set_tiles import Mask
 from kagezou.render.shape_pass import ShapePass
@@ -57,6 +58,9 @@ class _Lit:
 
 
 _Character = tuple[ShadowCast, PlacedMatte]
+
+_Shaped = dict[Face, tuple[Target, Box | None]]
+"""Filtered shadows, each on a face as if nothing else were there."""
 
 
 class SetPass:
@@ -96,14 +100,17 @@ class SetPass:
         if matte is None:
             return None
         stage = self._stage(cast.camera, target.box, cast.receivers[0], cast.pieces)
-        shaped = self._shaped(cast, matte, target) if cast.is_filtered else None
+        shaped = self._shaped(stage, cast, matte, target) if cast.is_filtered else None
         drawn: Box | None = None
         ground = cast.receivers[0] if cast.ground_receives else None
         for light in cast.lights:
-            lit = self._lit(stage, light, ground, _blocks)
+            lit = self._lit(stage, light, ground, blocks)
             own = target if len(cast.lights) == 1 else self._scratch("light", target)
             box = self._draw_light(lit, cast, matte, own, shaped)
             drawn = self._united(own, box, target, drawn)
+        for alone, box in (shaped or {}).values():
+            if box is not None:
+                alone.clear(box)
         return drawn
 
     def draw_own(self, cast: SetCast, target: Target, old: Box | None) -> Box | None:
@@ -114,7 +121,7 @@ class SetPass:
         drawn: Box | None = None
         ground = cast.ground if cast.ground_receives else None
         for light in cast.lights:
-            lit = self._lit(stage, light, ground, _casts)
+            lit = self._lit(stage, light, ground, casts)
             own = target if len(cast.lights) == 1 else self._scratch("light", target)
             box: Box | None = None
             for face in stage.faces:
@@ -144,7 +151,7 @@ class SetPass:
         return self._caster.unite(alone, matte, target, Window(face.box))
 
     def _draw_light(
-        self, lit: _Lit, cast: ShadowCast, matte: PlacedMatte, target: Target, shaped: tuple[Target, Box | None] | None
+        self, lit: _Lit, cast: ShadowCast, matte: PlacedMatte, target: Target, shaped: _Shaped | None
     ) -> Box | None:
         """Add up what one light casts on all faces; return the box that may hold it."""
         stage = lit.stage
@@ -153,12 +160,12 @@ class SetPass:
         for face in stage.faces:
             if not stage.receives(face) or (face.body == GROUND and not cast.ground_receives):
                 continue
-            of_ground = shaped if face.body == GROUND else None
-            if of_ground is None and len(cast.card.pieces) == 1 and lit.meshes is None:
+            of_face = None if shaped is None else shaped.get(face)
+            if of_face is None and len(cast.card.pieces) == 1 and lit.meshes is None:
                 found = strokes(cast, (face.plane, lit.light), matte, Window(face.box))
                 single += [(self._mask(lit, face), each) for each in found if each.grid.touched.any()]
             else:
-                drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_ground))
+                drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_face))
         asides = [self._scratch(f"edges {number}", target) for number in range(min(len(single), _MOST_ASIDES))]
         drawn = _around(drawn, self._adding.add_strokes(single, asides, target) if single else None)
         if lit.meshes is not None:
@@ -213,11 +220,16 @@ class SetPass:
         alone.clear(box)
         return drawn
 
-    def _shaped(self, cast: ShadowCast, matte: PlacedMatte, target: Target) -> tuple[Target, Box | None]:
-        """Draw the filtered shadow on the ground as if nothing stood there; filters work on the ground alone."""
-        shaped = self._scratch("shaped", target)
-        shaped.clear()
-        return shaped, self._shaper.draw(replace(cast, pieces=()), matte, shaped, None)
+    def _shaped(self, stage: Stage, cast: ShadowCast, matte: PlacedMatte, target: Target) -> _Shaped:
+        """Draw the filtered shadow on the ground and on every flat face it reaches, each as if it were seen alone."""
+        blurred = self._shaper.blurred(replace(cast, pieces=()), matte, receivers_of(stage, cast.lights[0]))
+        shaped: _Shaped = {}
+        if blurred is None:
+            return shaped
+        for number, (face, view) in enumerate(views_of(stage, blurred.job)):
+            alone = self._scratch(f"shaped {number}", target)
+            shaped[face] = alone, self._shaper.show(blurred, view, alone)
+        return shaped
 
     def _add_own(self, lit: _Lit, face: Face, target: Target) -> Box | None:
         """Add what the set takes from one light on one face."""
@@ -267,14 +279,6 @@ class SetPass:
             kept = self._scratches[name] = Target(target.box.width, target.box.height, target.texture.form)
             kept.clear()
         return kept
-
-
-def _blocks(piece: PieceScene) -> bool:
-    return piece.blocks
-
-
-def _casts(piece: PieceScene) -> bool:
-    return piece.casts
 
 
 def _around(box: Box | None, other: Box | None) -> Box | None:

@@ -12,22 +12,40 @@ from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.mattes import Mattes, PlacedMatte
 from kagezou.render.mesh_display import Display, SetPicture
+from kagezou.render.received import ReceivedCoverage, ReceivedLayers
+from kagezou.render.set_distance import DistancePass
 from kagezou.render.set_pass import SetPass
 from kagezou.render.shape_pass import ShapePass
-from kagezou.render.targets import Format, Target
+from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
 
 @dataclass(slots=True)
 class Coverage:
-    """A target (16 bit, canvas size) and the box within it that may hold shadow."""
+    """A target (16 bit, canvas size) and the box within it that may hold shadow.
+
+    ``distances`` are those on a set, from the contact line of a cast, where a look asks for them.
+    """
 
     target: Target
     box: Box | None = None
     cast: ShadowCast | None = None
     matte: Matte | None = None
     meshes: tuple[Mesh, ...] = ()
+    distances: Target | None = None
+    measured_cast: ShadowCast | None = None
+
+    @property
+    def measured(self) -> Texture | None:
+        """The distances of the cast that is drawn."""
+        return self.distances.texture if self.distances is not None and self.measured_cast is self.cast else None
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self.target.close()
+        if self.distances is not None:
+            self.distances.close()
 
 
 class ShadowLayers:
@@ -39,6 +57,8 @@ class ShadowLayers:
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
         self._set = SetPass(boxes, self._cast, self._shape, meshes)
+        self._distance = DistancePass(boxes, self._cast)
+        self._received = ReceivedLayers(boxes, self._cast, cels, self._mattes)
         self._of_set: Coverage | None = None
         self._meshes = meshes
         self._set_cast: tuple[SetCast, tuple[Mesh, ...]] | None = None
@@ -54,7 +74,7 @@ class ShadowLayers:
     def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
         """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
         return (
-            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.path), scene.canvas)
+            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.source), scene.canvas)
         )
 
     def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
@@ -62,7 +82,7 @@ class ShadowLayers:
         if layer.cast is None:
             return None
         kept = self._kept(scene.canvas, layer.id)
-        matte = self._cels.matte(layer.cast.drawing.path)
+        matte = self._cels.matte(layer.cast.drawing.source)
         meshes = self._meshes_of(layer.cast.pieces)
         if kept.cast != layer.cast or kept.matte is not matte or kept.meshes != meshes:
             placed = self._mattes.placed(matte, scene.canvas)
@@ -74,7 +94,13 @@ class ShadowLayers:
             kept.cast, kept.matte, kept.meshes = layer.cast, matte, meshes
             self.casts_drawn += 1
             self.filters_drawn += layer.cast.is_filtered
+        if layer.cast.pieces and not layer.look.is_plain and kept.box is not None:
+            self._measure(kept)
         return kept if kept.box is not None else None
+
+    def received(self, scene: Scene, layer: LayerScene) -> tuple[ReceivedCoverage, ...]:
+        """Return the covered parts of a character, on which others cast, by the looks of their shadows."""
+        return self._received.coverages(scene, layer)
 
     def set_coverage(self, scene: Scene) -> Coverage | None:
         """Return the covered parts of the shadow of the set itself, or None where it has none."""
@@ -100,19 +126,31 @@ class ShadowLayers:
             self._set.forget_meshes()
         alive = {layer.id for layer in scene.layers}
         for layer_id in [each for each in self._by_layer if each not in alive]:
-            self._by_layer.pop(layer_id).target.close()
+            self._by_layer.pop(layer_id).close()
+        self._received.forget_except(alive)
 
     def close(self) -> None:
         """Give the memory back."""
         for coverage in self._by_layer.values():
-            coverage.target.close()
+            coverage.close()
         self._by_layer.clear()
         if self._of_set is not None:
             self._of_set.target.close()
+        self._received.close()
+        self._distance.close()
         self._set.close()
         self._shape.close()
         self._cast.close()
         self._mattes.close()
+
+    def _measure(self, kept: Coverage) -> None:
+        """Find how far from the contact line each pixel is, unless that is known."""
+        if kept.cast is None or kept.measured_cast is kept.cast:
+            return
+        if kept.distances is None:
+            kept.distances = Target(kept.target.box.width, kept.target.box.height, Format.FLOAT)
+        self._distance.draw(kept.cast, kept.distances)
+        kept.measured_cast = kept.cast
 
     def _meshes_of(self, pieces: tuple[PieceScene, ...]) -> tuple[Mesh, ...]:
         """Return the meshes of pieces, which are told by identity: a changed file gives another one."""
@@ -128,7 +166,7 @@ def _fitting(kept: Coverage | None, canvas: Box) -> Coverage:
     if kept is not None and kept.target.box == canvas:
         return kept
     if kept is not None:
-        kept.target.close()
+        kept.close()
     target = Target(canvas.width, canvas.height, Format.ALPHA16)
     target.clear()
     return Coverage(target)

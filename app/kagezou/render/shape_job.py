@@ -1,13 +1,14 @@
-"""What is to be filtered: a cast on one receiver, the coordinates it is blurred in, and how."""
+"""What is to be filtered: a cast, the coordinates it is blurred in, and how; and what a receiver shows of it."""
 
 from dataclasses import dataclass
-from math import isfinite
+from math import ceil, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.geometry.bands import FINEST_SIGMA_PX, Blur, Extent
+from kagezou.geometry.bands import FINEST_SIGMA_PX, REACH_SIGMAS, Blur, Extent
 from kagezou.geometry.box import Box
+from kagezou.geometry.development import FLAT, GROUND, Development, Join, narrowest
 from kagezou.geometry.ground import Plane, canvas_from_plane
 from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.shadow import cast_card
@@ -25,13 +26,38 @@ RAMP = 0.75
 _EDGE_SIGMAS = 2.5
 """How many standard deviations of its own blur an edge may be away from the outline."""
 
+_STEP_PX = 16.0
+
 _FULL_AT_ONCE = 2.5
 """Already half a px of growth, softness or waves has the finest blur, so that nothing of the sharp shadow is left."""
 
 
+_BEYOND_SIGMAS = 2.5
+"""How far, in standard deviations of its blur, a face that is laid flat goes on beyond its free edges."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chart:
+    """A picture of the flat shadow: the ground, with some faces of a set laid over it.
+
+    Parameters
+    ----------
+    extent
+        The part that is known, in u and v of the blur.
+    strips
+        Those of the atlas that it is blurred in.
+    number
+        Of the development; 0 is the ground alone.
+    """
+
+    extent: Extent
+    strips: tuple[Strip, ...]
+    number: int = 0
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Job:
-    """A cast on one receiver, how it is blurred, and the strips it is blurred in.
+    """A cast on one receiver and on what is laid flat beside it, how it is blurred, and on which charts.
 
     The blur is round in coordinates of its own: u along the contact line and v away from it, for an elongated one
     stretched and sheared so that v alone still says how far from the line a place is.
@@ -45,7 +71,9 @@ class Job:
     ground_from_blurred
         (2, 2): u and v of ``plane`` from those of the blur, its lower left corner 0.
     extent
-        Where the shadow lies, in u and v of the blur.
+        Where the shadow lies on the receiver alone, in u and v of the blur.
+    charts
+        The receiver alone, then those with ``development``'s sheets.
     """
 
     cast: ShadowCast
@@ -54,7 +82,18 @@ class Job:
     ground_from_blurred: Matrix
     extent: Extent
     blur: Blur
-    strips: tuple[Strip, ...]
+    charts: tuple[Chart, ...] = ()
+    development: Development = FLAT
+
+    @property
+    def strips(self) -> tuple[Strip, ...]:
+        """Those of all charts."""
+        return tuple(strip for chart in self.charts for strip in chart.strips)
+
+    def bands_of(self, chart: int) -> tuple[int, int]:
+        """Return the number of a chart's first strip, and of the one behind its last."""
+        first = sum(len(each.strips) for each in self.charts[:chart])
+        return first, first + len(self.charts[chart].strips)
 
     @property
     def canvas_from_plane(self) -> Matrix:
@@ -91,7 +130,7 @@ class Job:
         if edge is None:
             return 0.0
         scale = float(self.ground_from_blurred[1, 1])
-        farthest = max(abs(self.extent.low), abs(self.extent.high))
+        farthest = max(max(abs(chart.extent.low), abs(chart.extent.high)) for chart in self.charts)
         # The narrowest blur of what is blurred at all, its kink, and the far end.
         places = (self.blur.distance_of(FINEST_SIGMA_PX), self.blur.distance_px, farthest)
         return max(
@@ -99,6 +138,83 @@ class Job:
             for v in places
             if isfinite(v) and self.blur.sigma_at(v) > 0
         )
+
+
+def beyond_of(job: Job, chart: Chart) -> float:
+    """Return how far a face that is laid flat goes on beyond its free edges: as far as it is felt, px."""
+    farthest = max(abs(chart.extent.low), abs(chart.extent.high))
+    beyond = _BEYOND_SIGMAS * job.blur.sigma_at(farthest) * float(np.abs(job.ground_from_blurred).max()) + 2.0
+    # In steps, so that what is known of a set laid flat holds while a light is dragged.
+    return ceil(beyond / _STEP_PX) * _STEP_PX
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class View:
+    """What one receiver shows of a job.
+
+    Parameters
+    ----------
+    receiver
+        The ground, or a face that is laid flat.
+    canvas_from_blurred
+        (3, 3): from (u, v) of the blur to the canvas.
+    box
+        Where on the canvas it may be seen.
+    chart
+        The one it is looked up on.
+    joins
+        Where it passes over into others.
+    """
+
+    job: Job
+    receiver: Plane
+    canvas_from_blurred: Matrix
+    box: Box
+    chart: int = 0
+    joins: tuple[Join, ...] = ()
+
+    @staticmethod
+    def of_ground(job: Job, box: Box) -> "View":
+        """Return what the job's receiver itself shows."""
+        return View(job, job.cast.receivers[0], job.canvas_from_plane, box, 0, job.development.joins_of(GROUND))
+
+    @staticmethod
+    def of_sheet(job: Job, number: int, box: Box) -> "View":
+        """Return what a face that is laid flat shows."""
+        sheet = job.development.sheets[number]
+        canvas_from_flat = canvas_from_plane(job.cast.camera, sheet.face.plane) @ np.linalg.inv(sheet.flat_from_plane)
+        on_canvas = stretched(canvas_from_flat, job.ground_from_blurred)
+        return View(job, sheet.face.plane, on_canvas, box, sheet.chart, job.development.joins_of(number))
+
+    @property
+    def strips(self) -> tuple[Strip, ...]:
+        """Those of its chart."""
+        return self.job.charts[self.chart].strips
+
+    @property
+    def blurred_from_canvas(self) -> Matrix:
+        """The map back, its w positive where the receiver is seen."""
+        return np.asarray(np.linalg.inv(self.canvas_from_blurred))
+
+    def there_from_here(self, join: Join) -> Matrix:
+        """Return the (3, 3) map of a join in u and v of the blur."""
+        stretch = np.eye(3)
+        stretch[:2, :2] = self.job.ground_from_blurred
+        return np.asarray(np.linalg.inv(stretch) @ join.there_from_here @ stretch)
+
+    def seam_of(self, join: Join) -> Matrix:
+        """Return the ends (2, 2) of a join in u and v of the blur."""
+        return np.asarray(join.seam @ np.linalg.inv(self.job.ground_from_blurred).T)
+
+    def reach_of(self, join: Join) -> float:
+        """Return how far from its seam a join is felt: as far as the blur reaches there, px of the blur.
+
+        Where paper is cut, no farther than half of the face: the other chart knows less of it than its own.
+        """
+        reach = REACH_SIGMAS * max(self.job.blur.sigma_at(float(v)) for v in self.seam_of(join)[:, 1]) + 2.0
+        if join.most == 1 or join.sheet == GROUND:
+            return reach
+        return min(reach, narrowest(self.job.development.sheets[join.sheet].corners) / 2 + 2.0)
 
 
 def stretched(canvas_from_plane: Matrix, ground_from_blurred: Matrix) -> Matrix:

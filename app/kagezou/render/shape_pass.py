@@ -4,18 +4,19 @@ Simplification (paper 3.6.1), waves (3.6.2) and wide or moved edges all read thi
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import ceil
 from statistics import NormalDist
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kagezou.geometry.bands import FINEST_SIGMA_PX, bands_of
+from kagezou.geometry.bands import FINEST_SIGMA_PX
 from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.polygon import bounding_box, seen_rectangle
-from kagezou.render.atlas import Strip, laid_out
+from kagezou.render.atlas import Strip
 from kagezou.render.boxes import Boxes
 from kagezou.render.busy import busy_tiles
 from kagezou.render.cast_pass import CastPass, Window
@@ -23,13 +24,15 @@ from kagezou.render.gl import GL
 from kagezou.render.level import Counted, area_preserving_level
 from kagezou.render.level import Floats as Texels
 from kagezou.render.mattes import PlacedMatte
-from kagezou.render.outline import Reach, outline_tiles
+from kagezou.render.outline import Look, Reach, outline_tiles
 from kagezou.render.plane_cast import PlaneCast
 from kagezou.render.program import Variants
-from kagezou.render.shape_job import LARGEST_PLANE_PX, Job, blur_of, elongated, extent_of, stretched
-from kagezou.render.shape_uniforms import inverse, shape_uniforms, strength, width_uniforms
+from kagezou.render.shape_charts import Receivers, charted, counted_texels
+from kagezou.render.shape_job import LARGEST_PLANE_PX, Job, View, blur_of, elongated, extent_of, stretched
+from kagezou.render.shape_uniforms import shape_uniforms, strength, width_uniforms
 from kagezou.render.targets import Format, Target
 from kagezou.render.tiles import Boxes as TileBoxes
+from kagezou.render.tiles import around_boxes
 from kagezou.scene.scene import ShadowCast
 
 _MARGIN_TEXELS = 2
@@ -42,6 +45,20 @@ _REACHES = (5, 7, 10, 14, 20, 28, 40, 56, 80, 112, 160, 224, 320, 448, 640, 896,
 """Over how many texels either way a blur may be summed up; each is a program of its own."""
 
 _ALONG_V, _ALONG_U = frozenset({"ALONG_V"}), frozenset({"ALONG_U"})
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Blurred:
+    """A job that is done: the level of its shape, and what each of its strips holds."""
+
+    job: Job
+    level: float
+    values: tuple[Texels, ...]
+
+    def pairs(self, chart: int) -> list[tuple[Strip, Texels]]:
+        """Return the strips of a chart, and what they hold."""
+        first, last = self.job.bands_of(chart)
+        return list(zip(self.job.strips[first:last], self.values[first:last], strict=True))
 
 
 class ShapePass:
@@ -66,11 +83,54 @@ class ShapePass:
             return None
         drawn: Box | None = None
         for receiver in cast.receivers:
-            job = self._job(replace(cast, receivers=(receiver,)), matte)
-            box = None if job is None else self._draw_one(job, target)
+            blurred = self.blurred(replace(cast, receivers=(receiver,)), matte, Receivers({}))
+            box = None if blurred is None else self.show(blurred, View.of_ground(blurred.job, target.box), target)
             if box is not None:
                 drawn = box if drawn is None else drawn.union(box)
         return drawn
+
+    def blurred(self, cast: ShadowCast, matte: PlacedMatte, receivers: Receivers) -> "Blurred | None":
+        """Blur a cast on one receiver, and on the faces beside it; None where its shadow falls nowhere.
+
+        What is returned holds until the next one is made.
+        """
+        flat = self._job(cast, matte)
+        if flat is None:
+            return None
+        job = charted(flat, receivers)
+        shadow, half, blurred = self._atlases_for(job.strips)
+        used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
+        shadow.clear(used)
+        for chart in job.charts:
+            self._plane.fill(job, chart, shadow)
+        # All strips are read at once: each reading waits for everything drawn before it.
+        before = shadow.read_floats(used)
+        busy = [busy_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
+        half.clear(used)
+        blurred.clear(used)
+        self._blur_strips(job, (shadow, half), _ALONG_V, [across for across, _ in busy])
+        self._blur_strips(job, (half, blurred), _ALONG_U, [along for _, along in busy])
+        after = blurred.read_floats(used)
+        counted = [
+            _counted(strip, before, after, counted_texels(job, receivers, chart, strip, _MARGIN_TEXELS))
+            for chart in job.charts
+            for strip in chart.strips
+        ]
+        return Blurred(job, area_preserving_level(counted), tuple(each.blurred for each in counted))
+
+    def show(self, blurred: "Blurred", view: View, target: Target) -> Box | None:
+        """Draw what a receiver shows of a blurred shadow; return the box that may hold it."""
+        sharp_box = self._cast_sharp(view, target)
+        box = _box_of(view, sharp_box)
+        if box is not None:
+            looks = [Look(blurred.pairs(view.chart), view.blurred_from_canvas)]
+            for join in view.joins:
+                there = view.there_from_here(join) @ view.blurred_from_canvas
+                looks.append(Look(blurred.pairs(join.chart), there, view.seam_of(join), view.reach_of(join)))
+            tiles = outline_tiles(looks, _reach(view.job, blurred.level), view.job.blur, box)
+            self._show_tiles(view, target, box, tiles, blurred.level)
+            box = around_boxes(np.concatenate(tiles))
+        return box
 
     def close(self) -> None:
         """Give the memory back."""
@@ -92,34 +152,9 @@ class ShapePass:
         extent = extent_of(cast, matte, stretched(on_canvas, stretch))
         if extent is None:
             return None
-        blur = blur_of(cast, float(stretch[1, 1]))
-        return Job(cast, matte, plane, stretch, extent, blur, laid_out(bands_of(blur, extent)))
+        return Job(cast, matte, plane, stretch, extent, blur_of(cast, float(stretch[1, 1])))
 
-    def _draw_one(self, job: Job, target: Target) -> Box | None:
-        shadow, half, blurred = self._atlases_for(job.strips)
-        sharp_box = self._cast_sharp(job, target)
-        used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
-        shadow.clear(used)
-        self._plane.fill(job, shadow)
-        # All strips are read at once: each reading waits for everything drawn before it.
-        before = shadow.read_floats(used)
-        busy = [busy_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
-        half.clear(used)
-        blurred.clear(used)
-        self._blur_strips(job, (shadow, half), _ALONG_V, [across for across, _ in busy])
-        self._blur_strips(job, (half, blurred), _ALONG_U, [along for _, along in busy])
-        after = blurred.read_floats(used)
-        counted = [_counted(strip, before, after) for strip in job.strips]
-        level = area_preserving_level(counted)
-        box = self._box_of(job, target.box, sharp_box)
-        if box is not None:
-            pairs = [(strip, each.blurred) for strip, each in zip(job.strips, counted, strict=True)]
-            reach = _reach(job, level)
-            full, outline = outline_tiles(pairs, reach, job.blur, inverse(job.canvas_from_plane), box)
-            self._show_tiles(job, target, box, (full, outline), level)
-        return box
-
-    def _cast_sharp(self, job: Job, like: Target) -> Box | None:
+    def _cast_sharp(self, view: View, like: Target) -> Box | None:
         """Cast the shadow as it is, for where it stays so; return its box."""
         if self._sharp is not None and self._sharp.box != like.box:
             self._sharp.close()
@@ -130,19 +165,11 @@ class ShapePass:
             self._sharp.clear()
         if self._sharp_box is not None:
             self._sharp.clear(self._sharp_box)
-        self._sharp_box = self._box_near_contact(job, like.box)
+        self._sharp_box = _box_near_contact(view)
         if self._sharp_box is None:
             return None
-        return self._caster.unite(job.cast, job.matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
-
-    def _box_near_contact(self, job: Job, canvas: Box) -> Box | None:
-        """Return where on the canvas the shadow is not wholly blurred."""
-        if job.blur.sigma_at(0.0) >= FINEST_SIGMA_PX:
-            return None
-        away = min(job.blur.distance_of(FINEST_SIGMA_PX), LARGEST_PLANE_PX)
-        ends = (job.extent.left, max(job.extent.low, -away)), (job.extent.right, min(job.extent.high, away))
-        seen = bounding_box(seen_rectangle(canvas, inverse(job.canvas_from_plane), *ends))
-        return None if seen is None else seen.grown(1).intersection(canvas)
+        cast = replace(view.job.cast, receivers=(view.receiver,))
+        return self._caster.unite(cast, view.job.matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
 
     def _blur_strips(
         self, job: Job, way: tuple[Target, Target], direction: frozenset[str], busy: Sequence[TileBoxes]
@@ -168,25 +195,13 @@ class ShapePass:
             )
             self._boxes.draw(tiles)
 
-    def _box_of(self, job: Job, canvas: Box, sharp_box: Box | None) -> Box | None:
-        """Return the box of the canvas in which the simplified shadow can be seen."""
-        plane_from_canvas = inverse(job.canvas_from_plane)
-        u, v = job.moved_px
-        box = sharp_box
-        cores = [strip.band.core for strip in job.strips]
-        if cores:
-            low = (min(core.left for core in cores) - u, min(core.low for core in cores) - v)
-            high = (max(core.right for core in cores) + u, max(core.high for core in cores) + v)
-            seen = bounding_box(seen_rectangle(canvas, plane_from_canvas, low, high))
-            if seen is not None:
-                box = seen if box is None else box.union(seen)
-        return None if box is None else box.intersection(canvas)
-
-    def _show_tiles(self, job: Job, target: Target, box: Box, tiles: tuple[TileBoxes, TileBoxes], level: float) -> None:
+    def _show_tiles(
+        self, view: View, target: Target, box: Box, tiles: tuple[TileBoxes, TileBoxes], level: float
+    ) -> None:
         """Draw the tiles within the shape, and those its outline crosses, as strong as the light makes them."""
         assert self._sharp is not None
         full, outline = tiles
-        switches, common = strength(job, box)
+        switches, common = strength(view, box)
         common["u_target_size_px"] = target.size_px
         target.bind()
         GL.glEnable(GL.GL_BLEND)
@@ -195,9 +210,9 @@ class ShapePass:
             self._fill[switches].use(common)
             self._boxes.draw(full)
         if len(outline):
-            self._atlases_for(job.strips)[2].texture.bind(0)
+            self._atlases_for(view.job.strips)[2].texture.bind(0)
             self._sharp.texture.bind(1)
-            wanted, uniforms = shape_uniforms(job, box, level)
+            wanted, uniforms = shape_uniforms(view, box, level)
             self._show[switches | wanted].use(common | uniforms)
             self._boxes.draw(outline)
 
@@ -242,7 +257,35 @@ def _reach(job: Job, level: float) -> Reach:
     return Reach(normal.cdf(middle - deviations), normal.cdf(middle + deviations), job.moved_px)
 
 
-def _counted(strip: Strip, before: Texels, after: Texels) -> Counted:
+def _box_near_contact(view: View) -> Box | None:
+    """Return where on the canvas the shadow is not wholly blurred."""
+    blur, extent = view.job.blur, view.job.charts[view.chart].extent
+    if blur.sigma_at(0.0) >= FINEST_SIGMA_PX:
+        return None
+    away = min(blur.distance_of(FINEST_SIGMA_PX), LARGEST_PLANE_PX)
+    ends = (extent.left, max(extent.low, -away)), (extent.right, min(extent.high, away))
+    seen = bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, *ends))
+    return None if seen is None else seen.grown(1).intersection(view.box)
+
+
+def _box_of(view: View, sharp_box: Box | None) -> Box | None:
+    """Return the box of the canvas in which a receiver's part of the shadow can be seen."""
+    if any(join.most < 1 for join in view.joins):
+        return view.box
+    u, v = view.job.moved_px
+    box = sharp_box
+    charts = {view.chart, *(join.chart for join in view.joins)}
+    cores = [strip.band.core for chart in charts for strip in view.job.charts[chart].strips]
+    if cores:
+        low = (min(core.left for core in cores) - u, min(core.low for core in cores) - v)
+        high = (max(core.right for core in cores) + u, max(core.high for core in cores) + v)
+        seen = bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, low, high))
+        if seen is not None:
+            box = seen if box is None else box.union(seen)
+    return None if box is None else box.intersection(view.box)
+
+
+def _counted(strip: Strip, before: Texels, after: Texels, counts: NDArray[np.bool_] | None) -> Counted:
     shown = strip.shown
     part = (slice(shown.top, shown.bottom), slice(shown.left, shown.right))
-    return Counted(before[part], after[part], strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS)
+    return Counted(before[part], after[part], strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS, counts)

@@ -13,10 +13,11 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.render.atlas import Strip
 from kagezou.render.cast_uniforms import Frame, Grazing
 from kagezou.render.program import Uniform
-from kagezou.render.shape_job import Job
+from kagezou.render.shape_job import Job, View
 from kagezou.scene.scene import Edge, Water
 
-_MAX_BANDS = 28
+MAX_BANDS = 48
+MAX_JOINS = 16
 _MAX_RIPPLES = 2
 _NONE: frozenset[str] = frozenset()
 
@@ -34,28 +35,34 @@ def width_uniforms(job: Job) -> Uniforms:
     }
 
 
-def strength(job: Job, box: Box) -> tuple[frozenset[str], Uniforms]:
+def strength(view: View, box: Box) -> tuple[frozenset[str], Uniforms]:
     """Return switches and uniforms of ``grazing.glsl``; the lights of one cast stand too close to differ in it."""
-    receiver, light = job.cast.receivers[0], job.cast.lights[0]
-    frame = _frame(job, box)
+    job, receiver = view.job, view.receiver
+    light = job.cast.lights[0]
+    frame = _frame(view, box)
     grazing = Grazing.of(receiver, light)
     receiver_from_canvas = inverse(canvas_from_plane(job.cast.camera, receiver))
     uniforms: Uniforms = {"u_origin_px": frame.origin}
     return grazing.switches(receiver_from_canvas, frame), uniforms | grazing.uniforms(receiver_from_canvas, frame)
 
 
-def shape_uniforms(job: Job, box: Box, level: float) -> tuple[frozenset[str], Uniforms]:
+def shape_uniforms(view: View, box: Box, level: float) -> tuple[frozenset[str], Uniforms]:
     """Return the switches and uniforms of ``shape.frag`` but for the light's strength."""
-    plane_from_pixel = inverse(job.canvas_from_plane) @ _frame(job, box).canvas_from_pixel
+    job = view.job
+    plane_from_pixel = view.blurred_from_canvas @ _frame(view, box).canvas_from_pixel
     uniforms: Uniforms = {
         "u_blurred": 0,
         "u_sharp": 1,
         "u_plane_from_pixel": plane_from_pixel / np.abs(plane_from_pixel[2]).max(),
         "u_pass_over_px": (SHARP_SIGMA_PX, FINEST_SIGMA_PX),
         **width_uniforms(job),
+        "u_bands": tuple(float(number) for number in job.bands_of(view.chart)),
         **_band_uniforms(job.strips, whole=job.blur.is_even),
     }
     switches = _NONE
+    if view.joins:
+        switches |= {"JOINED"}
+        uniforms |= join_uniforms(view)
     if job.cast.water is not None:
         switches |= {"WAVES"}
         uniforms |= _wave_uniforms(job, job.cast.water)
@@ -67,15 +74,33 @@ def shape_uniforms(job: Job, box: Box, level: float) -> tuple[frozenset[str], Un
     return switches, uniforms
 
 
-def inverse(canvas_from_plane: Matrix) -> Matrix:
-    """Return the map back, its w positive where the plane is seen."""
-    return np.asarray(np.linalg.inv(canvas_from_plane))
+def join_uniforms(view: View) -> Uniforms:
+    """Return what ``joins.glsl`` wants."""
+    seams, bands, turns, shifts = (np.zeros((MAX_JOINS, 4)) for _ in range(4))
+    joins = view.joins[:MAX_JOINS]
+    for index, join in enumerate(joins):
+        seams[index] = view.seam_of(join).ravel()
+        bands[index] = (*view.job.bands_of(join.chart), view.reach_of(join), join.most)
+        map_there = view.there_from_here(join)
+        turns[index] = map_there[:2, :2].ravel()
+        shifts[index, :2] = map_there[:2, 2]
+    return {
+        "u_join_count": len(joins),
+        "u_seams": seams,
+        "u_join_bands": bands,
+        "u_join_turns": turns,
+        "u_join_shifts": shifts,
+    }
 
 
-def _frame(job: Job, box: Box) -> Frame:
+def inverse(matrix: Matrix) -> Matrix:
+    """Return the map back; that of a homography has its w positive where it is seen."""
+    return np.asarray(np.linalg.inv(matrix), np.float64)
+
+
+def _frame(view: View, box: Box) -> Frame:
     """Return the part of a canvas box in which the receiver is seen."""
-    lift = inverse(job.canvas_from_plane)
-    return Frame(clipped(box_polygon(box), shifted(distance_form(lift[2]), -0.01)))
+    return Frame(clipped(box_polygon(box), shifted(distance_form(view.blurred_from_canvas[2]), -0.01)))
 
 
 def _wave_uniforms(job: Job, water: Water) -> Uniforms:
@@ -107,7 +132,7 @@ def _edge_uniforms(job: Job, edge: Edge, level: float) -> Uniforms:
 
 def _band_uniforms(strips: tuple[Strip, ...], *, whole: bool) -> Uniforms:
     """Return the arrays of ``shape.frag``."""
-    cores, places, sizes = (np.zeros((_MAX_BANDS, 4)) for _ in range(3))
+    cores, places, sizes = (np.zeros((MAX_BANDS, 4)) for _ in range(3))
     for index, strip in enumerate(strips):
         core, shown = strip.band.core, strip.shown
         ends = sorted((abs(core.low), abs(core.high)))
@@ -117,4 +142,4 @@ def _band_uniforms(strips: tuple[Strip, ...], *, whole: bool) -> Uniforms:
         cores[index] = (ends[0], ends[1], side, texel)
         places[index] = (corner[0], corner[1], shown.left, shown.top)
         sizes[index] = (shown.width, shown.height, 0.0, 0.0)
-    return {"u_band_count": len(strips), "u_cores": cores, "u_places": places, "u_sizes": sizes}
+    return {"u_cores": cores, "u_places": places, "u_sizes": sizes}

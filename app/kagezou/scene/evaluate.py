@@ -14,6 +14,7 @@ from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
+from kagezou.scene.receiving import with_received
 from kagezou.scene.scene import Edge, Fade, LayerScene, Scene, SetShadow, ShadowCast, ShadowLook, Simplify, Tip, Water
 
 LEAST_PX = 0.01
@@ -33,6 +34,8 @@ def evaluate(document: Document, frame: int) -> Scene:
         for layer in document.layers
         if _value(layer.tracks, properties.VISIBLE, frame)
     )
+    receiving = {layer.id for layer in document.layers if _value(layer.tracks, properties.RECEIVES, frame)}
+    layers = with_received(layers, receiving)
     set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))
     return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow)
 

@@ -2,9 +2,8 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
-from pathlib import Path
 
-from kagezou.document.model import Drawing
+from kagezou.document.model import Drawing, PictureSource
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
@@ -163,14 +162,48 @@ class ShadowLook:
 
 
 @dataclass(frozen=True, slots=True)
+class Shade:
+    """What falls on a character from others whose shadows look alike: their casts unite by maximum.
+
+    The casts have no receivers, those are the pieces of the character's card; nothing is done to their shape.
+    """
+
+    casts: tuple[ShadowCast, ...]
+    look: ShadowLook
+
+
+@dataclass(frozen=True, slots=True)
+class Received:
+    """The shadows of other characters on one character.
+
+    Parameters
+    ----------
+    drawing
+        Of the character on which they fall; they are cut to its alpha.
+    card
+        The surface it stands on.
+    shades
+        By their looks, in the order of the lowest layers that cast them.
+    """
+
+    drawing: Drawing
+    card: Card
+    shades: tuple[Shade, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class LayerScene:
-    """One visible character layer: its drawing and shadow, both None while its cel is empty."""
+    """One visible character layer: its drawing and shadow, both None while its cel is empty.
+
+    ``received`` is what others cast on it, None where it does not receive.
+    """
 
     id: str
     name: str
     drawing: Drawing | None
     cast: ShadowCast | None
     look: ShadowLook
+    received: Received | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,19 +224,20 @@ class Scene:
     canvas: Box
     camera: Camera
     ground: Plane
-    background: Path | None
+    background: PictureSource | None
     layers: tuple[LayerScene, ...]
     pieces: tuple[PieceScene, ...] = ()
     set_shadow: SetShadow | None = None
 
 
 def without_pieces(scene: Scene, ids: Collection[str]) -> Scene:
-    """Return a scene in which some set pieces are not there."""
+    """Return a scene in which some set pieces are not there; where none is left shadows fall on the flat ground."""
     pieces = tuple(piece for piece in scene.pieces if piece.id not in ids)
-    layers = tuple(
-        layer if layer.cast is None else replace(layer, cast=replace(layer.cast, pieces=pieces))
-        for layer in scene.layers
-    )
+
+    def without(cast: ShadowCast) -> ShadowCast:
+        return replace(cast, pieces=pieces, ground_receives=cast.ground_receives or not pieces)
+
+    layers = tuple(layer if layer.cast is None else replace(layer, cast=without(layer.cast)) for layer in scene.layers)
     dark = scene.set_shadow
     if dark is not None:
         casts = any(piece.casts for piece in pieces)

@@ -5,13 +5,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Cels, Drawing, Exposure
+from kagezou.document.model import Cels, Drawing, Exposure, PicturePart
 from kagezou.errors import InputProblem
 from kagezou.io.faults import shown
-from kagezou.io.images import ImageInfo, probe
+from kagezou.io.images import ImageInfo, probe, read_matte
 from kagezou.io.project_paths import absolute
+from kagezou.io.psd_file import psd_tree
+from kagezou.io.psd_tree import PsdNode
 from kagezou.io.sequences import NumberedFile, Sequence, find_sequences
+from kagezou.io.signatures import is_psd
+from kagezou.session.psd_cast import PsdCast, PsdCel, PsdCharacter, cast_of
 from kagezou.session.watching import Part, Watch, unwatched
 
 MAX_NAME_CHARACTERS = 200
@@ -20,7 +26,7 @@ _SHOWN_NAMES = 3
 
 @dataclass(frozen=True, slots=True)
 class CharacterSource:
-    """A character someone brings: a folder, a picture or a pattern such as ``walk_#.png``, and perhaps its name."""
+    """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name."""
 
     name: str | None
     path: Path
@@ -51,7 +57,26 @@ class NewCels:
     notes: tuple[str, ...]
 
 
-def cels_of(source: CharacterSource, watch: Watch = unwatched) -> tuple[list[NewCels], list[str]]:
+@dataclass(frozen=True, slots=True)
+class Held:
+    """What a source holds.
+
+    Parameters
+    ----------
+    layers
+        From the lowest up.
+    notes
+        About the source as a whole.
+    backgrounds
+        Opaque pictures in it that are named like a background.
+    """
+
+    layers: list[NewCels]
+    notes: list[str]
+    backgrounds: tuple[PicturePart, ...] = ()
+
+
+def held_by(source: CharacterSource, watch: Watch = unwatched) -> Held:
     """Return the layers that a source holds, and notes about the source as a whole.
 
     Raises
@@ -61,14 +86,62 @@ def cels_of(source: CharacterSource, watch: Watch = unwatched) -> tuple[list[New
     """
     path = absolute(source.path)
     watch(Part.FINDING, 0, 0)
+    if is_psd(path) and path.is_file():
+        return _held_by_psd(source, path, watch)
     found = find_sequences(path)
     notes = [_left_out(path, found.left_out)] if found.left_out else []
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return [_new_cels(source.name or printable(own), only, watch)], notes
+        return Held([_new_cels(source.name or printable(own), only, watch)], notes)
     head = f"{source.name} " if source.name else ""
-    return [_new_cels(head + printable(each.name), each, watch) for each in found.sequences], notes
+    return Held([_new_cels(head + printable(each.name), each, watch) for each in found.sequences], notes)
+
+
+def _held_by_psd(source: CharacterSource, path: Path, watch: Watch) -> Held:
+    tree = psd_tree(path)
+    if not tree.layers:
+        name = source.name or printable(path.stem)
+        cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
+        size, about = _measured(name, cels.drawings, watch)
+        return Held([NewCels(name, cels, size, 1, tuple(about))], [])
+    cast = cast_of(tree, path.stem)
+    backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
+    drawn = [node for node in cast.backgrounds if node not in backgrounds]
+    characters = (*(PsdCharacter(each.name, (PsdCel(each.name, each),)) for each in drawn), *cast.characters)
+    if not characters and not backgrounds:
+        raise InputProblem(f"{shown(path)}: every layer in it is hidden or empty")
+    head = f"{source.name} " if source.name else ""
+    size = (tree.width_px, tree.height_px)
+    names = [head + printable(each.name) for each in characters]
+    if source.name and len(names) == 1:
+        names = [source.name]
+    layers = [_psd_cels(name, each, path, size) for name, each in zip(names, characters, strict=True)]
+    return Held(layers, _left_out_of(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
+
+
+def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, int]) -> NewCels:
+    """Return the cels of a character in number order, on ones."""
+    drawings = tuple(Drawing(printable(cel.name), path, cel.node.address) for cel in character.cels)
+    cels = Cels(drawings, tuple(Exposure(index + 1, index) for index in range(len(drawings))))
+    nodes = (each for cel in character.cels for each in (cel.node, *cel.node.below()))
+    undrawn = dict.fromkeys(effect for node in nodes for effect in node.undrawn)
+    notes = (f"{name}: these are not drawn: {', '.join(undrawn)}",) if undrawn else ()
+    return NewCels(name, cels, size, len(drawings), notes)
+
+
+def _is_opaque(part: PicturePart) -> bool:
+    alpha = read_matte(part).alpha
+    return bool(alpha.min() == np.iinfo(alpha.dtype).max)
+
+
+def _left_out_of(path: Path, cast: PsdCast) -> list[str]:
+    kinds: tuple[tuple[str, tuple[PsdNode, ...]], ...] = (("hidden", cast.hidden), ("empty", cast.empty))
+    return [
+        f"{shown(path)}: left out, as they are {kind}: {_some(node.name for node in nodes)}"
+        for kind, nodes in kinds
+        if nodes
+    ]
 
 
 def printable(name: str) -> str:
@@ -78,9 +151,12 @@ def printable(name: str) -> str:
 
 
 def _left_out(path: Path, pictures: Iterable[Path]) -> str:
-    names = [shown(Path(picture.name)) for picture in pictures]
-    more = ", …" if len(names) > _SHOWN_NAMES else ""
-    return f"{shown(path)}: left out, as they have no number: {', '.join(names[:_SHOWN_NAMES])}{more}"
+    return f"{shown(path)}: left out, as they have no number: {_some(shown(Path(each.name)) for each in pictures)}"
+
+
+def _some(names: Iterable[str]) -> str:
+    known = list(names)
+    return ", ".join(known[:_SHOWN_NAMES]) + (", …" if len(known) > _SHOWN_NAMES else "")
 
 
 def _new_cels(name: str, sequence: Sequence, watch: Watch) -> NewCels:

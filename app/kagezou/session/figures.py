@@ -2,12 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import Drawing
+from kagezou.document.model import Drawing, PictureSource
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vectors import Matrix, Point2
@@ -96,15 +95,15 @@ class Figure:
         return np.column_stack([x, y]) + (np.asarray(self.offset) + 0.5)
 
 
-def figure_in(path: Path, canvas: Box) -> Figure | None:
-    """Return the figure of the drawing at ``path``, or None where nothing in it is solid.
+def figure_in(source: PictureSource, canvas: Box) -> Figure | None:
+    """Return the figure of the drawing from ``source``, or None where nothing in it is solid.
 
     Raises
     ------
     InputProblem
         The drawing cannot be read.
     """
-    alpha = read_matte(path).alpha
+    alpha = read_matte(source).alpha
     solid = alpha > np.iinfo(alpha.dtype).max // 2
     height, width = solid.shape
     return Figure(solid, centred_offset(canvas, width, height)) if solid.any() else None
@@ -152,7 +151,7 @@ def look_at(drawings: Sequence[Drawing], canvas: Box, watch: Watch = unwatched) 
 
 def _tried(drawing: Drawing, canvas: Box, notes: list[str]) -> Figure | None:
     try:
-        return figure_in(drawing.path, canvas)
+        return figure_in(drawing.source, canvas)
     except InputProblem as problem:
         notes.append(str(problem))
         return None

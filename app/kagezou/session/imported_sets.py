@@ -1,6 +1,5 @@
 """Sets from files: where they stand at first, the canvas camera following theirs, and characters standing on them."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from math import radians, tan
 from pathlib import Path
@@ -106,7 +105,7 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
     met = first_hit(mesh, *_ray_of(camera, stand, size))
     if met is not None:
         document = set_constant(document, Address(lines.PIECE_ANCHOR, piece_id=piece_id), met)
-    return Imported(follow_camera(document, piece_id, camera), piece_id, tuple(_notes(document, camera, met)))
+    return Imported(follow_camera(document, piece_id, camera), piece_id, _notes(document, camera, met))
 
 
 def point_under(document: Document, piece_id: str, mesh: Mesh, canvas_px: Point2, frame: int) -> Vector3 | None:
@@ -172,18 +171,21 @@ def _ray_of(camera: SetCamera, canvas_px: Point2, size_px: Point2) -> tuple[Matr
     return pose[:3, 3] + pose[:3, :3] @ np.array([x * scale, y * scale, 0.0]), -pose[:3, 2]
 
 
-def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> Iterable[str]:
-    canvas = document.canvas
+def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> tuple[str, ...]:
+    canvas, notes = document.canvas, list[str]()
     aspect = canvas.width_px / canvas.height_px
     if met is None:
-        yield f"the camera {camera.name!r} sees nothing of the set where the character stands"
+        notes.append(f"the camera {camera.name!r} sees nothing of the set where the character stands")
     if camera.aspect and abs(camera.aspect / aspect - 1) > 0.01:
-        yield (
+        notes.append(
             f"the camera {camera.name!r} is for a picture of {camera.aspect:.3f} to 1, the canvas is {aspect:.3f} "
             "to 1: the height was kept, the sides differ"
         )
     if camera.is_animated and camera.length_frames != canvas.length_frames:
-        yield f"the camera {camera.name!r} moves for {camera.length_frames} frames, the cut has {canvas.length_frames}"
+        notes.append(
+            f"the camera {camera.name!r} moves for {camera.length_frames} frames, the cut has {canvas.length_frames}"
+        )
+    return tuple(notes)
 
 
 def _camera_named(document: Document, wanted: SetImport) -> SetCamera:

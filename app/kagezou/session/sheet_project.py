@@ -1,20 +1,25 @@
 """A project of a timesheet alone: its columns find their drawings beside it, by the names that studios give them."""
 
 import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
 from kagezou.errors import InputProblem
 from kagezou.io.faults import cause_of, shown
 from kagezou.io.project_paths import absolute
-from kagezou.io.signatures import is_picture
+from kagezou.io.psd_file import psd_tree
+from kagezou.io.signatures import is_picture, is_psd
 from kagezou.io.timesheet import Timesheet
 from kagezou.io.xdts import read_timesheet
 from kagezou.session.exposing import CharacterSource
+from kagezou.session.psd_cast import cast_of
 from kagezou.session.staging import Staged, new_document
 from kagezou.session.timing import timed
 from kagezou.session.watching import Watch, unwatched
 
+TIMESHEET_SUFFIXES = (".xdts", ".tdts", ".sts")
 _RATE = Fraction(24)
 """Sheets say nothing of it; all of them count 24 frames a second."""
 
@@ -23,7 +28,7 @@ def document_of_sheet(path: Path, watch: Watch = unwatched) -> Staged:
     """Return a new document of a timesheet and the drawings beside it.
 
     For a column A these are the pictures in a folder A (in whatever case), else ``A_0001.png``, ``A1.png``,
-    ``A-01a.png`` and the like in the timesheet's own folder.
+    ``A-01a.png`` and the like in the timesheet's own folder, else the cels of a group A in a PSD file there.
 
     Raises
     ------
@@ -37,11 +42,25 @@ def document_of_sheet(path: Path, watch: Watch = unwatched) -> Staged:
         names = ", ".join(dict.fromkeys(track.name for track in sheet.tracks if track.name)) or "none"
         raise InputProblem(
             f"{shown(path)}: beside it there are no drawings of its columns ({names}): "
-            "neither folders of these names nor pictures such as A_0001.png"
+            "neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups"
         )
     staged = new_document(sources, frame_rate=_RATE, watch=watch)
     document, notes = timed(staged.document, sheet)
     return Staged(document, (*staged.notes, *notes), tuple(layer.id for layer in document.layers))
+
+
+def timed_from_beside(staged: Staged, sources: Sequence[CharacterSource]) -> Staged:
+    """Return a new document timed by the sheet that lies beside its PSD file and is called like it, if there is one."""
+    files = [source.path for source in sources if is_psd(source.path)]
+    beside = (file.with_suffix(suffix) for file in files for suffix in TIMESHEET_SUFFIXES)
+    path = next((sheet for sheet in beside if sheet.is_file()), None)
+    if path is None or len(files) > 1:
+        return staged
+    try:
+        document, notes = timed(staged.document, read_timesheet(path))
+    except InputProblem as problem:
+        return replace(staged, notes=(*staged.notes, str(problem)))
+    return replace(staged, document=document, notes=(*staged.notes, f"timed by {shown(path)}", *notes))
 
 
 def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
@@ -57,15 +76,32 @@ def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
     except OSError as error:
         raise InputProblem(f"{shown(path.parent)}: {cause_of(error)}") from error
     folders = {entry.name.casefold(): entry for entry in listed if entry.is_dir()}
-    pictures = [entry for entry in listed if entry.is_file() and is_picture(entry)]
+    pictures = [entry for entry in listed if entry.is_file() and is_picture(entry) and not is_psd(entry)]
     found: list[CharacterSource] = []
+    missing: set[str] = set()
     for name in dict.fromkeys(track.name for track in sheet.tracks if track.name):
         folder = folders.get(name.casefold())
         if folder is not None and any(is_picture(each) for each in folder.iterdir()):
             found.append(CharacterSource(name, folder))
         elif (pattern := _pattern(name, pictures)) is not None:
             found.append(CharacterSource(name, pattern))
-    return tuple(found)
+        else:
+            missing.add(name.casefold())
+    return (*found, *_psd_files(path, listed, missing))
+
+
+def _psd_files(path: Path, listed: list[Path], missing: set[str]) -> Iterator[CharacterSource]:
+    """Yield the PSD files with characters of the missing columns; the one called like the timesheet comes first."""
+    files = [each for each in listed if is_psd(each) and each.is_file()]
+    for file in sorted(files, key=lambda each: each.stem.casefold() != path.stem.casefold()):
+        try:
+            cast = cast_of(psd_tree(file), file.stem)
+        except InputProblem:
+            continue  # it may be anything; who needs it is told by its missing column
+        names = {character.name.strip().casefold() for character in cast.characters}
+        if names & missing:
+            missing -= names
+            yield CharacterSource(None, file)
 
 
 def _pattern(name: str, pictures: list[Path]) -> Path | None:

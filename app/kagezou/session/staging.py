@@ -9,16 +9,17 @@ import numpy as np
 
 from kagezou.document.address import Address
 from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
-from kagezou.document.model import Canvas, Document
+from kagezou.document.model import Canvas, Document, PicturePart, PictureSource
 from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
+from kagezou.io.faults import shown
 from kagezou.io.images import probe
 from kagezou.io.project_paths import absolute
 from kagezou.io.timesheet import Timesheet
 from kagezou.io.xdts import read_timesheet
 from kagezou.scene.evaluate import camera_at, ground_at
-from kagezou.session.exposing import CharacterSource, NewCels, cels_of
+from kagezou.session.exposing import CharacterSource, NewCels, held_by
 from kagezou.session.figures import Figure, Look, look_at
 from kagezou.session.first_light import first_light
 from kagezou.session.timing import timed
@@ -73,11 +74,14 @@ class Brought:
         What was seen of each one's drawings.
     notes
         What the user should know of the files, one sentence each.
+    backgrounds
+        Opaque layers that could be the background.
     """
 
     arrivals: tuple[NewCels, ...]
     looks: tuple[Look, ...]
     notes: tuple[str, ...]
+    backgrounds: tuple[PicturePart, ...] = ()
 
 
 def new_document(
@@ -110,11 +114,12 @@ def new_document(
     UsageProblem
         A name is no name for a layer.
     """
-    arrivals, notes = _arrivals(sources, watch)
-    width, height = size or _natural_size(background, arrivals)
+    read = _read(sources, watch)
+    own = None if background is None else absolute(background)
+    width, height = size or _natural_size(own or next(iter(read.backgrounds), None), read.arrivals)
     document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
-    document = set_background(document, None if background is None else absolute(background))
-    read = Brought(tuple(arrivals), _looks(arrivals, document.canvas.box, watch), tuple(notes))
+    document = set_background(document, own)
+    read = replace(read, looks=_looks(read.arrivals, document.canvas.box, watch))
     watch(Part.LIGHTING, 0, 0)
     return put_in(document, read)
 
@@ -147,8 +152,8 @@ def brought(sources: Sequence[CharacterSource], canvas: Box, watch: Watch = unwa
     InputProblem, UsageProblem
         As for :func:`new_document`.
     """
-    arrivals, notes = _arrivals(sources, watch)
-    return Brought(tuple(arrivals), _looks(arrivals, canvas, watch), tuple(notes))
+    read = _read(sources, watch)
+    return replace(read, looks=_looks(read.arrivals, canvas, watch))
 
 
 def with_timesheet(document: Document, path: Path) -> Staged:
@@ -169,21 +174,34 @@ def exposed(document: Document, sheet: Timesheet) -> Staged:
     return Staged(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
 
 
-def _arrivals(sources: Sequence[CharacterSource], watch: Watch) -> tuple[list[NewCels], list[str]]:
+def _read(sources: Sequence[CharacterSource], watch: Watch) -> Brought:
+    """Return what the sources hold, not looked at yet."""
     arrivals: list[NewCels] = []
     notes: list[str] = []
+    backgrounds: list[PicturePart] = []
     for source in sources:
-        layers, about_source = cels_of(source, watch)
-        arrivals += layers
-        notes += about_source
-    return arrivals, notes
+        held = held_by(source, watch)
+        arrivals += held.layers
+        notes += held.notes
+        backgrounds += held.backgrounds
+    return Brought(tuple(arrivals), (), tuple(notes), tuple(backgrounds))
+
+
+def _with_background(document: Document, found: Sequence[PicturePart], notes: list[str]) -> Document:
+    """Put the first of what was found under everything, unless there is a background; the others are told."""
+    taken = found[:1] if document.background is None else ()
+    notes += [
+        f"{shown(each.path)}: the layer {each.address!r} was left out, as there is a background already"
+        for each in found[len(taken) :]
+    ]
+    return set_background(document, taken[0]) if taken else document
 
 
 def _looks(arrivals: Sequence[NewCels], canvas: Box, watch: Watch) -> tuple[Look, ...]:
     return tuple(look_at(arrival.cels.drawings, canvas, watch) for arrival in arrivals)
 
 
-def _natural_size(background: Path | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
+def _natural_size(background: PictureSource | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
     if background is not None:
         info = probe(background)
         size = (info.width_px, info.height_px)
@@ -210,6 +228,7 @@ def put_in(document: Document, read: Brought) -> Staged:
     is_first = not document.layers
     stage = document.canvas.box
     notes = list(read.notes)
+    document = _with_background(document, read.backgrounds, notes)
     looks: dict[str, Look] = {}
     for arrival, seen in zip(read.arrivals, read.looks, strict=True):
         look = replace(seen, figure=seen.figure.on(stage)) if seen.figure else seen

@@ -77,7 +77,7 @@ class _Drawings:
         self._by_name: dict[str, int] = {}
         self._by_number: dict[tuple[int, str], int] = {}
         for index, drawing in enumerate(drawings):
-            for name in (_plain(drawing.name), _plain(drawing.path.stem)):
+            for name in {_plain(drawing.name), _plain(drawing.name if drawing.part else drawing.path.stem)}:
                 self._by_name.setdefault(name, index)
             number = _number_in(_plain(drawing.name))
             if number is not None:

@@ -134,7 +134,9 @@ def _taken(setting: Setting, *, is_wall: bool) -> Iterator[tuple[Vector3, float]
     """Yield where the other pieces stand and how far they reach; a wall has things before it, but no second wall."""
     for piece in setting.document.pieces:
         found = piece_frame(piece, setting.frame, setting.camera, setting.ground)
-        if found is not None and (found.measures.kind == "wall") == is_wall:
+        if found is None or found.measures.kind not in lines.BUILT_KINDS:
+            continue
+        if (found.measures.kind == "wall") == is_wall:
             sizes = (found.measures.depth_px,) if is_wall else (found.measures.width_px, found.measures.depth_px)
             yield found.stand.origin, max(sizes) / 2
 

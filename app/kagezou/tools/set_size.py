@@ -28,7 +28,7 @@ DEEP = ("box", "steps", "ramp")
 """Kinds with a depth of their own."""
 
 _KINDS = {
-    WIDTH: ("wall", *DEEP, "cylinder", "sphere"),
+    WIDTH: lines.BUILT_KINDS,
     DEPTH: DEEP,
     HEIGHT: ("wall", *DEEP, "cylinder"),
 }

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kagezou.io.meshes import is_mesh
-from kagezou.io.signatures import is_picture
+from kagezou.io.signatures import is_picture, is_psd
+from kagezou.session.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.session.staging import CharacterSource
 
 PROJECT_SUFFIX = ".kage"
-TIMESHEET_SUFFIXES = (".xdts", ".tdts", ".sts")
 _OPAQUE = (".jpg", ".jpeg")
 _NUMBER = re.compile(r"[0-9]{1,6}(?=[A-Za-z]{0,2}$)")
 
@@ -66,7 +66,12 @@ def arrivals_of(paths: Iterable[Path]) -> Arrivals:
 
 
 def whole_sequence(path: Path) -> Path:
-    """Return the pattern of the sequence a numbered picture belongs to, or the picture itself."""
+    """Return the pattern of the sequence a numbered picture belongs to, or the picture itself.
+
+    A PSD file is never one of a sequence: its number is rather that of the cut, and the cels are in it.
+    """
+    if is_psd(path):
+        return path
     stem, hits = _NUMBER.subn("#", path.stem)
     return path.with_name(stem + path.suffix) if hits else path
 

@@ -3,21 +3,25 @@
 What takes time comes as a ``Load``: read beside the window, then put on the desk at once.
 """
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.edits import set_background
-from kagezou.document.model import Canvas, Document
+from kagezou.document.model import Canvas, Document, PictureSource
 from kagezou.errors import Problem
+from kagezou.geometry.set_camera import SetCamera
 from kagezou.io import project_file
 from kagezou.io.cels import CelCache
 from kagezou.io.keepsake import Keepsake
 from kagezou.io.meshes import MeshCache
+from kagezou.io.set_cameras import cameras_of
 from kagezou.io.timesheet import Timesheet
 from kagezou.io.xdts import read_timesheet, write_xdts
 from kagezou.session.session import Session
-from kagezou.session.sheet_project import document_of_sheet
+from kagezou.session.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.session.staging import Brought, CharacterSource, Staged, brought, exposed, new_document, put_in
 from kagezou.session.timing import sheet_of
 from kagezou.session.watching import Part, Watch
@@ -69,7 +73,7 @@ class Desk(QObject):
         """Begin a project with characters; it has no file yet and counts as unsaved."""
 
         def read(watch: Watch) -> Staged:
-            return self._first_seen(new_document(sources, watch=watch), watch)
+            return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
 
         return Load(_names(sources), read, lambda staged: self._begin(self.tr("New from cels"), staged), replaces=True)
 
@@ -116,7 +120,7 @@ class Desk(QObject):
         def read(watch: Watch) -> Staged | Brought:
             over = self.bridge.document
             if _is_blank(over):
-                return self._first_seen(new_document(sources, watch=watch), watch)
+                return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
             return brought(sources, over.canvas.box, watch)
 
         def put(found: Staged | Brought) -> None:
@@ -129,6 +133,15 @@ class Desk(QObject):
                 self.bring(sources).at_once()
 
         return Load(_names(sources), read, put)
+
+    def read_set(self, path: Path, put: Callable[[Path, tuple[SetCamera, ...]], None]) -> AnyLoad:
+        """Read a set from a file, so that it is there when ``put`` puts it into the picture."""
+
+        def read(_watch: Watch) -> tuple[SetCamera, ...]:
+            self.meshes.mesh(path)
+            return cameras_of(path, self.bridge.document.canvas.frame_rate)
+
+        return Load(path.name, read, lambda cameras: put(path, cameras))
 
     def time_by(self, path: Path) -> AnyLoad:
         """Expose the drawings as a timesheet says; with nothing on the desk they are looked for beside it."""
@@ -170,11 +183,11 @@ class Desk(QObject):
         """Decode the drawings of the work area, as many as memory is meant to hold, so that they play smoothly."""
 
         def read(watch: Watch) -> None:
-            paths = played_drawings(self.bridge.document)
-            for index, path in enumerate(paths):
-                watch(Part.READING, index, len(paths))
+            sources = played_drawings(self.bridge.document)
+            for index, source in enumerate(sources):
+                watch(Part.READING, index, len(sources))
                 try:
-                    size = self.cels.cel(path).nbytes
+                    size = self.cels.cel(source).nbytes
                 except Problem:
                     continue
                 if self.cels.nbytes + size > self.cels.limit_bytes:
@@ -200,13 +213,16 @@ class Desk(QObject):
 
     def _read_first(self, document: Document, watch: Watch) -> None:
         """Read what the first frame shows, so that the viewport finds it there."""
-        wanted = [(self.cels.background, document.background)] if document.background else []
+        wanted: list[Callable[[], object]] = []
+        if document.background is not None:
+            wanted.append(partial(self.cels.background, document.background))
         first = (layer.cels.drawing_at(1) for layer in document.layers)
-        wanted += [(self.cels.cel, drawing.path) for drawing in first if drawing is not None]
-        for index, (read, path) in enumerate(wanted):
+        wanted += [partial(self.cels.cel, drawing.source) for drawing in first if drawing is not None]
+        wanted += [partial(self.meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
+        for index, read in enumerate(wanted):
             watch(Part.READING, index, len(wanted))
             try:
-                read(path)
+                read()
             except Problem:
                 # The viewport meets the same file, and says what is wrong with it.
                 continue
@@ -237,11 +253,11 @@ def _names(sources: tuple[CharacterSource, ...]) -> str:
     return f"{first}, …" if len(sources) > 1 else first
 
 
-def played_drawings(document: Document) -> tuple[Path, ...]:
+def played_drawings(document: Document) -> tuple[PictureSource, ...]:
     """Return the drawings of the work area, each once, in the order in which they are seen."""
     first, last = document.played
     seen = (layer.cels.drawing_at(frame) for frame in range(first, last + 1) for layer in document.layers)
-    return tuple(dict.fromkeys(drawing.path for drawing in seen if drawing is not None))
+    return tuple(dict.fromkeys(drawing.source for drawing in seen if drawing is not None))
 
 
 def blank_document() -> Document:

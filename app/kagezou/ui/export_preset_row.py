@@ -10,6 +10,7 @@ from kagezou.errors import Problem
 from kagezou.ui.export_options import GAP_PX
 from kagezou.ui.export_plan import ExportPlan
 from kagezou.ui.export_presets import Preset, presets_in, remove_preset, rename_preset, save_preset
+from kagezou.ui.sentences import sentence_of
 
 
 class PresetRow(QWidget):
@@ -48,7 +49,7 @@ class PresetRow(QWidget):
         """Read the presets again."""
         self._presets, problems = presets_in(self._folder)
         for problem in problems:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         self._show()
 
     def show_plan(self, plan: ExportPlan) -> None:
@@ -125,5 +126,5 @@ class PresetRow(QWidget):
         try:
             act()
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
         self.reload()

@@ -63,7 +63,7 @@ def load_preset(path: Path) -> Preset:
         found["export_preset"].whole(VERSION, VERSION)
         return Preset(_checked(str(found["name"].value)), plan_of(found["plan"].value), path)
     except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
-        cause = "it is not UTF-8 text" if isinstance(problem, UnicodeDecodeError) else str(problem)
+        cause = "it is not UTF-8 text" if isinstance(problem, UnicodeDecodeError) else problem
         raise InputProblem(f"{shown(path)} is not an export preset: {cause}") from problem
 
 

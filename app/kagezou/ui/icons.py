@@ -78,6 +78,9 @@ def _renderer(text: str, color: QColor) -> QSvgRenderer:
 
 def _drawn(text: str, color: QColor, size: QSize) -> QPixmap:
     pixmap = QPixmap(size)
+    if size.isEmpty():
+        # A bar that has no room yet asks for nothing.
+        return pixmap
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
     _renderer(text, color).render(painter, QRectF(0, 0, size.width(), size.height()))

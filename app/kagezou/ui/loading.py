@@ -72,7 +72,7 @@ class Loading(QWidget):
         self._failed, self._may_put = failed, may_put
         self._job: _Job | None = None
         self._waiting: deque[AnyLoad] = deque()
-        self._part, self._since_s = Part.FINDING, 0.0
+        self._part, self._done, self._since_s = Part.FINDING, 0, 0.0
         self._words = QLabel()
         self._words.setTextFormat(Qt.TextFormat.PlainText)
         self._left = QLabel()
@@ -130,10 +130,11 @@ class Loading(QWidget):
             job.join(_LAST_WAIT_S)
 
     def _begin(self, load: AnyLoad) -> bool:
+        self._since_s = monotonic()
         job = self._job = _Job(load)
         job.start()
         job.join(PATIENCE_S)
-        if not job.is_alive() and self._may_put():
+        if self._is_done(job):
             return self._finish(job)
         self._show_progress(*job.progress)
         self.show()
@@ -146,8 +147,11 @@ class Loading(QWidget):
             return
         self._show_progress(*job.progress)
         self.progressed.emit()
-        if not job.is_alive() and self._may_put():
+        if self._is_done(job):
             self._finish(job)
+
+    def _is_done(self, job: _Job) -> bool:
+        return not job.is_alive() and (job.problem is not None or self._may_put())
 
     def _finish(self, job: _Job) -> bool:
         """Put what was read, or say why it could not be, and go on with what waits."""
@@ -172,8 +176,9 @@ class Loading(QWidget):
         self.progressed.emit()
 
     def _show_progress(self, part: Part, done: int, whole: int) -> None:
-        if part is not self._part or done == 0:
+        if part is not self._part or done < self._done:
             self._part, self._since_s = part, monotonic()
+        self._done = done
         name = self._job.load.what if self._job else ""
         self._words.setText(part_words(part).replace("%1", name))
         self._progress.setRange(0, whole)

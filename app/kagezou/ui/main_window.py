@@ -214,7 +214,7 @@ class MainWindow(QMainWindow):
         self.inspector = Inspector(bridge)
         self.styles = StyleList(bridge, self.settings.style_folder)
         self.transport = Transport(bridge, self.player, [self.actions_of[name] if name else None for name in _BUTTONS])
-        self.timeline = Timeline(bridge, self.desk.cels.kept_paths)
+        self.timeline = Timeline(bridge, self.desk.cels.kept_sources)
         self.keys = KeyCommands(bridge)
         self.exporting = Exporting(self.bar)
         self.status = Status(bridge, self.exporting)

@@ -25,7 +25,7 @@ _ON_DRAWINGS = (
     *("on_ones", "on_twos", "on_threes", "on_fours", _SEPARATOR, "drawing_copy", "drawing_paste"),
 )
 _ADD_TO_SET = ("add_wall", "add_box", "add_steps", "add_ramp", "add_cylinder", "add_sphere")
-_DRAW = ("draw_corner", "draw_wall")
+_DRAW = ("draw_corner", "draw_wall", "import_set")
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 

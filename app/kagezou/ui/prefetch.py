@@ -1,10 +1,8 @@
 """Decoding the next drawings while the cut plays, so that the first time through is as smooth as the second."""
 
-from pathlib import Path
-
 from PySide6.QtCore import QObject, QRunnable, QThreadPool
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource
 from kagezou.errors import Problem
 from kagezou.io.cels import CelCache
 from kagezou.ui.bridge import Bridge
@@ -29,7 +27,7 @@ class Prefetch(QObject):
         self._bridge = bridge
         self._player = player
         self._cels = cels
-        self._asked: set[Path] = set()
+        self._asked: set[PictureSource] = set()
         self._pool = QThreadPool(self)
         # One beside the window's own thread: on two cores a second would take the picture's time.
         self._pool.setMaxThreadCount(1)
@@ -51,28 +49,28 @@ class Prefetch(QObject):
     def _go_on(self) -> None:
         if not self._player.is_playing:
             return
-        for path in upcoming(self._bridge.document, self._bridge.frame):
-            if path not in self._asked:
-                self._asked.add(path)
-                self._pool.start(_Decoding(self._cels, path))
+        for source in upcoming(self._bridge.document, self._bridge.frame):
+            if source not in self._asked:
+                self._asked.add(source)
+                self._pool.start(_Decoding(self._cels, source))
 
 
 class _Decoding(QRunnable):
-    def __init__(self, cels: CelCache, path: Path) -> None:
+    def __init__(self, cels: CelCache, source: PictureSource) -> None:
         super().__init__()
-        self._cels, self._path = cels, path
+        self._cels, self._source = cels, source
 
     def run(self) -> None:
         try:
-            self._cels.cel(self._path)
+            self._cels.cel(self._source)
         except Problem:
             # The viewport meets the same file when its frame comes, and says what is wrong.
             return
 
 
-def upcoming(document: Document, frame: int) -> list[Path]:
+def upcoming(document: Document, frame: int) -> list[PictureSource]:
     """Return the drawings of the frames after ``frame``, around the end, in the order they are needed."""
     length = document.canvas.length_frames
     frames = [(frame + ahead - 1) % length + 1 for ahead in range(1, min(AHEAD_FRAMES, length) + 1)]
     found = (layer.cels.drawing_at(each) for each in frames for layer in document.layers)
-    return list(dict.fromkeys(drawing.path for drawing in found if drawing is not None))
+    return list(dict.fromkeys(drawing.source for drawing in found if drawing is not None))

@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QApplication
 from kagezou.errors import Problem
 from kagezou.io.keepsake import Keepsake, forget
 from kagezou.io.project_file import next_version
+from kagezou.io.signatures import is_psd
+from kagezou.session.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.session.staging import CharacterSource
-from kagezou.ui.arrivals import PROJECT_SUFFIX, TIMESHEET_SUFFIXES, arrivals_of, whole_sequence
+from kagezou.ui.arrivals import PROJECT_SUFFIX, arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
 from kagezou.ui.dialogs import Answer, Dialogs
 from kagezou.ui.load import AnyLoad
@@ -40,8 +42,8 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
-    set_arrived = Signal(Path)
-    """A set from a 3-D program was dropped or chosen."""
+    set_read = Signal(Path, object)
+    """A set was read from a file, with its cameras, a tuple of SetCamera."""
 
     def __init__(self, desk: Desk, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()
@@ -72,8 +74,11 @@ class ProjectActions(QObject):
     def open_path(self, path: Path) -> bool:
         """Open a project without asking about the old one; false if it turns out at once that it cannot be opened.
 
-        A timesheet, which drawing programs start us with, begins a project of the drawings beside it.
+        A timesheet, which drawing programs start us with, begins a project of the drawings beside it, and a PSD file
+        one of what is in it.
         """
+        if is_psd(path):
+            return self._load(self._desk.bring((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
             return self.time_by(path)
         holder = self._lock.holder_of(path)
@@ -178,7 +183,7 @@ class ProjectActions(QObject):
         elif arrivals.timesheet is not None:
             self.time_by(arrivals.timesheet)
         elif arrivals.set_file is not None:
-            self.set_arrived.emit(arrivals.set_file)
+            self._load(self._desk.read_set(arrivals.set_file, self.set_read.emit))
         elif arrivals.background is not None:
             self._load(self._desk.put_background(arrivals.background))
         elif arrivals.characters:
@@ -225,7 +230,9 @@ class ProjectActions(QObject):
 
     def _is_free(self) -> bool:
         """Whether the desk can take something: nobody drags, and no question is open about what lies on it."""
-        return not self._desk.bridge.session.is_in_gesture and QApplication.activeModalWidget() is None
+        question = QApplication.activeModalWidget()
+        is_ours = question is not None and question.parentWidget() is self.loading.window()
+        return not self._desk.bridge.session.is_in_gesture and not is_ours
 
     def _try(self, do: Callable[[], object]) -> bool:
         QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)

@@ -10,10 +10,8 @@ from kagezou.document.set_properties import PIECE_POSITION
 from kagezou.errors import Problem
 from kagezou.tools.placing import add_placed
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.words import choice_word
-
-KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
-"""The pieces that are made of nothing but measures, as the menu lists them."""
 
 _COPY_AWAY = 0.04
 """How far aside a copy stands, as a part of the canvas' width."""
@@ -42,7 +40,7 @@ class SetCommands(QObject):
         try:
             document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, kind, choice_word(kind))
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return
         self._edit(words_for_adding(kind), document, piece_id)
 
@@ -54,7 +52,7 @@ class SetCommands(QObject):
         try:
             document = copy_piece(self._bridge.document, piece_id)
         except Problem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return
         twin = document.pieces[-1].id
         self._edit(self.tr("Duplicate set piece"), _aside(document, twin), twin)

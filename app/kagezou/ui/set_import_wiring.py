@@ -16,7 +16,7 @@ def connect_set_import(window: "MainWindow") -> None:
 
     def say(key: str, sentence: str, severity: Severity) -> None:
         if sentence:
-            bar.say(key, sentence[:1].upper() + sentence[1:], severity)
+            bar.say(key, sentence, severity)
         else:
             bar.withdraw(key)
 
@@ -24,7 +24,7 @@ def connect_set_import(window: "MainWindow") -> None:
         has_set = any(piece.source is not None for piece in window.desk.bridge.document.pieces)
         actions["settle_set"].setEnabled(has_set)
 
-    window.project.set_arrived.connect(sets.bring)
+    window.project.set_read.connect(sets.bring)
     sets.failed.connect(lambda sentence: say(_FAILED, sentence, Severity.ERROR))
     sets.noted.connect(lambda sentence: say(_NOTED, sentence, Severity.NOTE))
     actions.on("settle_set", sets.settle)

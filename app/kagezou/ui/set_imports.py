@@ -22,6 +22,7 @@ from kagezou.session.set_following import follow_camera
 from kagezou.session.set_placing import of_piece
 from kagezou.session.set_sizing import FIGURE_METRES, sized
 from kagezou.ui.desk import Desk
+from kagezou.ui.sentences import sentence_of, spoken
 from kagezou.ui.set_bar import KEEP_VIEW, Measure, SetBar
 from kagezou.ui.viewport.picking import Picking
 
@@ -90,13 +91,15 @@ class SetImports(QObject):
         desk.bridge.document_changed.connect(self._follow)
         desk.bridge.session_replaced.connect(self.close)
 
-    def bring(self, path: Path) -> None:
+    def bring(self, path: Path, cameras: tuple[SetCamera, ...]) -> None:
         """Put the set of a file into the picture, seen by its first camera where it has one."""
-        self._try(lambda: self._bring(path))
+        self._try(lambda: self._bring(path, cameras))
 
     def settle(self) -> None:
-        """Show the bar for the set that is there, the last of several."""
-        piece = next((each for each in reversed(self._desk.bridge.document.pieces) if each.source is not None), None)
+        """Show the bar for the set worked on, or for the last there is."""
+        sets = [each for each in self._desk.bridge.document.pieces if each.source is not None]
+        # The one worked on, else the last.
+        piece = max(reversed(sets), key=lambda each: each.id == self._desk.bridge.piece_id, default=None)
         if piece is None or piece.source is None:
             self.failed.emit(self.tr("There is no set from a file in this project"))
             return
@@ -115,8 +118,7 @@ class SetImports(QObject):
         self._settled = None
         self._bar.hide()
 
-    def _bring(self, path: Path) -> None:
-        cameras = self._cameras(path)
+    def _bring(self, path: Path, cameras: tuple[SetCamera, ...]) -> None:
         base = self._desk.bridge.document
         if self._desk.is_blank and cameras:
             longest = max(camera.length_frames for camera in cameras)
@@ -132,7 +134,7 @@ class SetImports(QObject):
             if not cameras:
                 raise
             self._import(replace(wanted, camera=KEEP_VIEW))
-            self.noted.emit(str(problem))
+            self.noted.emit(sentence_of(problem))
 
     def _import(self, wanted: _Settled) -> None:
         """Make the choices of an import the present document, as one step, whatever was chosen before."""
@@ -146,9 +148,12 @@ class SetImports(QObject):
         # The bar's set is the new one before the document is: what listens to it looks whether it is still there.
         up = str(value_of(imported.document, of_piece(PIECE_UP, imported.piece_id), 1))
         self._settled = replace(wanted, piece_id=imported.piece_id, up=up, made=imported.document)
-        session.edit(self.tr("Import set"), imported.document)
+        with session.gesture(self.tr("Import set")) as gesture:
+            gesture.show(imported.document)
+            # Chosen within the step, so that redo brings it back chosen.
+            session.select_piece(imported.piece_id)
         for note in imported.notes:
-            self.noted.emit(note)
+            self.noted.emit(spoken(note))
         self._show_bar()
 
     def _choose_camera(self, number: int) -> None:
@@ -251,7 +256,7 @@ class SetImports(QObject):
         try:
             do()
         except Problem as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(sentence_of(problem))
             self._show_bar()
         else:
             self.failed.emit("")

@@ -3,8 +3,8 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
+from kagezou.document.set_properties import BUILT_KINDS
 from kagezou.ui.message_bar import Severity
-from kagezou.ui.set_commands import KINDS
 from kagezou.ui.viewport.corner_sheet import Stroke
 
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def connect_set(window: "MainWindow") -> None:
     """Connect the commands of the set and the list of its pieces."""
     actions, commands, pieces, bridge = window.actions_of, window.set_commands, window.set_list, window.desk.bridge
-    for kind in KINDS:
+    for kind in BUILT_KINDS:
         actions.on(f"add_{kind}", partial(commands.add, kind))
     actions.on("duplicate_piece", commands.duplicate)
     actions.on("remove_piece", commands.remove)
@@ -25,7 +25,7 @@ def connect_set(window: "MainWindow") -> None:
     actions.on("draw_corner", lambda: _draw(window, Stroke.GROUND))
     actions.on("draw_wall", lambda: _draw(window, Stroke.WALL))
     window.corner_sheet.turned.connect(window.show_handles)
-    needing_a_picture = (*(f"add_{kind}" for kind in KINDS), "draw_corner", "draw_wall")
+    needing_a_picture = (*(f"add_{kind}" for kind in BUILT_KINDS), "draw_corner", "draw_wall")
 
     def follow() -> None:
         for name in needing_a_picture:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 _FOLLOWED = frozenset({
@@ -22,6 +22,8 @@ class TopBars(QWidget):
         From top to bottom; each shows and hides itself.
     """
 
+    _changed = Signal()
+
     def __init__(self, over: QWidget, bars: Iterable[QWidget]) -> None:
         super().__init__(over.parentWidget())
         self._over, self._bars = over, tuple(bars)
@@ -32,18 +34,33 @@ class TopBars(QWidget):
             self._column.addWidget(bar)
             bar.installEventFilter(self)
         over.installEventFilter(self)
-        self._place()
+        self._changed.connect(self._place, Qt.ConnectionType.QueuedConnection)
+        self._follow()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in _FOLLOWED:
-            self._place()
+            self._follow()
         return super().eventFilter(watched, event)
 
-    def _place(self) -> None:
+    def _follow(self) -> None:
         self.setVisible(any(not bar.isHidden() for bar in self._bars))
-        if not self.isHidden():
-            width, column = self._over.width(), self._column
-            column.activate()
-            height = column.heightForWidth(width) if column.hasHeightForWidth() else column.sizeHint().height()
-            self.setGeometry(self._over.x(), self._over.y(), width, height)
-            self.raise_()
+        self._place()
+        # What a bar makes of its words it may know only later.
+        self._changed.emit()
+
+    def _place(self) -> None:
+        if self.isHidden():
+            return
+        for bar in self._bars:
+            # Without its style a bar would not know how high it is when it is shown for the first time.
+            for widget in (bar, *bar.findChildren(QWidget)):
+                widget.ensurePolished()
+            inner = bar.layout()
+            if inner is not None:
+                inner.invalidate()
+        width, column = self._over.width(), self._column
+        column.invalidate()
+        height = column.heightForWidth(width) if column.hasHeightForWidth() else column.sizeHint().height()
+        self.setGeometry(self._over.x(), self._over.y(), width, height)
+        column.activate()
+        self.raise_()

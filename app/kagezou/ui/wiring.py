@@ -118,12 +118,12 @@ def connect_messages(window: "MainWindow") -> None:
     broken: set[str] = set()
 
     def show_broken(files: tuple[Broken, ...]) -> None:
-        now = {str(each.path): sentence_of(each.problem) for each in files}
-        for path in broken - now.keys():
-            bar.withdraw(path)
-        for path, sentence in now.items():
-            if path not in broken:
-                bar.say(path, sentence, Severity.WARNING)
+        now = {str(each.source): sentence_of(each.problem) for each in files}
+        for source in broken - now.keys():
+            bar.withdraw(source)
+        for source, sentence in now.items():
+            if source not in broken:
+                bar.say(source, sentence, Severity.WARNING)
         broken.clear()
         broken.update(now)
 

@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>BoxHand</name>
+    <message>
+        <source>Move keys</source>
+        <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Stretch keys</source>
+        <translation>キーを伸縮</translation>
+    </message>
+    <message>
+        <source>Scale keys in value</source>
+        <translation>キーの値を拡大縮小</translation>
+    </message>
+    <message>
+        <source>Scale keys</source>
+        <translation>キーを拡大縮小</translation>
+    </message>
+    <message>
+        <source>time × %1</source>
+        <translation>時間 × %1</translation>
+    </message>
+    <message>
+        <source>value × %1</source>
+        <translation>値 × %1</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 フレーム</translation>
+    </message>
+</context>
+<context>
     <name>Choice</name>
     <message>
         <source>Lamp</source>
@@ -58,6 +89,22 @@
     <message>
         <source>Sphere</source>
         <translation>球</translation>
+    </message>
+    <message>
+        <source>3-D set</source>
+        <translation>3Dセット</translation>
+    </message>
+    <message>
+        <source>Not at all</source>
+        <translation>表示しない</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>ワイヤーフレーム</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>クレイ</translation>
     </message>
 </context>
 <context>
@@ -253,6 +300,10 @@
         <translation>ここにキーを設定 (&amp;K)</translation>
     </message>
     <message>
+        <source>Import &amp;3-D Set…</source>
+        <translation>3Dセットを読み込む(&amp;3)…</translation>
+    </message>
+    <message>
         <source>Import &amp;Timesheet…</source>
         <translation>タイムシートを読み込み (&amp;T)…</translation>
     </message>
@@ -263,6 +314,14 @@
     <message>
         <source>&amp;Export…</source>
         <translation>書き出し (&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Look</source>
+        <translation>見た目をコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Look</source>
+        <translation>見た目を貼り付け(&amp;P)</translation>
     </message>
     <message>
         <source>Edit &amp;Keyboard Shortcuts…</source>
@@ -325,6 +384,50 @@
         <translation>キーの速度 (&amp;V)…</translation>
     </message>
     <message>
+        <source>&amp;Split Drawing Here</source>
+        <translation>ここでセルを分割(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Empty Cel</source>
+        <translation>空セルにする(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove, Hold the Drawing Before</source>
+        <translation>削除して前のセルを伸ばす(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Hold 1 Frame &amp;Longer</source>
+        <translation>1 コマ長く止める(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Hold 1 Frame S&amp;horter</source>
+        <translation>1 コマ短く止める(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Expose on &amp;Ones</source>
+        <translation>1コマ打ち(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Expose on &amp;Twos</source>
+        <translation>2コマ打ち(&amp;T)</translation>
+    </message>
+    <message>
+        <source>E&amp;xpose on Threes</source>
+        <translation>3コマ打ち(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Expose on &amp;Fours</source>
+        <translation>4コマ打ち(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Drawings</source>
+        <translation>セルをコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Drawings</source>
+        <translation>セルを貼り付け(&amp;P)</translation>
+    </message>
+    <message>
         <source>View &amp;Composite</source>
         <translation>合成を表示 (&amp;C)</translation>
     </message>
@@ -335,6 +438,14 @@
     <message>
         <source>View &amp;Matte</source>
         <translation>マットを表示 (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Camera and Size of the 3-D Set</source>
+        <translation>3Dセットのカメラと大きさ</translation>
+    </message>
+    <message>
+        <source>Match Ca&amp;mera to Picture</source>
+        <translation>背景にカメラを合わせる(&amp;M)</translation>
     </message>
     <message>
         <source>O&amp;nion Skin</source>
@@ -383,6 +494,10 @@
     <message>
         <source>Work Area &amp;Begins Here</source>
         <translation>ワークエリアの開始をここに (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Read the Work Area &amp;into Memory</source>
+        <translation>ワークエリアをメモリに読み込む(&amp;I)</translation>
     </message>
     <message>
         <source>First Frame of the Work Area</source>
@@ -445,6 +560,50 @@
         <translation>ぼかしを表示 (&amp;F)</translation>
     </message>
     <message>
+        <source>Add &amp;Wall</source>
+        <translation>壁を追加(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Box</source>
+        <translation>箱を追加(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Steps</source>
+        <translation>階段を追加(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Ramp</source>
+        <translation>スロープを追加(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Cylinder</source>
+        <translation>円柱を追加(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Add S&amp;phere</source>
+        <translation>球を追加(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Draw &amp;Ground and Wall Line</source>
+        <translation>接地ラインと壁の線を引く(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Draw Wall &amp;Line</source>
+        <translation>壁の線を引く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Set Piece</source>
+        <translation>セットを複製(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Re&amp;name Set Piece</source>
+        <translation>セットの名前を変更(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move Set Piece</source>
+        <translation>セットを削除(&amp;M)</translation>
+    </message>
+    <message>
         <source>&amp;Find Command…</source>
         <translation>コマンドを検索 (&amp;F)…</translation>
     </message>
@@ -469,6 +628,10 @@
         <translation>キー</translation>
     </message>
     <message>
+        <source>Drawings</source>
+        <translation>セル</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>時間</translation>
     </message>
@@ -481,12 +644,39 @@
         <translation>タイムライン</translation>
     </message>
     <message>
+        <source>Set</source>
+        <translation>セット</translation>
+    </message>
+    <message>
         <source>Window</source>
         <translation>ウィンドウ</translation>
     </message>
     <message>
         <source>Help</source>
         <translation>ヘルプ</translation>
+    </message>
+</context>
+<context>
+    <name>CornerSheet</name>
+    <message>
+        <source>Drag along the line the figure stands on  ·  Enter: the ground is right  ·  Esc: leave</source>
+        <translation>キャラが立つ線に沿ってドラッグ  ·  Enter：地面はこのまま  ·  Esc：終了</translation>
+    </message>
+    <message>
+        <source>Drag along the foot of the wall  ·  Esc: leave</source>
+        <translation>壁の下端に沿ってドラッグ  ·  Esc：終了</translation>
+    </message>
+    <message>
+        <source>Draw ground line</source>
+        <translation>接地ラインを引く</translation>
+    </message>
+    <message>
+        <source>Draw wall</source>
+        <translation>壁を引く</translation>
+    </message>
+    <message>
+        <source>There is no ground here for a wall to stand on: begin below the horizon.</source>
+        <translation>ここには壁を立てる地面がありません。アイレベルより下から引いてください。</translation>
     </message>
 </context>
 <context>
@@ -633,6 +823,10 @@
         <translation>タイムシートから新規作成</translation>
     </message>
     <message>
+        <source>the work area</source>
+        <translation>ワークエリア</translation>
+    </message>
+    <message>
         <source>Apply timesheet</source>
         <translation>タイムシートを適用</translation>
     </message>
@@ -662,6 +856,14 @@
     <message>
         <source>Choose a Background</source>
         <translation>背景を選択</translation>
+    </message>
+    <message>
+        <source>Import Set</source>
+        <translation>セットを読み込む</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>セット</translation>
     </message>
     <message>
         <source>Open Timesheet</source>
@@ -740,10 +942,107 @@
     </message>
 </context>
 <context>
+    <name>DrawingCommands</name>
+    <message>
+        <source>Split drawing</source>
+        <translation>セルを分割</translation>
+    </message>
+    <message>
+        <source>Insert drawing</source>
+        <translation>セルを挿入</translation>
+    </message>
+    <message>
+        <source>Empty cel</source>
+        <translation>空セルにする</translation>
+    </message>
+    <message>
+        <source>Replace drawing</source>
+        <translation>セルを差し替え</translation>
+    </message>
+    <message>
+        <source>Remove drawing</source>
+        <translation>セルを削除</translation>
+    </message>
+    <message>
+        <source>Hold longer</source>
+        <translation>長く止める</translation>
+    </message>
+    <message>
+        <source>Hold shorter</source>
+        <translation>短く止める</translation>
+    </message>
+    <message>
+        <source>The last drawing holds to the end of the cut; drag its end to shorten it.</source>
+        <translation>最後のセルはカットの終わりまで続きます。短くするには端をドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>Expose on %1s</source>
+        <translation>%1コマ打ち</translation>
+    </message>
+    <message>
+        <source>No drawings were copied yet.</source>
+        <translation>まだセルがコピーされていません。</translation>
+    </message>
+    <message>
+        <source>Paste drawings</source>
+        <translation>セルを貼り付け</translation>
+    </message>
+    <message>
+        <source>%1 has no drawings of these names, and they stay empty: %2</source>
+        <translation>%1 に同じ名前のセルがないため空セルになりました：%2</translation>
+    </message>
+    <message>
+        <source>No drawing is exposed at the playhead.</source>
+        <translation>再生ヘッドの位置にセルがありません。</translation>
+    </message>
+</context>
+<context>
+    <name>DrawingHand</name>
+    <message>
+        <source>empty</source>
+        <translation>空セル</translation>
+    </message>
+    <message>
+        <source>%1: frames %2 to %3, held %4</source>
+        <translation>%1：%2～%3 フレーム、%4 コマ</translation>
+    </message>
+    <message>
+        <source>Drag an end to hold it longer or shorter (Shift: what follows moves along), the middle to move it</source>
+        <translation>端をドラッグで長さを変更（Shift で後続も移動）、中央をドラッグで移動</translation>
+    </message>
+    <message>
+        <source>Move drawing</source>
+        <translation>セルを移動</translation>
+    </message>
+    <message>
+        <source>Hold drawing</source>
+        <translation>セルの長さを変更</translation>
+    </message>
+    <message>
+        <source>held %1</source>
+        <translation>%1 コマ</translation>
+    </message>
+</context>
+<context>
+    <name>DrawingMenu</name>
+    <message>
+        <source>Replace With</source>
+        <translation>差し替え</translation>
+    </message>
+    <message>
+        <source>Insert at the Playhead</source>
+        <translation>再生ヘッドの位置に挿入</translation>
+    </message>
+</context>
+<context>
     <name>DropHint</name>
     <message>
         <source>Open %1</source>
         <translation>%1 を開く</translation>
+    </message>
+    <message>
+        <source>Put %1 behind the characters</source>
+        <translation>%1 をキャラの後ろに置く</translation>
     </message>
     <message>
         <source>Put %1 under everything</source>
@@ -781,12 +1080,24 @@
         <translation>影レイヤー</translation>
     </message>
     <message>
+        <source>Layered frames</source>
+        <translation>レイヤー付きフレーム</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>動画</translation>
+    </message>
+    <message>
         <source>After Effects</source>
         <translation>After Effects</translation>
     </message>
     <message>
         <source>Render farm job</source>
         <translation>レンダーファームのジョブ</translation>
+    </message>
+    <message>
+        <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
+        <translation>動画の書き出しには PyAV が必要です: pip install &apos;kagezou[video]&apos;</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -797,8 +1108,31 @@
         <translation>フォルダー</translation>
     </message>
     <message>
+        <source>Export To</source>
+        <translation>書き出し先</translation>
+    </message>
+</context>
+<context>
+    <name>ExportOptions</name>
+    <message>
         <source>Format</source>
         <translation>形式</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>ビット数</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>%1 bit</source>
+        <translation>%1 bit</translation>
+    </message>
+    <message>
+        <source>%1 has no other depth.</source>
+        <translation>%1 のビット数はこれだけです。</translation>
     </message>
     <message>
         <source>Composite with background and characters</source>
@@ -807,6 +1141,10 @@
     <message>
         <source>Only the work area</source>
         <translation>ワークエリアのみ</translation>
+    </message>
+    <message>
+        <source>the cut has none</source>
+        <translation>このカットには設定されていません</translation>
     </message>
     <message>
         <source>Each different shadow once, held by time remapping</source>
@@ -825,6 +1163,26 @@
         <translation>変わらないフレームは書き出さない</translation>
     </message>
     <message>
+        <source>Shadow of %1</source>
+        <translation>%1 の影</translation>
+    </message>
+    <message>
+        <source>Finished picture</source>
+        <translation>完成画面</translation>
+    </message>
+    <message>
+        <source>PSD, opacity and blend mode kept</source>
+        <translation>PSD（不透明度と描画モードを保持）</translation>
+    </message>
+    <message>
+        <source>MP4, H.264, to look at</source>
+        <translation>MP4（H.264、確認用）</translation>
+    </message>
+    <message>
+        <source>MOV, ProRes 4444, with alpha</source>
+        <translation>MOV（ProRes 4444、アルファ付き）</translation>
+    </message>
+    <message>
         <source>Matte: the shadow alone</source>
         <translation>マット: 影のみ</translation>
     </message>
@@ -839,14 +1197,6 @@
     <message>
         <source>Matte: what no shadow lies on</source>
         <translation>マット: 影のない部分</translation>
-    </message>
-    <message>
-        <source>%1 bit</source>
-        <translation>%1 bit</translation>
-    </message>
-    <message>
-        <source>Export To</source>
-        <translation>書き出し先</translation>
     </message>
 </context>
 <context>
@@ -1151,6 +1501,10 @@
         <source>Character</source>
         <translation>キャラクター</translation>
     </message>
+    <message>
+        <source>%1 layers together: %2</source>
+        <translation>%1 レイヤーをまとめて編集：%2</translation>
+    </message>
 </context>
 <context>
     <name>KeyButton</name>
@@ -1291,6 +1645,18 @@
         <source>Type key</source>
         <translation>キーを入力</translation>
     </message>
+    <message>
+        <source>hold</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>リニア</translation>
+    </message>
+    <message>
+        <source>bezier</source>
+        <translation>ベジェ</translation>
+    </message>
 </context>
 <context>
     <name>Keyboard</name>
@@ -1397,6 +1763,14 @@ Drop a folder of cels here.</source>
         <translation>表示</translation>
     </message>
     <message>
+        <source>Copy Look</source>
+        <translation>見た目をコピー</translation>
+    </message>
+    <message>
+        <source>Paste Look</source>
+        <translation>見た目を貼り付け</translation>
+    </message>
+    <message>
         <source>Move up</source>
         <translation>上へ移動</translation>
     </message>
@@ -1442,6 +1816,63 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>LinkButton</name>
+    <message>
+        <source>The same for all characters. Click to give each its own</source>
+        <translation>全キャラで共通です。クリックするとキャラごとの値に戻ります</translation>
+    </message>
+    <message>
+        <source>Click to make it the same for all characters, values and keys</source>
+        <translation>クリックすると値もキーも全キャラで共通になります</translation>
+    </message>
+</context>
+<context>
+    <name>Loading</name>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>残り %1 秒</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1を開いています</translation>
+    </message>
+    <message>
+        <source>Looking through the drawings of %1</source>
+        <translation>%1の絵を調べています</translation>
+    </message>
+    <message>
+        <source>Measuring the figure of %1</source>
+        <translation>%1の人物の位置を測っています</translation>
+    </message>
+    <message>
+        <source>Finding a place for the lamp for %1</source>
+        <translation>%1のランプの位置を探しています</translation>
+    </message>
+    <message>
+        <source>Reading drawings of %1</source>
+        <translation>%1の絵を読み込んでいます</translation>
+    </message>
+</context>
+<context>
+    <name>LookClipboard</name>
+    <message>
+        <source>There is no look on the clipboard; copy one from a layer first.</source>
+        <translation>クリップボードに見た目がありません。先にレイヤーからコピーしてください。</translation>
+    </message>
+    <message>
+        <source>Paste look</source>
+        <translation>見た目を貼り付け</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Layers</source>
@@ -1462,6 +1893,13 @@ Drop a folder of cels here.</source>
     <message>
         <source>Curves</source>
         <translation>カーブ</translation>
+    </message>
+</context>
+<context>
+    <name>Match</name>
+    <message>
+        <source>Lay the two orange lines along edges of the floor that run away, the two blue ones along edges square to them. The dash-dotted line is the horizon. Esc ends it.</source>
+        <translation>オレンジの2本を奥へ向かう床の線に、青の2本をそれと直交する線に合わせてください。一点鎖線がアイレベルです。Esc で終わります。</translation>
     </message>
 </context>
 <context>
@@ -1491,6 +1929,10 @@ Drop a folder of cels here.</source>
         <translation>下地(&amp;B)</translation>
     </message>
     <message>
+        <source>Preview &amp;Resolution</source>
+        <translation>プレビュー解像度(&amp;R)</translation>
+    </message>
+    <message>
         <source>Background Picture</source>
         <translation>背景画像</translation>
     </message>
@@ -1509,6 +1951,22 @@ Drop a folder of cels here.</source>
     <message>
         <source>Black</source>
         <translation>黒背景</translation>
+    </message>
+    <message>
+        <source>Automatic: Lower While Dragging</source>
+        <translation>自動：ドラッグ中だけ下げる</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>フル</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>1/2</translation>
+    </message>
+    <message>
+        <source>Quarter</source>
+        <translation>1/4</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -1541,6 +1999,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>&amp;Keys</source>
         <translation>キー(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Drawings</source>
+        <translation>セル(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>セット(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Timeline Shows</source>
@@ -1623,6 +2089,24 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>PieceName</name>
+    <message>
+        <source>Set piece: %1</source>
+        <translation>セット：%1</translation>
+    </message>
+</context>
+<context>
+    <name>PieceSections</name>
+    <message>
+        <source>Place and size</source>
+        <translation>位置と寸法</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>はたらき</translation>
+    </message>
+</context>
+<context>
     <name>PointsEditor</name>
     <message>
         <source>Double-click on the character in the picture to add a grounding point</source>
@@ -1644,10 +2128,53 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>PresetRow</name>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>名前を変更…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>None saved yet</source>
+        <translation>保存されたプリセットはありません</translation>
+    </message>
+    <message>
+        <source>Choices of your own</source>
+        <translation>カスタム設定</translation>
+    </message>
+    <message>
+        <source>Choose one of your presets first.</source>
+        <translation>先にプリセットを選択してください。</translation>
+    </message>
+    <message>
+        <source>Save as a Preset</source>
+        <translation>プリセットとして保存</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Rename the Preset</source>
+        <translation>プリセットの名前を変更</translation>
+    </message>
+</context>
+<context>
     <name>ProjectActions</name>
     <message>
-        <source>%1: neither a project, a folder of cels nor a picture that can be read</source>
-        <translation>%1：プロジェクトでも、セルのフォルダーでも、読み込める画像でもありません</translation>
+        <source>%1: neither a project, a folder of cels, a set nor a picture that can be read</source>
+        <translation>%1: プロジェクト、セルのフォルダー、3Dセット、読める画像のいずれでもありません</translation>
     </message>
     <message>
         <source>Untitled</source>
@@ -1656,10 +2183,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>Saved %1</source>
         <translation>%1 を保存しました</translation>
-    </message>
-    <message>
-        <source>Something went wrong</source>
-        <translation>問題が起きました</translation>
     </message>
 </context>
 <context>
@@ -1681,28 +2204,20 @@ Drop a folder of cels here.</source>
         <translation>%1のキーをすべて削除</translation>
     </message>
     <message>
+        <source>Unlink %1</source>
+        <translation>%1の共通を解除</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>%1を共通にする</translation>
+    </message>
+    <message>
         <source>Change %1</source>
         <translation>%1を変更</translation>
     </message>
     <message>
-        <source>Reset to default</source>
-        <translation>デフォルトに戻す</translation>
-    </message>
-    <message>
-        <source>Remove key</source>
-        <translation>キーを削除</translation>
-    </message>
-    <message>
-        <source>Set key</source>
-        <translation>キーを設定</translation>
-    </message>
-    <message>
-        <source>Remove all keys</source>
-        <translation>キーをすべて削除</translation>
-    </message>
-    <message>
-        <source>Copy name for scripts</source>
-        <translation>スクリプト用の名前をコピー</translation>
+        <source>Changed; double-click for the default, %1</source>
+        <translation>変更済み。ダブルクリックでデフォルト（%1）に戻す</translation>
     </message>
 </context>
 <context>
@@ -1751,6 +2266,65 @@ Drop a folder of cels here.</source>
         <translation>
             <numerusform>%n 回の操作</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>RowMenu</name>
+    <message>
+        <source>Copy Value</source>
+        <translation>値をコピー</translation>
+    </message>
+    <message>
+        <source>Copy All of This Section</source>
+        <translation>このセクションの値をすべてコピー</translation>
+    </message>
+    <message>
+        <source>Reset to Default</source>
+        <translation>デフォルトに戻す</translation>
+    </message>
+    <message>
+        <source>Remove Key</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Set Key</source>
+        <translation>キーを設定</translation>
+    </message>
+    <message>
+        <source>Remove All Keys</source>
+        <translation>すべてのキーを削除</translation>
+    </message>
+    <message>
+        <source>Give Each Character Its Own</source>
+        <translation>キャラごとの値に戻す</translation>
+    </message>
+    <message>
+        <source>Make the Same for All Characters</source>
+        <translation>全キャラで共通にする</translation>
+    </message>
+    <message>
+        <source>Copy Name for Scripts</source>
+        <translation>スクリプト用の名前をコピー</translation>
+    </message>
+    <message>
+        <source>Reset All of This Section</source>
+        <translation>このセクションをすべてリセット</translation>
+    </message>
+    <message>
+        <source>Reset section</source>
+        <translation>セクションをリセット</translation>
+    </message>
+    <message>
+        <source>Paste Value</source>
+        <translation>値を貼り付け</translation>
+    </message>
+    <message>
+        <source>Paste %1 Values</source>
+        <translation>%1 個の値を貼り付け</translation>
+    </message>
+    <message>
+        <source>Paste values</source>
+        <translation>値を貼り付け</translation>
     </message>
 </context>
 <context>
@@ -1805,6 +2379,219 @@ Drop a folder of cels here.</source>
     <message>
         <source>Set work area</source>
         <translation>ワークエリアを設定</translation>
+    </message>
+</context>
+<context>
+    <name>SetBar</name>
+    <message>
+        <source>Stand On…</source>
+        <translation>立つ場所…</translation>
+    </message>
+    <message>
+        <source>Click the place of the set on which a character stands</source>
+        <translation>キャラが立つセット上の場所をクリックします</translation>
+    </message>
+    <message>
+        <source>Keep this view</source>
+        <translation>今の見え方のまま</translation>
+    </message>
+    <message>
+        <source>None in the file</source>
+        <translation>ファイルにカメラなし</translation>
+    </message>
+    <message>
+        <source>Click two points of the set, then say how long that is</source>
+        <translation>セット上の2点をクリックし、その長さを入力します</translation>
+    </message>
+    <message>
+        <source>The camera of the file settles the size</source>
+        <translation>大きさはファイルのカメラで決まります</translation>
+    </message>
+    <message>
+        <source>Size by Two Points…</source>
+        <translation>2点で大きさを指定…</translation>
+    </message>
+    <message>
+        <source>The camera of the file that the picture is seen with</source>
+        <translation>画面に使うファイル内のカメラ</translation>
+    </message>
+    <message>
+        <source>Which axis of the file points up</source>
+        <translation>ファイルのどの軸が上を向くか</translation>
+    </message>
+    <message>
+        <source>figure heights</source>
+        <translation>キャラの身長</translation>
+    </message>
+    <message>
+        <source>metres (a figure has 1.6)</source>
+        <translation>メートル（身長 1.6 m）</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上方向</translation>
+    </message>
+    <message>
+        <source>Between the two points there are</source>
+        <translation>2点間の長さ</translation>
+    </message>
+    <message>
+        <source>Set Size</source>
+        <translation>大きさを決める</translation>
+    </message>
+</context>
+<context>
+    <name>SetCommands</name>
+    <message>
+        <source>Duplicate set piece</source>
+        <translation>セットを複製</translation>
+    </message>
+    <message>
+        <source>Remove set piece</source>
+        <translation>セットを削除</translation>
+    </message>
+    <message>
+        <source>Add wall</source>
+        <translation>壁を追加</translation>
+    </message>
+    <message>
+        <source>Add box</source>
+        <translation>箱を追加</translation>
+    </message>
+    <message>
+        <source>Add steps</source>
+        <translation>階段を追加</translation>
+    </message>
+    <message>
+        <source>Add ramp</source>
+        <translation>スロープを追加</translation>
+    </message>
+    <message>
+        <source>Add cylinder</source>
+        <translation>円柱を追加</translation>
+    </message>
+    <message>
+        <source>Add sphere</source>
+        <translation>球を追加</translation>
+    </message>
+    <message>
+        <source>Add set piece</source>
+        <translation>セットを追加</translation>
+    </message>
+</context>
+<context>
+    <name>SetDelegate</name>
+    <message>
+        <source>Name of the set piece</source>
+        <translation>セットの名前</translation>
+    </message>
+</context>
+<context>
+    <name>SetImports</name>
+    <message>
+        <source>There is no set from a file in this project</source>
+        <translation>このプロジェクトにはファイルから読み込んだセットがありません</translation>
+    </message>
+    <message>
+        <source>Import set</source>
+        <translation>セットを読み込む</translation>
+    </message>
+    <message>
+        <source>Settle set</source>
+        <translation>セットを合わせる</translation>
+    </message>
+    <message>
+        <source>Click where the character&apos;s feet are on the set. Esc ends it.</source>
+        <translation>キャラの足元になるセット上の場所をクリックしてください。Esc で終了。</translation>
+    </message>
+    <message>
+        <source>Click two points of the set whose distance you know. Esc ends it.</source>
+        <translation>距離のわかるセット上の2点をクリックしてください。Esc で終了。</translation>
+    </message>
+    <message>
+        <source>There is nothing of the set at that place; click another. Esc ends it.</source>
+        <translation>そこにセットはありません。別の場所をクリックしてください。Esc で終了。</translation>
+    </message>
+    <message>
+        <source>Stand on the set</source>
+        <translation>セットに立たせる</translation>
+    </message>
+    <message>
+        <source>Now the other point. Esc ends it.</source>
+        <translation>もう1点をクリックしてください。Esc で終了。</translation>
+    </message>
+    <message>
+        <source>Size of the set</source>
+        <translation>セットの大きさ</translation>
+    </message>
+</context>
+<context>
+    <name>SetList</name>
+    <message>
+        <source>Set</source>
+        <translation>セット</translation>
+    </message>
+    <message>
+        <source>Add a wall, box or other set piece</source>
+        <translation>壁・箱などのセットを追加</translation>
+    </message>
+    <message>
+        <source>Duplicate set piece</source>
+        <translation>セットを複製</translation>
+    </message>
+    <message>
+        <source>Remove set piece</source>
+        <translation>セットを削除</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前を変更</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隠す</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>複製</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+</context>
+<context>
+    <name>SetModel</name>
+    <message>
+        <source>Show set piece</source>
+        <translation>セットを表示</translation>
+    </message>
+    <message>
+        <source>Hide set piece</source>
+        <translation>セットを隠す</translation>
+    </message>
+    <message>
+        <source>Rename set piece</source>
+        <translation>セットの名前を変更</translation>
+    </message>
+</context>
+<context>
+    <name>SetView</name>
+    <message>
+        <source>Set pieces</source>
+        <translation>セット一覧</translation>
     </message>
 </context>
 <context>
@@ -1923,8 +2710,16 @@ Drop a folder of cels here.</source>
 <context>
     <name>Status</name>
     <message>
+        <source>Preview resolution; exports are always full</source>
+        <translation>プレビューの解像度。書き出しは常にフルです</translation>
+    </message>
+    <message>
         <source>software rendering</source>
         <translation>ソフトウェア描画</translation>
+    </message>
+    <message>
+        <source>Drag an edge to move the set piece, the arrows to size it, the lever at its front to turn it</source>
+        <translation>線をドラッグでセットを移動、矢印で寸法、正面のレバーで回転</translation>
     </message>
     <message>
         <source>Drag the lamp to move the shadow; double-click on the character to add a grounding point</source>

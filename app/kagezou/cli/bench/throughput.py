@@ -7,7 +7,7 @@ from pathlib import Path
 from statistics import median
 from typing import Final
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource
 from kagezou.export.frames import export_frames
 from kagezou.export.jobs import planned
 from kagezou.export.request import ExportRequest
@@ -37,7 +37,7 @@ class Throughput:
 class _Piece:
     """The drawings that one picture is the first to need, the picture, and into how many files it goes."""
 
-    sources: tuple[Path, ...]
+    sources: tuple[PictureSource, ...]
     shadow: ShadowImage
     files: int
 
@@ -72,10 +72,10 @@ def measured(
 def _pieces(document: Document, request: ExportRequest) -> list[_Piece]:
     """Return what an export reads and writes, in its order: each drawing is read once, when it is first needed."""
     jobs = planned(document, request).jobs
-    seen: set[Path] = set()
+    seen: set[PictureSource] = set()
     pieces: list[_Piece] = []
     for job in jobs:
-        sources = tuple(path for path in job.mattes if path not in seen)
+        sources = tuple(source for source in job.mattes if source not in seen)
         seen.update(sources)
         pieces.append(_Piece(sources, _shadow_in(job.targets[0].path), len(job.targets)))
     return pieces

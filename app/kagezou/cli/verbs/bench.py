@@ -48,7 +48,7 @@ def run(options: Namespace, doors: Doors) -> int:
         document = _document(options, Path(folder), workers)
         cels = CelCache()
         for drawing in document.layers[0].cels.drawings:
-            cels.cel(drawing.path)
+            cels.cel(drawing.source)
         with doors.open_context() as context:
             renderer = Renderer(cels)
             name = context.info.renderer

@@ -2,6 +2,7 @@
 
 from argparse import Namespace
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
@@ -9,8 +10,6 @@ from kagezou.cli.doors import Doors
 from kagezou.cli.terminal import Json, give, give_json, one_line
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from kagezou.document.address import Address
     from kagezou.document.model import Document, Layer, Piece
 
@@ -47,7 +46,6 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 def _about(document: "Document") -> dict[str, Json]:
     from kagezou.document.properties import OF_LAYER
     from kagezou.document.set_pieces import kind_of
-    from kagezou.io.faults import shown
 
     canvas = document.canvas
     return {
@@ -56,14 +54,14 @@ def _about(document: "Document") -> dict[str, Json]:
         "frame_rate": str(canvas.frame_rate),
         "first_frame": 1,
         "last_frame": canvas.length_frames,
-        "background": None if document.background is None else shown(document.background),
+        "background": _background(document),
         "layers": [_about_layer(layer) for layer in document.layers],
         "set": [
             {"name": piece.name, "kind": kind_of(piece), **_about_file(document, piece)} for piece in document.pieces
         ],
         "linked": [line for line in OF_LAYER if line in document.linked],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
-        "missing": [shown(path) for path in _missing(document)],
+        "missing": list(_missing(document)),
     }
 
 
@@ -111,12 +109,29 @@ def _keyed(document: "Document", address: "Address") -> dict[str, Json]:
     return {"path": path_of(document, address), "frames": [key.frame for key in track_of(document, address).keys]}
 
 
-def _missing(document: "Document") -> "Iterator[Path]":
-    paths = [drawing.path for layer in document.layers for drawing in layer.cels.drawings]
+def _background(document: "Document") -> str | None:
+    from kagezou.document.model import file_of
+    from kagezou.io.faults import shown
+
+    return None if document.background is None else shown(file_of(document.background))
+
+
+def _missing(document: "Document") -> Iterator[str]:
+    """Yield the files that are not there, and the layers that are not in their files."""
+    from kagezou.document.model import PicturePart, file_of
+    from kagezou.errors import InputProblem
+    from kagezou.io.faults import shown
+    from kagezou.io.psd_file import has_part
+
+    sources = [drawing.source for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
-        paths.append(document.background)
-    paths += [piece.source for piece in document.pieces if piece.source is not None]
-    return (path for path in dict.fromkeys(paths) if not path.is_file())
+        sources.append(document.background)
+    files = [*map(file_of, sources), *(piece.source for piece in document.pieces if piece.source is not None)]
+    yield from (shown(path) for path in dict.fromkeys(files) if not path.is_file())
+    for part in dict.fromkeys(each for each in sources if isinstance(each, PicturePart) and each.path.is_file()):
+        with suppress(InputProblem):  # a broken file is not missing
+            if not has_part(part):
+                yield f"{shown(part.path)} ({part.address})"
 
 
 def _lines(document: "Document") -> Iterator[str]:
@@ -131,7 +146,7 @@ def _lines(document: "Document") -> Iterator[str]:
     rate = f"{float(canvas.frame_rate):g}"
     yield f"canvas      {canvas.width_px} x {canvas.height_px} px"
     yield f"frames      1-{canvas.length_frames} at {rate} frames/s ({seconds:.2f} s)"
-    yield f"background  {shown(document.background) if document.background else 'none'}"
+    yield f"background  {_background(document) or 'none'}"
     for layer in document.layers:
         count = len(layer.cels.drawings)
         box = layer.figure
@@ -146,8 +161,8 @@ def _lines(document: "Document") -> Iterator[str]:
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"
-    for path in _missing(document):
-        yield f"missing     {shown(path)}"
+    for name in _missing(document):
+        yield f"missing     {name}"
 
 
 def _property_table(document: "Document") -> Json:

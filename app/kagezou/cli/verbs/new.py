@@ -9,12 +9,14 @@ from kagezou.cli.terminal import note
 from kagezou.errors import OutputProblem
 
 DESCRIPTION = (
-    "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', or one file."
+    "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', "
+    "one picture, or a PSD file with a group of numbered layers."
 )
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
   kagezou new duo.kage --character A=cels/A --character B=cels/B --background street.png
   kagezou new cut12.kage --timesheet cut12/cut12.xdts
+  kagezou new cut12.kage --psd cut12.psd
   kagezou new cut12.kage --character A=cels/A --timesheet cut12.xdts --fps 24 --size 1920x1080
 """
 
@@ -29,6 +31,15 @@ def add_arguments(parser: Parser) -> None:
         default=[],
         metavar="NAME=DIR_OR_FILE",
         help="a character layer; may be given several times, from the lowest to the topmost",
+    )
+    parser.add_argument(
+        "--psd",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="FILE.psd",
+        help="a PSD file with everything in it: groups of numbered layers become characters, a layer named "
+        "'BG' the background; a timesheet beside it with the same name times it",
     )
     parser.add_argument("--background", type=Path, metavar="FILE", help="a picture under everything")
     parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
@@ -47,18 +58,22 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
     """Make the project and write it."""
     from kagezou.io.faults import shown
     from kagezou.io.project_file import save
+    from kagezou.session.sheet_project import timed_from_beside
     from kagezou.session.staging import CharacterSource, new_document
 
     path: Path = options.project
     if path.exists() and not options.force:
         raise OutputProblem(f"{shown(path)}: it is there already; --force replaces it")
     sources = [CharacterSource(name, source) for name, source in options.character]
+    sources += [CharacterSource(None, source) for source in options.psd]
     if options.timesheet is not None and not sources:
         from kagezou.io.xdts import read_timesheet
         from kagezou.session.sheet_project import sources_beside
 
         sources = list(sources_beside(options.timesheet.absolute(), read_timesheet(options.timesheet)))
     staged = new_document(sources, background=options.background, size=options.size, frame_rate=options.fps)
+    if options.timesheet is None:
+        staged = timed_from_beside(staged, sources)
     notes = list(staged.notes)
     document = staged.document
     if options.timesheet is not None:

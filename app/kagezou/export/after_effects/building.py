@@ -32,8 +32,8 @@ class Written:
     folder
         Where the script will lie.
     shadows
-        Kind ("shadow" for the shadows themselves, else a matte with "matte:" before it) and layer id → first file,
-        number of files, and for one picture a drawing the picture of each frame.
+        Kind ("shadow" for the shadows themselves, "received" for those on characters, else a matte with "matte:" before
+        it) and layer id → first file, number of files, and for one picture a drawing the picture of each frame.
     cels
         Layer id → the drawings.
     background
@@ -86,8 +86,9 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
         made.append(ae.Footage(f"cels:{layer_id}", names[layer_id], path, cels.count, "STRAIGHT", "Characters"))
     for (kind, layer_id), (first, count, _) in written.shadows.items():
         alpha = "PREMULTIPLIED" if first.suffix == ".exr" else "STRAIGHT"
-        folder = "Shadows" if kind == "shadow" else "Mattes"
-        title = f"{names[layer_id]} {kind.removeprefix('matte:')}{' matte' if kind != 'shadow' else ''}"
+        is_matte = kind.startswith("matte:")
+        folder = "Mattes" if is_matte else "Shadows"
+        title = f"{names[layer_id]} {kind.removeprefix('matte:')}{' matte' if is_matte else ''}"
         made.append(ae.Footage(f"{kind}:{layer_id}", title, _path(first, written.folder), count, alpha, folder))
     return tuple(made)
 
@@ -125,17 +126,34 @@ def _shadows(document: Document, written: Written) -> tuple[ae.Layer, ...]:
 
 def _characters(document: Document, written: Written) -> tuple[ae.Layer, ...]:
     rate = document.canvas.frame_rate
-    return tuple(
-        ae.Layer(
-            tag=f"cels:{layer.id}",
-            name=layer.name,
-            footage=f"cels:{layer.id}",
-            blend="NORMAL",
-            opacity=ae.Channel(100.0),
-            remap=_exposures(document, layer, written.cels[layer.id], rate),
-        )
-        for layer in document.layers
-        if layer.id in written.cels
+    made = []
+    for layer in document.layers:
+        if layer.id in written.cels:
+            made.append(
+                ae.Layer(
+                    tag=f"cels:{layer.id}",
+                    name=layer.name,
+                    footage=f"cels:{layer.id}",
+                    blend="NORMAL",
+                    opacity=ae.Channel(100.0),
+                    remap=_exposures(document, layer, written.cels[layer.id], rate),
+                )
+            )
+        if ("received", layer.id) in written.shadows:
+            made.append(_received(document, layer, written))
+    return tuple(made)
+
+
+def _received(document: Document, layer: Layer, written: Written) -> ae.Layer:
+    """Return what others cast on a character, laid over it as the lowest of them lays its shadow."""
+    caster = next((other for other in document.layers if other.id != layer.id), layer)
+    return ae.Layer(
+        tag=f"received:{layer.id}",
+        name=f"{layer.name} received",
+        footage=f"received:{layer.id}",
+        blend=str(value_of(document, Address(properties.BLEND, caster.id), 1)).upper(),
+        opacity=ae.Channel(100.0),
+        remap=_remap(written.shadows["received", layer.id][2], document.canvas.frame_rate),
     )
 
 

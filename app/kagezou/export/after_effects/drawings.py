@@ -81,7 +81,7 @@ def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) 
     if not indices:
         return None
     drawings = [layer.cels.drawings[index] for index in indices]
-    infos = [probe(drawing.path) for drawing in drawings]
+    infos = [probe(drawing.source) for drawing in drawings]
     alike = len({(info.width_px, info.height_px) for info in infos}) == 1
     size = None if alike else (canvas.width_px, canvas.height_px)
     digits = digits_for(len(indices))
@@ -112,7 +112,7 @@ def _copy(drawing: Drawing, info: ImageInfo, target: Path, size: tuple[int, int]
         except OSError as error:
             raise input_problem(drawing.path, error) from error
         return
-    rgba = read_cel(drawing.path).rgba
+    rgba = read_cel(drawing.source).rgba
     write_rgba(target, rgba if size is None else _centred(rgba, *size))
 
 

@@ -12,13 +12,14 @@ from kagezou.export.after_effects.drawings import Cels, copied, referenced, remo
 from kagezou.export.after_effects.mattes import MATTES, at_full_opacity, matte_document
 from kagezou.export.after_effects.script import script_of
 from kagezou.export.frames import export_frames
-from kagezou.export.jobs import pictures_of, planned
+from kagezou.export.jobs import ever_receives, pictures_of, planned
 from kagezou.export.names import digits_for, safe_names
-from kagezou.export.request import SUFFIXES, Cancelled, ExportRequest, Progress, Summary
+from kagezou.export.request import RECEIVED, SHADOWS, SUFFIXES, Cancelled, ExportRequest, Progress, Summary
 from kagezou.io.atomic import write_bytes
 from kagezou.io.encode import write_rgba
 from kagezou.io.faults import output_problem
 from kagezou.io.images import read_cel
+from kagezou.io.signatures import is_psd
 from kagezou.render.context import OpenContext
 
 _AE_LONGEST_S: Final = 10800
@@ -140,6 +141,9 @@ class _Run:
         """Return what is to be rendered: the shadows and the mattes."""
         mattes = dict.fromkeys("shadow" if matte == "lit" else matte for matte in self._request.mattes)
         made = {"shadow": at_full_opacity(self._document)}
+        if any(ever_receives(layer) for layer in self._document.layers):
+            # At the opacity of those who cast, which one property there could not tell.
+            made["received"] = self._document
         made.update({f"matte:{matte}": matte_document(self._document, matte) for matte in mattes})
         return made
 
@@ -175,16 +179,17 @@ class _Run:
 
     def background(self) -> Path | None:
         """Copy the background, or refer to it."""
-        path = self._document.background
-        if path is None or not self._request.copies:
-            return path
+        source = self._document.background
+        if source is None or (isinstance(source, Path) and not is_psd(source) and not self._request.copies):
+            return source
         target = _made(self._request.folder / "background") / "background.png"
-        write_rgba(target, read_cel(path, white_is_clear=False).rgba)
+        write_rgba(target, read_cel(source, white_is_clear=False).rgba)
         return target
 
     def _frames_of(self, kind: str) -> ExportRequest:
         request = self._request
-        folder = request.folder / ("shadows" if kind == "shadow" else f"matte_{kind.removeprefix('matte:')}")
+        is_matte = kind.startswith("matte:")
+        folder = request.folder / (f"matte_{kind.removeprefix('matte:')}" if is_matte else "shadows")
         return ExportRequest(
             folder=folder,
             format=request.format,
@@ -192,13 +197,15 @@ class _Run:
             skip_existing=request.skip_existing,
             workers=request.workers,
             once=request.per_drawing,
+            only=RECEIVED if kind == "received" else SHADOWS,
         )
 
     def _note_folders(self, kind: str, document: Document, request: ExportRequest) -> None:
         plan = planned(document, replace(request, once=False))
         by_name = {layer.name: layer.id for layer in document.layers}
         digits = digits_for(document.canvas.length_frames)
-        folders = {by_name[name]: request.folder / f"{safe}_shadow" for name, safe in plan.names.items()}
+        end = "received" if kind == "received" else "shadow"
+        folders = {by_name[name]: request.folder / f"{safe}_{end}" for name, safe in plan.names.items()}
         # What is no layer's is the shadow of the set.
         of_set = [folder for folder in plan.folders if folder not in folders.values()]
         if kind in ("shadow", "matte:shadow") and of_set:

@@ -164,7 +164,7 @@ class CurveEditor(QWidget):
         letter = self.fontMetrics().horizontalAdvance("0")
         self.tree.setMinimumWidth(17 * letter)
         tabs.setMinimumWidth(24 * letter)
-        splitter.setSizes([22 * letter, 100 * letter, 64 * letter])
+        splitter.setSizes([20 * letter, 128 * letter, 48 * letter])
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(splitter)

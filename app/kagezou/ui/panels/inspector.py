@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
@@ -75,6 +75,13 @@ class Inspector(QScrollArea):
         """Return the row of a property by its name in the table."""
         return next(row for row in self.rows if row.address.property.name == name)
 
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # Rows that were just put in are shown, and have a width, only once Qt lays them out.
+        if watched is self._inner and event.type() is QEvent.Type.LayoutRequest:
+            bar = self.verticalScrollBar().sizeHint().width()
+            self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
+        return super().eventFilter(watched, event)
+
     def _refresh(self) -> None:
         self._follow_selection()
         for row in self.rows:
@@ -108,8 +115,6 @@ class Inspector(QScrollArea):
         for section in self._layer_sections:
             section.open(opened=section.title not in self._folded)
         _align([*self._scene_sections, *self._layer_sections])
-        bar = self.verticalScrollBar().sizeHint().width()
-        self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
 
     def _follow_piece(self) -> None:
         """Put the piece worked on before the scene, and the shadow of the set, which is its too, behind it."""

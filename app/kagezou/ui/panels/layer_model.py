@@ -131,7 +131,7 @@ class LayerModel(QAbstractListModel):
 
     def _thumbnail(self, layer: Layer) -> QImage | None:
         drawing = layer.cels.drawings[0] if layer.cels.drawings else None
-        return None if drawing is None else self._thumbnails.image(drawing.path)
+        return None if drawing is None else self._thumbnails.image(drawing.source)
 
     def _follow(self) -> None:
         layers = self._bridge.document.layers

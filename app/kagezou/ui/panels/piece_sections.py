@@ -17,20 +17,18 @@ from kagezou.ui.words import choice_word
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
 
 _DEEP = ("box", "steps", "ramp")
-_BUILT = ("wall", *_DEEP, "cylinder", "sphere")
-_OF_FILES = ("scale", "up", "anchor", "display", "under")
-"""Properties of sets that are read from files."""
-
+_OF_FILES = (lines.PIECE_SCALE, lines.PIECE_UP, lines.PIECE_ANCHOR, lines.PIECE_DISPLAY, lines.PIECE_UNDER)
 _ONLY_FOR = {
-    lines.PIECE_LEAN.name: ("wall",),
-    lines.PIECE_WIDTH.name: _BUILT,
-    lines.PIECE_HEIGHT.name: ("wall", *_DEEP, "cylinder"),
-    lines.PIECE_DEPTH.name: _DEEP,
-    lines.PIECE_COUNT.name: ("steps",),
+    lines.PIECE_LEAN: ("wall",),
+    lines.PIECE_WIDTH: lines.BUILT_KINDS,
+    lines.PIECE_HEIGHT: ("wall", *_DEEP, "cylinder"),
+    lines.PIECE_DEPTH: _DEEP,
+    lines.PIECE_COUNT: ("steps",),
+    **dict.fromkeys(_OF_FILES, (lines.MESH,)),
 }
 """Properties that mean something for these kinds alone and are hidden for all others."""
 
-_NOT_FOR = {lines.PIECE_ANGLE.name: ("cylinder", "sphere"), **dict.fromkeys(_OF_FILES, _BUILT)}
+_NOT_FOR = {lines.PIECE_ANGLE: ("cylinder", "sphere")}
 
 
 class PieceName(QWidget):
@@ -76,4 +74,4 @@ def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:
 
 def matters(line: Property, kind: str) -> bool:
     """Whether a property of a set piece means anything for its kind."""
-    return kind in _ONLY_FOR.get(line.name, (kind,)) and kind not in _NOT_FOR.get(line.name, ())
+    return kind in _ONLY_FOR.get(line, (kind,)) and kind not in _NOT_FOR.get(line, ())

@@ -4,7 +4,6 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QObject, QPoint, Qt
-from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QWidget
 
 from kagezou.animation.track import Value
@@ -21,6 +20,7 @@ from kagezou.document.common_edits import (
 from kagezou.document.linking import LINKABLE, is_linked, link, unlink
 from kagezou.document.model import Document
 from kagezou.errors import Problem
+from kagezou.io.value_clips import dumps_value
 from kagezou.session.session import Gesture
 from kagezou.ui.arithmetic import evaluate
 from kagezou.ui.bridge import Bridge
@@ -30,7 +30,6 @@ from kagezou.ui.panels.link_button import LinkButton
 from kagezou.ui.panels.row_menu import open_row_menu
 from kagezou.ui.panels.scrub_field import ScrubLabel
 from kagezou.ui.sentences import sentence_of
-from kagezou.ui.theme import CHANGED, TEXT
 from kagezou.ui.words import said
 
 
@@ -65,7 +64,6 @@ class PropertyRow(QObject):
         self.link = LinkButton()
         self.editor: Editor = editor_for(address.property)
         self.label = ScrubLabel(said(address.property.label), self.editor.scrubbed_by_label)
-        self.label.setToolTip(f"{said(address.property.help)}\n{self.path}")
         for widget in self.widgets:
             widget.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
             widget.customContextMenuRequested.connect(partial(self._open_menu, widget))
@@ -105,9 +103,10 @@ class PropertyRow(QObject):
         document, frame = self.bridge.document, self.bridge.frame
         tracks = tuple(track_of(document, address) for address in self.addresses)
         linked = is_linked(document, self.address)
-        if self._shown == (tracks, frame, linked, self.can_be_linked):
+        shown = (tracks, frame, linked, self.can_be_linked, self.path)
+        if self._shown == shown:
             return
-        self._shown = (tracks, frame, linked, self.can_be_linked)
+        self._shown = shown
         value = tracks[0].value_at(frame)
         if is_mixed(document, self.addresses, frame):
             self.editor.show_mixed(value)
@@ -118,7 +117,7 @@ class PropertyRow(QObject):
         self.link.show_linked(linked=linked)
         self.link.setVisible(self._is_visible and self.can_be_linked)
         default = self.address.property.default
-        self._color_label(changed=keyed or any(track.constant != default for track in tracks))
+        self._show_changed(changed=keyed or any(track.constant != default for track in tracks))
 
     def set_visible(self, *, visible: bool) -> None:
         """Show or hide the whole line."""
@@ -179,12 +178,15 @@ class PropertyRow(QObject):
         self.bridge.session.edit(self._named(words), document)
 
     def _attempt(self, make: Callable[[Document], Document]) -> None:
+        refused = ""
         try:
             self.bridge.session.edit(self._step_name, make(self.bridge.document))
         except Problem as problem:
-            self.label.setToolTip(sentence_of(problem))
+            refused = sentence_of(problem)
         self._shown = None
         self.refresh()
+        if refused:
+            self.label.setToolTip(refused)
 
     def _begin(self) -> None:
         self._gesture = self.bridge.session.begin(self._step_name)
@@ -208,11 +210,13 @@ class PropertyRow(QObject):
         self._shown = None
         self.refresh()
 
-    def _color_label(self, *, changed: bool) -> None:
-        palette = self.label.palette()
-        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
-            palette.setColor(group, QPalette.ColorRole.WindowText, CHANGED if changed else TEXT)
-        self.label.setPalette(palette)
+    def _show_changed(self, *, changed: bool) -> None:
+        line, words = self.address.property, ""
+        if changed:
+            # The words say it too: colour alone does not reach everyone.
+            words = self.tr("Changed; double-click for the default, %1").replace("%1", dumps_value(line.default))
+        self.label.setToolTip(f"{said(line.help)}\n{self.path}\n{words}".strip())
+        self.label.show_changed(changed=changed)
 
     def _open_menu(self, widget: QWidget, at: QPoint) -> None:
         open_row_menu(self, widget.mapToGlobal(at))

@@ -1,12 +1,13 @@
 """The one kind of number field: drag it, type into it, calculate in it."""
 
 from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPalette
 from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from kagezou.errors import UsageProblem
 from kagezou.ui.arithmetic import evaluate, is_relative
 from kagezou.ui.sentences import sentence_of
+from kagezou.ui.theme import CHANGED, TEXT
 
 DRAG_BEGINS_PX = 3.0
 COARSE, FINE = 10.0, 0.1
@@ -245,6 +246,13 @@ class ScrubLabel(QLabel):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if self._field is not None and event.button() is Qt.MouseButton.LeftButton:
             self._field.end_drag()
+
+    def show_changed(self, *, changed: bool) -> None:
+        """Show whether the value is not the default."""
+        palette = self.palette()
+        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
+            palette.setColor(group, QPalette.ColorRole.WindowText, CHANGED if changed else TEXT)
+        self.setPalette(palette)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:

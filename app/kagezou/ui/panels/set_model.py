@@ -11,6 +11,7 @@ from kagezou.document.set_pieces import kind_of, rename_piece
 from kagezou.document.set_properties import PIECE_PRESENT
 from kagezou.errors import UsageProblem
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -68,7 +69,7 @@ class SetModel(QAbstractListModel):
         try:
             session.edit(self.tr("Rename set piece"), rename_piece(document, piece.id, str(value).strip()))
         except UsageProblem as problem:
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return False
         return True
 

@@ -1,14 +1,13 @@
 """The ruler over the lanes: frames, work area, markers, what is ready to be seen, and the playhead to drag."""
 
 from collections.abc import Callable, Set
-from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from kagezou.document.model import Marker
+from kagezou.document.model import Marker, PictureSource
 from kagezou.document.review import move_marker, set_work_area
 from kagezou.session.session import Gesture
 from kagezou.ui.bridge import Bridge
@@ -28,7 +27,7 @@ _AREA = QColor("#9a7a35")
 _AREA_END = QColor("#e0b04c")
 _READY = QColor("#3f9b6b")
 
-Kept = Callable[[], Set[Path]]
+Kept = Callable[[], Set[PictureSource]]
 """The pictures that are decoded."""
 
 
@@ -207,7 +206,7 @@ class Ruler(QWidget):
             return
         for frame in range(self._scale.frame_at(0), self._scale.frame_at(self.width()) + 1):
             needed = (layer.cels.drawing_at(frame) for layer in layers)
-            if all(drawing is None or drawing.path in kept for drawing in needed):
+            if all(drawing is None or drawing.source in kept for drawing in needed):
                 left, right = self._scale.x_of(frame), self._scale.x_of(frame + 1)
                 painter.fillRect(QRectF(left, top, right - left, _READY_PX), QBrush(_READY))
 

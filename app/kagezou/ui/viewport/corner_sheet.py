@@ -18,6 +18,7 @@ from kagezou.tools.drag import Drag
 from kagezou.tools.handle import GuideKind
 from kagezou.tools.handles import handles_of
 from kagezou.ui.bridge import Bridge
+from kagezou.ui.sentences import sentence_of
 from kagezou.ui.space_bar import SpaceBar
 from kagezou.ui.theme import SELECTED
 from kagezou.ui.viewport.handle_paths import paint_guide
@@ -178,7 +179,7 @@ class CornerSheet(Sheet):
             line.shown = line.drag.send(pointer)
         except Problem as problem:
             self._end(keep=False)
-            self.refused.emit(str(problem))
+            self.refused.emit(sentence_of(problem))
             return
         line.gesture.show(line.shown)
         line.end = pointer.canvas_px

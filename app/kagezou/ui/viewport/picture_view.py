@@ -50,7 +50,11 @@ def line_px(view: PictureView, zoom: float) -> int:
 
 def _alone(layer: LayerScene, look: ShadowLook) -> LayerScene:
     # The cast has its own drawing: without the layer's the shadow falls as before.
-    return replace(layer, drawing=None, look=look)
+    received = layer.received
+    if received is not None and look is not layer.look:
+        shades = tuple(replace(shade, look=_as_alpha(shade.look)) for shade in received.shades)
+        received = replace(received, shades=shades)
+    return replace(layer, drawing=None, look=look, received=received)
 
 
 def _as_alpha(look: ShadowLook) -> ShadowLook:

@@ -2,18 +2,17 @@
 
 import threading
 from collections.abc import Callable, Iterable
-from pathlib import Path
 
 from PySide6.QtCore import QObject, QRunnable, QThreadPool, Signal
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource
 from kagezou.errors import Problem
 from kagezou.io.cels import CelCache
 
 PATIENCE_S = 0.04
 """So long a picture waits for its drawings: small ones are there by then, and nothing flickers."""
 
-Read = Callable[[Path], object]
+Read = Callable[[PictureSource], object]
 
 
 class Reading(QObject):
@@ -31,15 +30,15 @@ class Reading(QObject):
     def __init__(self, cels: CelCache) -> None:
         super().__init__()
         self._cels = cels
-        self._came: set[Path] = set()
+        self._came: set[PictureSource] = set()
         self._pool = QThreadPool(self)
         self._pool.setMaxThreadCount(1)
 
     def has_drawings_of(self, document: Document, frame: int) -> bool:
         """Whether a frame can be drawn without reading files; if not, they are read and ``arrived`` is sent."""
-        missing = [(path, read) for path, read in self._needed(document, frame) if not self._cels.is_kept(path)]
+        missing = [(each, read) for each, read in self._needed(document, frame) if not self._cels.is_kept(each)]
         # What came and is not kept cannot be read, or is larger than all that may be kept: drawing it will tell.
-        if all(path in self._came for path, _ in missing):
+        if all(source in self._came for source, _ in missing):
             return True
         self._came.clear()
         self._pool.clear()
@@ -47,37 +46,37 @@ class Reading(QObject):
         self._pool.start(job)
         return job.done.wait(PATIENCE_S)
 
-    def came(self, path: Path) -> None:
-        """Take note of a file that was read, or could not be."""
-        self._came.add(path)
+    def came(self, source: PictureSource) -> None:
+        """Take note of a picture that was read, or could not be."""
+        self._came.add(source)
 
     def finish(self) -> None:
         """Read nothing any more, before the window goes."""
         self._pool.clear()
         self._pool.waitForDone()
 
-    def _needed(self, document: Document, frame: int) -> Iterable[tuple[Path, Read]]:
+    def _needed(self, document: Document, frame: int) -> Iterable[tuple[PictureSource, Read]]:
         if document.background is not None:
             yield document.background, self._cels.background
         for layer in document.layers:
             if (drawing := layer.cels.drawing_at(frame)) is not None:
-                yield drawing.path, self._cels.cel
+                yield drawing.source, self._cels.cel
 
 
 class _Job(QRunnable):
-    def __init__(self, owner: Reading, wanted: Iterable[tuple[Path, Read]]) -> None:
+    def __init__(self, owner: Reading, wanted: Iterable[tuple[PictureSource, Read]]) -> None:
         super().__init__()
         self._owner, self._wanted = owner, wanted
         self.done = threading.Event()
 
     def run(self) -> None:
-        for path, read in self._wanted:
+        for source, read in self._wanted:
             try:
-                read(path)
+                read(source)
             except Problem:
                 # Whoever draws meets the same file, and says what is wrong with it.
                 continue
             finally:
-                self._owner.came(path)
+                self._owner.came(source)
         self.done.set()
         self._owner.arrived.emit()

@@ -2,10 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
 from time import perf_counter
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, PictureSource, file_of
 from kagezou.document.scaling import scaled, usable_divisor
 from kagezou.errors import Problem
 from kagezou.geometry.box import Box
@@ -17,6 +16,7 @@ from kagezou.render.backdrop import Backdrop
 from kagezou.render.presenter import WindowView
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import LayerScene, Scene, without_pieces
 from kagezou.ui.viewport.picture_view import PictureView, seen
 from kagezou.ui.viewport.resolution import FULL, Fineness
@@ -26,7 +26,7 @@ from kagezou.ui.viewport.resolution import FULL, Fineness
 class Broken:
     """A file that cannot be shown, and why."""
 
-    path: Path
+    source: PictureSource
     problem: Problem
 
 
@@ -129,7 +129,9 @@ class Stage:
         """Return a layer alone on nothing, (H, W, 4); what is on screen is drawn anew next time."""
         scene = self._readable(evaluate(document, frame))
         layers = tuple(
-            layer if with_shadow else replace(layer, cast=None) for layer in scene.layers if layer.id == layer_id
+            layer if with_shadow else replace(layer, cast=None, received=None)
+            for layer in scene.layers
+            if layer.id == layer_id
         )
         self._renderer.draw_picture(replace(scene, background=None, layers=layers), Backdrop.TRANSPARENT)
         self._drawn = None
@@ -150,7 +152,7 @@ class Stage:
         return scene
 
     def _is_ready(self, document: Document, scene: Scene) -> bool:
-        drawings = [layer.drawing.path for layer in scene.layers if layer.drawing is not None]
+        drawings = [layer.drawing.source for layer in scene.layers if layer.drawing is not None]
         try:
             return self._smaller_for(document.canvas.box).cels.is_ready(drawings, scene.background)
         except Problem:
@@ -168,27 +170,30 @@ class Stage:
     def _readable(self, scene: Scene) -> Scene:
         broken: list[Broken] = []
 
-        def can_be_read(path: Path, read: Callable[[Path], object] = self._cels.cel) -> bool:
+        def can_be_read(source: PictureSource, read: Callable[[PictureSource], object] = self._cels.cel) -> bool:
             try:
-                read(path)
+                read(source)
             except Problem as problem:
-                broken.append(Broken(path, problem))
+                broken.append(Broken(source, problem))
                 return False
             return True
 
         def shown(layer: LayerScene) -> LayerScene:
-            if layer.drawing is None or can_be_read(layer.drawing.path):
+            if layer.drawing is None or can_be_read(layer.drawing.source):
                 return layer
-            return replace(layer, drawing=None, cast=None)
+            return replace(layer, drawing=None, cast=None, received=None)
 
         lost = {
             piece.id
             for piece in scene.pieces
-            if piece.mesh is not None and not can_be_read(piece.mesh.path, self._meshes.mesh)
+            if piece.mesh is not None
+            and not can_be_read(piece.mesh.path, lambda each: self._meshes.mesh(file_of(each)))
         }
         scene = without_pieces(scene, lost) if lost else scene
         layers = tuple(shown(layer) for layer in scene.layers)
         behind = scene.background
         background = behind if behind and can_be_read(behind, self._cels.background) else None
+        unread = {each.source for each in broken}
+        layers = tuple(without_drawings(layer, unread) for layer in layers)
         self.broken = tuple(broken)
         return replace(scene, layers=layers, background=background) if broken else scene

@@ -1,0 +1,75 @@
+"""PSD files in the window: opened, dropped, imported, and as a background."""
+
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from kagezou.document.model import PicturePart
+from kagezou.ui.arrivals import arrivals_of, whole_sequence
+from kagezou.ui.desk import Desk
+from kagezou.ui.main_window import MainWindow
+from kagezou.ui.settings import Settings
+from psd_files import SIZE, Folder, Leaf, block, write_psd
+
+
+@pytest.fixture
+def plain(qtbot: QtBot, settings: Settings) -> MainWindow:
+    made = MainWindow(Desk(), settings)
+    qtbot.addWidget(made)
+    return made
+
+
+@pytest.fixture
+def psd(tmp_path: Path) -> Path:
+    cels = [Leaf(str(number), block(12, 24), (18 + number, 10), is_visible=number == 1) for number in (1, 2, 3)]
+    return write_psd(tmp_path / "hero_01.psd", [Leaf("BG", block(*SIZE)), Folder("Hero", cels)])
+
+
+def test_a_psd_file_opens_the_window_with_it(plain: MainWindow, psd: Path) -> None:
+    assert plain.project.open_path(psd)
+    document = plain.desk.bridge.document
+    assert [layer.name for layer in document.layers] == ["Hero"]
+    assert (document.canvas.width_px, document.canvas.length_frames) == (SIZE[0], 3)
+    assert plain.desk.path is None
+    assert not plain.desk.is_saved
+    plain.close_unasked()
+
+
+def test_dropped_on_a_project_it_comes_as_layers_in_one_step(plain: MainWindow, cels: Path, psd: Path) -> None:
+    plain.project.bring([cels])
+    before = plain.desk.bridge.document
+    plain.project.bring([psd])
+    document = plain.desk.bridge.document
+    assert document.layers[0] is before.layers[0]
+    assert document.layers[1].name == "Hero"
+    assert document.background == PicturePart(psd, "BG")
+    plain.desk.bridge.session.undo()
+    assert plain.desk.bridge.document is before
+    plain.close_unasked()
+
+
+def test_a_picked_file_is_taken_whole_and_a_background_is_its_composite(
+    plain: MainWindow, psd: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(plain.project.dialogs, "pictures", lambda: [psd])
+    plain.project.import_pictures()
+    assert [len(layer.cels.drawings) for layer in plain.desk.bridge.document.layers] == [3]
+    monkeypatch.setattr(plain.project.dialogs, "background", lambda: psd)
+    plain.project.set_background()
+    assert plain.desk.bridge.document.background == psd
+    plain.close_unasked()
+
+
+def test_numbered_psd_files_are_no_sequence(psd: Path) -> None:
+    other = psd.with_name("hero_02.psd")
+    assert whole_sequence(psd) == psd
+    assert [source.path for source in arrivals_of([psd, other]).characters] == [psd, other]
+
+
+def test_a_broken_file_is_one_sentence(plain: MainWindow, tmp_path: Path) -> None:
+    (tmp_path / "a.psd").write_bytes(b"8BPS\0\1")
+    assert not plain.project.open_path(tmp_path / "a.psd")
+    assert "the file is cut short" in plain.bar.text
+    assert plain.desk.is_blank
+    plain.close_unasked()
