@@ -3,6 +3,7 @@
 // where triangles are smaller than the map's texels the texels decide.
 
 #include "triangles.glsl"
+#include "samples.glsl"
 
 uniform sampler2D u_map;               // how far the nearest triangle is from the light, and which, counted from 1
 uniform int u_map_side;                // texels, each way
@@ -11,7 +12,6 @@ uniform vec4 u_map_window;             // centre and half size of what the map s
 uniform vec4 u_map_light;              // homogeneous
 uniform vec3 u_map_shift;              // from the places asked about to those of the triangles
 
-const int ALL_PARTS = 0xFFFF;
 const int LIT = 0, DARK = 1, EDGE = 2;
 const float LIFT_PX = 0.05;            // what is no higher over a surface does not shade it
 const float CLOSED_PX = 0.4;           // from here on a texel's triangle shades it, even if none is found between
@@ -101,15 +101,16 @@ int light_state(vec3 place, vec3 normal, mat2x3 cell_world) {
 }
 
 // place: the middle of the cell; normal: of the surface, either way; side: how finely the cell is split at an edge;
-// parts: which of those parts count, a bit for each.
-float mesh_lit(vec3 place, vec3 normal, mat2x3 cell_world, int side, int parts) {
+// samples: where that is 4 by 4, which of them count.
+float mesh_lit(vec3 place, vec3 normal, mat2x3 cell_world, int side, int samples) {
     place += u_map_shift;
     int state = light_state(place, normal, cell_world);
     int count = state == EDGE ? side * side : 0;
     float sum = 0.0, counted = 0.0;
     for (int index = 0; index < count; ++index) {
         vec2 offset = (vec2(float(index % side), float(index / side)) + 0.5) / float(side) - 0.5;
-        if ((parts & (1 << index)) != 0) {
+        offset = side == FINE ? sample_offset(index) : offset;
+        if ((samples & (1 << index)) != 0) {
             sum += is_dark(place + cell_world * offset, normal) ? 0.0 : 1.0;
             counted += 1.0;
         }

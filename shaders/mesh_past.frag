@@ -1,5 +1,5 @@
 #version 330 core
-// In which of the 4 by 4 parts of each pixel the meshes do not hide a face, a bit for each. With ROUND the face is a ball or the side of a drum.
+// In which samples of each pixel the meshes do not hide a face, a bit for each. With ROUND the face is a ball or the side of a drum.
 
 #include "mesh_surface.glsl"
 

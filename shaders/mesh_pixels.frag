@@ -10,7 +10,8 @@ uniform float u_flat_px;               // how far from a part's plane its sample
 out uvec4 o_pixel;
 
 int sample_at(ivec2 pixel, int index) {
-    ivec2 at = ivec2(index % FINE, index / FINE) * u_side / FINE;
+    int place = sample_place(index);
+    ivec2 at = ivec2(place % FINE, place / FINE) * u_side / FINE;
     return int(texelFetch(u_samples, pixel * u_side + at, 0).r);
 }
 
@@ -31,9 +32,7 @@ void main() {
     int count = low == high ? 0 : FINE * FINE;
     triangles[0] = low == high ? high : 0;
     masks[0] = triangles[0] > 0 ? WHOLE : 0;
-    // From the middle on, so that the first plane is the pixel's.
-    for (int number = 0; number < count; ++number) {
-        int index = (number + 10) % (FINE * FINE);
+    for (int index = 0; index < count; ++index) {
         int triangle = sample_at(at, index);
         if (triangle > 0) {
             vec4 plane = plane_of(triangle);
@@ -51,7 +50,7 @@ void main() {
                 planes[part] = plane;
                 seen += 1;
             }
-            // Of more planes than there is room for the last is taken.
+            // Of more planes than there is room for the last counts for the rest; its first sample is its own.
             part = min(part, PARTS - 1);
             masks[part] |= 1 << index;
         }

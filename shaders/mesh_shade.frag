@@ -101,7 +101,7 @@ void main() {
             int triangle = part_triangle(record, part);
             vec4 own = alone ? plane : plane_of(triangle);
             vec2 offset = (vec2(float(index % cells.x), float(index / cells.x)) + 0.5) * cell - 0.5;
-            offset = in_parts ? middle_of(mask) : offset;
+            offset = in_parts ? sample_offset(first_of(mask)) : finely ? sample_offset(index) : offset;
             float weight = in_parts ? count_of(mask) / 16.0 : cell.x * cell.y;
             sum += part_shade(triangle, own, pixel + offset, cell, state) * weight;
         }

@@ -2,21 +2,20 @@
 // All places are world px around one origin near the meshes.
 
 #include "triangles.glsl"
+#include "samples.glsl"
 
 uniform usampler2D u_pixels;           // up to three triangles of a pixel, counted from 1: see part_triangle, part_mask
 uniform vec2 u_origin_px;              // canvas px around which pixels are counted
 uniform vec3 u_origin_world;           // the same point of the drawing's plane
 uniform vec4 u_eye;                    // homogeneous
 
-const int FINE = 4;                    // into how many parts a pixel is split at an edge, each way
 const float TIE_PX = 0.02;             // a mesh that lies this near behind a face is before it
 vec4 plane_of(int triangle) {
     return triangle_part(triangle, 3);
 }
 
-// A pixel is split into 4 by 4 samples, and those that lie in one plane are a part, told by one triangle.
+// The samples of a pixel that lie in one plane are a part, told by the triangle of the first of them.
 const int PARTS = 3;
-const int WHOLE = 0xFFFF;
 
 int part_triangle(uvec4 record, int part) {
     return int(record[part] & 0xFFFFFFu);
@@ -33,22 +32,9 @@ int part_with(uvec4 record, int bit) {
          : (part_mask(record, 2) & bit) != 0 ? 2 : PARTS;
 }
 
-float count_of(int mask) {
-    mask -= (mask >> 1) & 0x5555;
-    mask = (mask & 0x3333) + ((mask >> 2) & 0x3333);
-    mask = (mask + (mask >> 4)) & 0x0F0F;
-    return float((mask + (mask >> 8)) & 0x1F);
-}
-
-vec2 sample_offset(int index) {
-    return (vec2(float(index % FINE), float(index / FINE)) + 0.5) / float(FINE) - 0.5;
-}
-
-// The middle of some samples.
-vec2 middle_of(int mask) {
-    float x = count_of(mask & 0x2222) + 2.0 * count_of(mask & 0x4444) + 3.0 * count_of(mask & 0x8888);
-    float y = count_of(mask & 0x00F0) + 2.0 * count_of(mask & 0x0F00) + 3.0 * count_of(mask & 0xF000);
-    return (vec2(x, y) / max(count_of(mask), 1.0) + 0.5) / float(FINE) - 0.5;
+// The first of some samples.
+int first_of(int mask) {
+    return int(count_of((mask & -mask) - 1));
 }
 
 vec3 ray_start(vec2 pixel) {

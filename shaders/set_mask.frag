@@ -16,18 +16,14 @@ uniform sampler2D u_coverage;          // the shadow on this receiver as if it w
 #endif
 
 #ifdef PAST_MESHES
-uniform sampler2D u_past;              // in which of the 4 by 4 parts of each pixel no mesh hides it, a bit for each
+#include "samples.glsl"
+
+uniform sampler2D u_past;              // in which samples of each pixel no mesh hides it, a bit for each
 
 int past_at(ivec2 at) {
     return int(texelFetch(u_past, at, 0).r * 65535.0 + 0.5);
 }
 
-float part_of(int bits) {
-    bits -= (bits >> 1) & 0x5555;
-    bits = (bits & 0x3333) + ((bits >> 2) & 0x3333);
-    bits = (bits + (bits >> 4)) & 0x0F0F;
-    return float((bits + (bits >> 8)) & 0x1F) / 16.0;
-}
 #endif
 #ifdef MESHES
 #include "mesh_light.glsl"
@@ -41,11 +37,11 @@ vec3 lifted(vec2 pixel) {
          / dot(u_lift_rows[3], place);
 }
 
-// How much of some parts of a pixel is lit.
-float lit_at(vec2 pixel, int parts) {
+// How much of some samples of a pixel is lit.
+float lit_at(vec2 pixel, int samples) {
     mat2x3 pixel_world = mat2x3(lifted(pixel + vec2(0.5, 0.0)) - lifted(pixel - vec2(0.5, 0.0)),
                                 lifted(pixel + vec2(0.0, 0.5)) - lifted(pixel - vec2(0.0, 0.5)));
-    return mesh_lit(lifted(pixel), u_normal, pixel_world, 4, parts);
+    return mesh_lit(lifted(pixel), u_normal, pixel_world, FINE, samples);
 }
 #endif
 
@@ -127,12 +123,12 @@ void main() {
     vec2 pixel = gl_FragCoord.xy - u_origin_px;
     float sum = 0.0;
 #ifdef PAST_MESHES
-    int parts = past_at(ivec2(gl_FragCoord.xy));
-#else
-    const int parts = 0xFFFF;
+    int samples = past_at(ivec2(gl_FragCoord.xy));
+#elif defined(MESHES)
+    const int samples = WHOLE;
 #endif
 #ifdef MESHES
-    float lit = lit_at(pixel, parts);
+    float lit = lit_at(pixel, samples);
 #else
     const float lit = 1.0;
 #endif
@@ -158,7 +154,7 @@ void main() {
     }
     o_coverage = sum / float(max(cells * cells, 1));
 #ifdef PAST_MESHES
-    o_coverage *= part_of(parts);
+    o_coverage *= count_of(samples) / 16.0;
 #endif
 #ifndef OWN_SHADOW
     o_coverage *= shadow;

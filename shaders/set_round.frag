@@ -40,7 +40,7 @@ float cell_shade(vec2 pixel, mat2x3 cell_world) {
     float strength = smoothstep(u_grazing_sine.x, u_grazing_sine.y, sine);
     vec2 left = seen_and_lit(place, cell_world);
 #ifdef MESHES
-    left.y *= mesh_lit(here, normal, cell_world, 2, ALL_PARTS);
+    left.y *= mesh_lit(here, normal, cell_world, 2, WHOLE);
 #endif
 #if defined(DARK_WHEN_TURNED)
     return left.x * (1.0 - strength * left.y);
