@@ -134,8 +134,6 @@ void main() {
 #endif
 #ifdef OWN_SHADOW
     float strength = grazing_strength(pixel);
-#endif
-#ifdef OWN_SHADOW
     int cells = cells_at(pixel);
 #else
     float shadow = texelFetch(u_coverage, ivec2(gl_FragCoord.xy), 0).r;

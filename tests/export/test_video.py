@@ -122,8 +122,10 @@ def test_a_picture_that_holds_is_drawn_once_and_one_that_comes_again_in_its_plac
 def test_a_stopped_video_is_not_there_and_the_old_one_still_is(meadow: Document, tmp_path: Path) -> None:
     folder = tmp_path / "videos"
     folder.mkdir()
-    # Longer than what is drawn ahead, so that there is something left to stop.
+    # With more different pictures than are drawn ahead, so that there is something left to stop.
     long = replace(meadow, canvas=replace(meadow.canvas, length_frames=200))
+    for frame, opacity in ((1, 0.1), (200, 0.9)):
+        long = with_key(long, "layers.A.shadow.opacity", frame, opacity)
     assert not filmed(long, folder / "a.mp4", stop_after=2).is_whole
     assert list(folder.iterdir()) == []
     (folder / "a.mp4").write_bytes(b"old")
