@@ -83,14 +83,14 @@ def test_a_soft_edge_stays_soft(mesh_renderer: Renderer, meshes: Meshes, figure:
     assert np.abs(ground - floor).mean() < 0.001
 
 
-def test_a_ball_takes_the_round_shape(renderer: Renderer, figure: Path) -> None:
+def test_a_ball_takes_the_round_shape(mesh_renderer: Renderer, figure: Path) -> None:
     document = with_values(standing(figure), {SHADOW + "simplify": 60.0})
     ball = {"width": 260.0, "position": (640.0, 830.0)}
     document = add_piece(document, "ball", "sphere", ball)
-    filtered = cast_of(renderer, evaluate(document, 1))
-    plain = cast_of(renderer, evaluate(with_values(document, {SHADOW + "simplify_on": False}), 1))
+    filtered = cast_of(mesh_renderer, evaluate(document, 1))
+    plain = cast_of(mesh_renderer, evaluate(with_values(document, {SHADOW + "simplify_on": False}), 1))
     off = with_values(document, {"set.ball.receives": False})
-    on_ball = filtered - cast_of(renderer, evaluate(off, 1))
+    on_ball = filtered - cast_of(mesh_renderer, evaluate(off, 1))
     assert on_ball.sum() > 500
     assert np.abs(filtered - plain)[on_ball > 0.5].sum() > 100
 

@@ -17,7 +17,7 @@ from kagezou.render.targets import Target
 from kagezou.render.tiles import Boxes as TileBoxes
 from kagezou.render.tiles import Tiling, around_boxes, whole_grid
 
-_MOST_ASIDES = 12
+_MOST_ASIDES = 6
 """Targets of the canvas' size for tiles with edges."""
 
 
