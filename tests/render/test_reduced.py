@@ -61,6 +61,7 @@ def test_the_look_is_the_same_at_a_part_of_the_resolution(
     assert float((wrong > 48).mean()) < 0.004
 
 
+@pytest.mark.usefixtures("renderer")
 def test_the_checkered_backdrop_keeps_its_squares(figure: Path) -> None:
     document = standing(figure)
     small = Renderer(SmallerCels(CelCache(), document.canvas.box, 4), divisor=4)

@@ -4,11 +4,12 @@ import os
 from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
-from PySide6.QtGui import QClipboard, QGuiApplication, QOpenGLContext
+from PySide6.QtGui import QGuiApplication, QOpenGLContext
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -16,9 +17,11 @@ from kagezou.io.encode import write_rgba
 from kagezou.session.staging import CharacterSource
 from kagezou.ui import loading
 from kagezou.ui.application import make_application
+from kagezou.ui.curves import key_table
 from kagezou.ui.desk import Desk
 from kagezou.ui.language import Language
 from kagezou.ui.main_window import MainWindow
+from kagezou.ui.panels import look_clipboard, row_menu
 from kagezou.ui.settings import Settings
 from kagezou.ui.viewport import reading, resolution
 
@@ -68,7 +71,7 @@ def _no_context_stays_current(qapp: QApplication) -> Iterator[None]:  # noqa: AR
 
 @pytest.fixture
 def present(qtbot: QtBot) -> Iterator[Callable[[], None]]:
-    """What brings the server's time: an X server refuses the focus and the clipboard to whoever's last event is old."""
+    """What brings the server's time: an X server refuses the focus to whoever's last event is old."""
     window = QWidget()
     qtbot.addWidget(window)
     window.show()
@@ -83,19 +86,26 @@ def present(qtbot: QtBot) -> Iterator[Callable[[], None]]:
     window.close()
 
 
+class Clipboard:
+    """Text that is copied and pasted; the screen's own clipboard belongs to every program that runs there."""
+
+    def __init__(self) -> None:
+        self._text = ""
+
+    def text(self) -> str:
+        return self._text
+
+    def setText(self, text: str) -> None:
+        self._text = text
+
+
 @pytest.fixture
-def clipboard(qtbot: QtBot, present: Callable[[], None], request: pytest.FixtureRequest) -> QClipboard:
-    """The clipboard, ready."""
-    found = QGuiApplication.clipboard()
-
-    def is_given() -> bool:
-        present()
-        found.setText("ready")
-        return found.text() == "ready"
-
-    with request.getfixturevalue("qtlog").disabled():
-        qtbot.waitUntil(is_given)
-    return found
+def clipboard(monkeypatch: pytest.MonkeyPatch) -> Clipboard:
+    """The clipboard of the test alone."""
+    own = Clipboard()
+    for user in (key_table, look_clipboard, row_menu):
+        monkeypatch.setattr(user, "QGuiApplication", SimpleNamespace(clipboard=lambda: own))
+    return own
 
 
 @pytest.fixture

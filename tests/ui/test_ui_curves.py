@@ -2,11 +2,12 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QClipboard, QMouseEvent
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
@@ -310,7 +311,7 @@ def test_the_table_shows_and_takes_keys(editor: CurveEditor, keyed: Desk) -> Non
     assert kept.text() == "42.5"
 
 
-def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: Desk, clipboard: QClipboard) -> None:
+def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: Desk, clipboard: Any) -> None:
     keyed.bridge.session.select_keys(frozenset({KeyRef(LIGHT, 5)}))
     editor.table.copy()
     text = clipboard.text()

@@ -1,8 +1,10 @@
 """Several layers in the inspector at once, links between them, and values and looks on the clipboard."""
 
+from typing import Any
+
 import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QClipboard
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
@@ -244,7 +246,7 @@ def test_a_link_is_made_shown_obeyed_and_undone(qtbot: QtBot, inspector: Inspect
 
 
 def test_a_value_goes_through_the_clipboard_as_scripts_write_it(
-    inspector: Inspector, trio: Desk, clipboard: QClipboard
+    inspector: Inspector, trio: Desk, clipboard: Any
 ) -> None:
     act(row_menu(inspector, OPACITY.name), "Copy Value").trigger()
     assert clipboard.text() == "0.9"
@@ -284,7 +286,7 @@ def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, 
 
 
 def test_a_look_is_pasted_on_all_chosen_layers(
-    layers: LayerList, inspector: Inspector, trio: Desk, clipboard: QClipboard
+    layers: LayerList, inspector: Inspector, trio: Desk, clipboard: Any
 ) -> None:
     session = trio.bridge.session
     inspector.row("shadow.color").enter("#334455")
