@@ -58,6 +58,8 @@ def test_a_drag_that_is_late_is_drawn_coarser_and_refined_at_rest(qtbot: QtBot, 
     qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=start)
     # The smaller drawings are made beside the first steps.
     for step in range(1, 400):
+        # Late it stays, however quick this machine is meanwhile.
+        viewport.pace.took(1, 9 * resolution.DUE_S)
         qtbot.mouseMove(viewport, start + QPoint(step % 40, 5))
         viewport.grab()
         if divisor_of(viewport) > 1:

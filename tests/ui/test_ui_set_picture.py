@@ -1,7 +1,9 @@
 """The set in the picture: outlines that are touched, handles that are dragged, and what keys do to them."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from viewing import drag, place_of
 
@@ -16,6 +18,7 @@ from kagezou.ui.main_window import MainWindow
 from kagezou.ui.viewport.viewport import Viewport
 
 LEFT = Qt.MouseButton.LeftButton
+NONE = Qt.MouseButton.NoButton
 
 
 @pytest.fixture
@@ -41,7 +44,10 @@ def hover(qtbot: QtBot, viewport: Viewport, pos: QPoint, words: str) -> None:
     """Rest the pointer there until the picture says these words: the screen's own pointer may leave the window late."""
 
     def says() -> bool:
-        qtbot.mouseMove(viewport, pos)
+        moved = QMouseEvent(
+            QEvent.Type.MouseMove, QPointF(pos), QPointF(viewport.mapToGlobal(pos)), NONE, NONE, Qt.KeyboardModifier(0)
+        )
+        QApplication.sendEvent(viewport, moved)
         return viewport.hand.words == words
 
     qtbot.waitUntil(says)
