@@ -1,22 +1,22 @@
 """How a layer looks in the list: eye, thumbnail, name, and what it holds."""
 
-from PySide6.QtCore import QAbstractItemModel, QEvent, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
-from PySide6.QtGui import QImage, QMouseEvent, QPainter, QPen
-from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+from PySide6.QtCore import QObject, QRect, QSize, Qt
+from PySide6.QtGui import QImage, QPainter, QPen
+from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 
-from kagezou.ui.icons import icon
-from kagezou.ui.panels.layer_model import LayerModel, Role
-from kagezou.ui.theme import BRIGHT, CHOSEN, DIM, HOVERED, LINE, OFF, RAISED, TEXT, WELL
+from kagezou.ui.panels.eye_delegate import EYE_WIDTH, EyeDelegate, Index
+from kagezou.ui.panels.layer_model import Role
+from kagezou.ui.theme import BRIGHT, DIM, HOVERED, OFF, TEXT, WELL
 
-EYE_WIDTH = 30
 _THUMBNAIL = 40
 _GAP = 8
 
-Index = QModelIndex | QPersistentModelIndex
 
-
-class LayerDelegate(QStyledItemDelegate):
+class LayerDelegate(EyeDelegate):
     """Paints rows and takes clicks on the eye."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(Role.IS_VISIBLE, parent)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         two_lines = 2 * option.fontMetrics.height() + 8
@@ -24,16 +24,8 @@ class LayerDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         area = QRect(option.rect)
-        state = option.state
-        chosen = bool(state & QStyle.StateFlag.State_Selected)
-        visible = bool(index.data(Role.IS_VISIBLE))
         painter.save()
-        if chosen or state & QStyle.StateFlag.State_MouseOver:
-            painter.fillRect(area, CHOSEN if chosen else RAISED)
-        painter.setPen(QPen(LINE, 1))
-        painter.drawLine(area.bottomLeft(), area.bottomRight())
-        eye = QRect(area.left() + 7, area.center().y() - 8, 16, 16)
-        icon("eye" if visible else "eye-off").paint(painter, eye)
+        chosen, visible = self.paint_start(painter, option, index)
         frame = QRect(area.left() + EYE_WIDTH, area.center().y() - _THUMBNAIL // 2, _THUMBNAIL, _THUMBNAIL)
         _paint_thumbnail(painter, frame, index.data(Role.THUMBNAIL), faded=not visible)
         self._paint_words(painter, option, index, name_tone=(BRIGHT if chosen else TEXT) if visible else OFF)
@@ -48,14 +40,6 @@ class LayerDelegate(QStyledItemDelegate):
         area = _words_area(QRect(option.rect))
         height = editor.sizeHint().height()
         editor.setGeometry(area.left() - 4, area.center().y() - height // 2, area.width() + 2, height)
-
-    def editorEvent(self, event: QEvent, model: QAbstractItemModel, option: QStyleOptionViewItem, index: Index) -> bool:
-        on_eye = isinstance(event, QMouseEvent) and (event.position().x() < QRect(option.rect).left() + EYE_WIDTH)
-        if on_eye and isinstance(model, LayerModel):
-            if event.type() is QEvent.Type.MouseButtonRelease:
-                model.setData(index, not index.data(Role.IS_VISIBLE), Role.IS_VISIBLE)
-            return True
-        return super().editorEvent(event, model, option, index)
 
     def _paint_words(self, painter: QPainter, option: QStyleOptionViewItem, index: Index, *, name_tone: object) -> None:
         area = _words_area(QRect(option.rect))
