@@ -5,6 +5,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from viewing import move
 
 from kagezou.document import properties as p
 from kagezou.document import set_properties as s
@@ -29,7 +30,7 @@ def stroke(
     (ax, ay), (bx, by) = view.view_from_canvas(start), view.view_from_canvas(end)
     qtbot.mousePress(window.viewport, LEFT, pos=QPoint(round(ax), round(ay)))
     for part in (0.3, 0.7, 1.0):
-        qtbot.mouseMove(window.viewport, QPoint(round(ax + part * (bx - ax)), round(ay + part * (by - ay))))
+        move(window.viewport, QPoint(round(ax + part * (bx - ax)), round(ay + part * (by - ay))), LEFT)
     if let_go:
         qtbot.mouseRelease(window.viewport, LEFT, pos=QPoint(round(bx), round(by)))
 

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
+from viewing import move
 
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, components_of
@@ -88,10 +88,7 @@ def drag(
     viewport = editor.graph.viewport()
     QTest.mousePress(viewport, LEFT, modifiers, start)
     for step in (1, 2, 3, 4):
-        place = QPointF(start + (end - start) * step / 4)
-        where = viewport.mapToGlobal(place)
-        moved = QMouseEvent(QEvent.Type.MouseMove, place, where, Qt.MouseButton.NoButton, LEFT, modifiers)
-        QApplication.sendEvent(viewport, moved)
+        move(viewport, start + (end - start) * step / 4, LEFT, modifiers)
     if let_go:
         QTest.mouseRelease(viewport, LEFT, modifiers, end)
 

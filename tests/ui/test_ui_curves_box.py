@@ -1,11 +1,11 @@
 """The frame around several selected keys: moved, stretched, scaled, taken back, and in every view."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
+from viewing import move
 
 from kagezou.document import edits
 from kagezou.document.address import Address, track_of
@@ -77,11 +77,7 @@ def pull(
     start, end = point(editor, (x, y)), point(editor, (x + frames, y + units))
     QTest.mousePress(viewport, LEFT, modifiers, start)
     for step in (1, 2, 3, 4):
-        place = QPointF(start + (end - start) * step / 4)
-        moved = QMouseEvent(
-            QEvent.Type.MouseMove, place, viewport.mapToGlobal(place), Qt.MouseButton.NoButton, LEFT, modifiers
-        )
-        QApplication.sendEvent(viewport, moved)
+        move(viewport, start + (end - start) * step / 4, LEFT, modifiers)
     if let_go:
         QTest.mouseRelease(viewport, LEFT, modifiers, end)
 

@@ -4,11 +4,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QMenu
 from pytestqt.qtbot import QtBot
+from viewing import move
 
 from kagezou.document import edits
 from kagezou.document.address import Address
@@ -70,14 +70,6 @@ def place(timeline: Timeline, frame: float, layer_id: str = "layer-2") -> QPoint
     return QPoint(round(timeline.scale.x_of(frame)), rows.top_of(index) + 6)
 
 
-def move_held(timeline: Timeline, to: QPoint, modifiers: Qt.KeyboardModifier = NONE) -> None:
-    where, lanes = QPointF(to), timeline.lanes
-    event = QMouseEvent(
-        QEvent.Type.MouseMove, where, lanes.mapToGlobal(where), Qt.MouseButton.NoButton, LEFT, modifiers
-    )
-    QApplication.sendEvent(lanes, event)
-
-
 def drag(
     timeline: Timeline,
     frame: float,
@@ -91,7 +83,7 @@ def drag(
     end = start + QPoint(round(frames_on * timeline.scale.cell_px), 0)
     QTest.mousePress(timeline.lanes, LEFT, modifiers, start)
     for step in (1, 2, 3, 4):
-        move_held(timeline, start + (end - start) * step / 4, modifiers)
+        move(timeline.lanes, start + (end - start) * step / 4, LEFT, modifiers)
     if let_go:
         QTest.mouseRelease(timeline.lanes, LEFT, modifiers, end)
 

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAction
 from pytestqt.qtbot import QtBot
+from viewing import move
 
 from kagezou.document import properties
 from kagezou.document.address import Address, track_of, value_of
@@ -113,8 +114,8 @@ def test_a_drag_on_a_number_is_one_step_and_escape_takes_it_back(
 def test_the_label_drags_and_a_double_click_resets(qtbot: QtBot, inspector: Inspector, filled: Desk) -> None:
     row = inspector.row("ground.roll")
     qtbot.mousePress(row.label, Qt.MouseButton.LeftButton, pos=QPoint(5, 5))
-    qtbot.mouseMove(row.label, QPoint(30, 5))
-    qtbot.mouseMove(row.label, QPoint(60, 5))
+    move(row.label, QPoint(30, 5), Qt.MouseButton.LeftButton)
+    move(row.label, QPoint(60, 5), Qt.MouseButton.LeftButton)
     qtbot.mouseRelease(row.label, Qt.MouseButton.LeftButton, pos=QPoint(60, 5))
     assert value_of(filled.bridge.document, row.address, 1) != 0.0
     qtbot.mouseDClick(row.label, Qt.MouseButton.LeftButton)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
-from viewing import drag, picture, place_of
+from viewing import drag, move, picture, place_of
 
 from kagezou.document.edits import set_canvas
 from kagezou.document.model import Canvas
@@ -60,7 +60,7 @@ def test_a_drag_that_is_late_is_drawn_coarser_and_refined_at_rest(qtbot: QtBot, 
     for step in range(1, 400):
         # Late it stays, however quick this machine is meanwhile.
         viewport.pace.took(1, 9 * resolution.DUE_S)
-        qtbot.mouseMove(viewport, start + QPoint(step % 40, 5))
+        move(viewport, start + QPoint(step % 40, 5), Qt.MouseButton.LeftButton)
         viewport.grab()
         if divisor_of(viewport) > 1:
             break

@@ -14,13 +14,13 @@ from pathlib import Path
 from time import sleep
 
 import pytest
-from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication, QMouseEvent
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from test_ui_recovery import OTHER_PROGRAM
-from viewing import drag
+from viewing import drag, move
 
 from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address, track_of, value_of
@@ -108,11 +108,7 @@ class Person:
         lanes = timeline.lanes
         QTest.mousePress(lanes, LEFT, NONE, start.toPoint())
         for part in (1, 2, 3, 4):
-            place = start + way * part / 4
-            event = QMouseEvent(
-                QEvent.Type.MouseMove, place, lanes.mapToGlobal(place), Qt.MouseButton.NoButton, LEFT, NONE
-            )
-            QApplication.sendEvent(lanes, event)
+            move(lanes, start + way * part / 4, LEFT)
         QTest.mouseRelease(lanes, LEFT, NONE, (start + way).toPoint())
 
     def dialog(self, kind: type[ExportDialog] | type[RecoveryDialog]) -> ExportDialog | RecoveryDialog:

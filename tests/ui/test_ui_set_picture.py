@@ -1,11 +1,9 @@
 """The set in the picture: outlines that are touched, handles that are dragged, and what keys do to them."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
-from viewing import drag, place_of
+from viewing import drag, move, place_of
 
 from kagezou.document import properties
 from kagezou.document import set_properties as s
@@ -15,10 +13,8 @@ from kagezou.document.model import Document
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import add_piece
 from kagezou.ui.main_window import MainWindow
-from kagezou.ui.viewport.viewport import Viewport
 
 LEFT = Qt.MouseButton.LeftButton
-NONE = Qt.MouseButton.NoButton
 
 
 @pytest.fixture
@@ -40,27 +36,16 @@ def at(window: MainWindow, x: float, y: float) -> QPoint:
     return QPoint(round(seen[0]), round(seen[1]))
 
 
-def hover(qtbot: QtBot, viewport: Viewport, pos: QPoint, words: str) -> None:
-    """Rest the pointer there until the picture says these words: the screen's own pointer may leave the window late."""
-
-    def says() -> bool:
-        moved = QMouseEvent(
-            QEvent.Type.MouseMove, QPointF(pos), QPointF(viewport.mapToGlobal(pos)), NONE, NONE, Qt.KeyboardModifier(0)
-        )
-        QApplication.sendEvent(viewport, moved)
-        return viewport.hand.words == words
-
-    qtbot.waitUntil(says)
-
-
 def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
     qtbot: QtBot, furnished: MainWindow
 ) -> None:
     viewport, bridge = furnished.viewport, furnished.desk.bridge
     edge = at(furnished, 20, 80)
-    hover(qtbot, viewport, edge, "Back")
+    move(viewport, edge)
+    assert viewport.hand.words == "Back"
     assert viewport.hand.pieces.guides
-    hover(qtbot, viewport, at(furnished, 60, 40), "")
+    move(viewport, at(furnished, 60, 40))
+    assert viewport.hand.words == ""
     history = bridge.session.undo_name
     qtbot.mouseClick(viewport, LEFT, pos=edge)
     assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)
@@ -73,7 +58,7 @@ def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished
     start = at(furnished, 20, 80)
     qtbot.mousePress(viewport, LEFT, pos=start)
     for x in (10, 25, 40):
-        qtbot.mouseMove(viewport, start + QPoint(x, 0))
+        move(viewport, start + QPoint(x, 0), LEFT)
     zoom = viewport.viewpoint.view.zoom
     assert value(bridge.document, s.PIECE_POSITION, "piece-1") == pytest.approx((120 + 40 / zoom, 130))
     qtbot.keyClick(viewport, Qt.Key.Key_Escape)

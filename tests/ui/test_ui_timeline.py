@@ -6,11 +6,11 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QInputDialog, QLineEdit
+from PySide6.QtWidgets import QInputDialog, QLineEdit
 from pytestqt.qtbot import QtBot
+from viewing import move
 
 from kagezou.animation.track import Interpolation
 from kagezou.document import edits, review
@@ -88,18 +88,9 @@ def drag(
     end = start + QPoint(round(frames_on * timeline.scale.cell_px), 0)
     QTest.mousePress(lanes, button, modifiers, start)
     for step in (1, 2, 3, 4):
-        QTest.mouseMove(lanes, start + (end - start) * step / 4)
-        move_held(timeline, start + (end - start) * step / 4, modifiers)
+        move(lanes, start + (end - start) * step / 4, button, modifiers)
     if let_go:
         QTest.mouseRelease(lanes, button, modifiers, end)
-
-
-def move_held(timeline: Timeline, place: QPoint, modifiers: Qt.KeyboardModifier) -> None:
-    """Move with the left button held; QTest.mouseMove alone carries neither button nor modifiers."""
-    where, button = QPointF(place), Qt.MouseButton.LeftButton
-    outside = timeline.lanes.mapToGlobal(where)
-    event = QMouseEvent(QEvent.Type.MouseMove, where, outside, Qt.MouseButton.NoButton, button, modifiers)
-    QApplication.sendEvent(timeline.lanes, event)
 
 
 def test_a_row_for_the_scene_the_layers_and_what_is_keyed(timeline: Timeline, keyed: Desk) -> None:
@@ -147,7 +138,7 @@ def test_a_box_chooses_what_lies_in_it(timeline: Timeline, keyed: Desk) -> None:
     lanes, button = timeline.lanes, Qt.MouseButton.LeftButton
     QTest.mousePress(lanes, button, pos=start)
     end = QPoint(round(timeline.scale.x_of(22)), row_y(timeline, LIGHT))
-    move_held(timeline, end, Qt.KeyboardModifier.NoModifier)
+    move(timeline.lanes, end, Qt.MouseButton.LeftButton)
     assert lanes.hand.box is not None
     QTest.mouseRelease(lanes, button, pos=end)
     assert keyed.bridge.session.state.keys == {KeyRef(DECLINATION, 10), KeyRef(LIGHT, 10), KeyRef(LIGHT, 20)}

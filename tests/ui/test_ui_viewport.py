@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
-from viewing import drag, picture, place_of, shadow_is_on_canvas
+from viewing import drag, move, picture, place_of, shadow_is_on_canvas
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
@@ -172,14 +172,14 @@ def test_the_fitted_picture_stays_fitted_when_the_window_grows(qtbot: QtBot, wal
 def test_the_middle_button_and_the_space_bar_pan(qtbot: QtBot, walking: MainWindow) -> None:
     viewport, origin = walking.viewport, walking.viewport.viewpoint.view.origin_view_px
     qtbot.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(50, 50))
-    qtbot.mouseMove(viewport, QPoint(80, 40))
+    move(viewport, QPoint(80, 40))
     qtbot.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(80, 40))
     assert viewport.viewpoint.view.origin_view_px == pytest.approx((origin[0] + 30, origin[1] - 10))
     document = walking.desk.bridge.document
     lamp = place_of(viewport, "light.lamp")
     qtbot.keyPress(viewport, Qt.Key.Key_Space)
     qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=lamp)
-    qtbot.mouseMove(viewport, lamp + QPoint(10, 20))
+    move(viewport, lamp + QPoint(10, 20), Qt.MouseButton.LeftButton)
     qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=lamp + QPoint(10, 20))
     qtbot.keyRelease(viewport, Qt.Key.Key_Space)
     assert viewport.viewpoint.view.origin_view_px == pytest.approx((origin[0] + 40, origin[1] + 10))
@@ -198,14 +198,14 @@ def test_the_space_bar_plays_without_handles_and_stops(qtbot: QtBot, walking: Ma
     assert walking.viewport.overlay.shows_handles
 
 
-def test_following_the_pointer_never_draws_the_picture(qtbot: QtBot, walking: MainWindow) -> None:
+def test_following_the_pointer_never_draws_the_picture(walking: MainWindow) -> None:
     stage = walking.viewport.stage
     assert stage is not None
     picture(walking.viewport)
     drawn = stage.pictures_drawn
     lamp = place_of(walking.viewport, "light.lamp")
     for offset in range(0, 40, 4):
-        qtbot.mouseMove(walking.viewport, lamp + QPoint(offset, 0))
+        move(walking.viewport, lamp + QPoint(offset, 0))
         QApplication.processEvents()
     wheel(walking, QPointF(100, 100), 1)
     QApplication.processEvents()

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
-from viewing import drag, picture
+from viewing import drag, move, picture
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
@@ -106,7 +106,7 @@ class TestSheets:
             actions[name].trigger()
         assert not guides.isVisible()
 
-    def test_a_snapshot_is_taken_shown_and_wiped(self, qtbot: QtBot, walking: MainWindow) -> None:
+    def test_a_snapshot_is_taken_shown_and_wiped(self, walking: MainWindow) -> None:
         actions, snapshot = walking.actions_of, walking.snapshot
         assert not actions["snapshot_show"].isEnabled()
         taken = picture(walking.viewport)
@@ -121,14 +121,9 @@ class TestSheets:
         seen = (color.red(), color.green(), color.blue())
         assert np.abs(np.array(seen) - taken[height // 2, width // 2, :3]).max() <= 2
         actions["snapshot_wipe"].trigger()
-
-        def is_wiped() -> bool:
-            # The screen's own pointer may move late, too.
-            QTest.mouseMove(walking.viewport, QPoint(middle.x() - 20, middle.y()))
-            return snapshot.grab().toImage().pixelColor(middle).alpha() == 0
-
-        qtbot.waitUntil(is_wiped)
-        QTest.mouseMove(walking.viewport, QPoint(middle.x() + 20, middle.y()))
+        move(walking.viewport, QPoint(middle.x() - 20, middle.y()))
+        assert snapshot.grab().toImage().pixelColor(middle).alpha() == 0
+        move(walking.viewport, QPoint(middle.x() + 20, middle.y()))
         assert snapshot.grab().toImage().pixelColor(middle).alpha() == 255
         actions["snapshot_show"].trigger()
         assert not snapshot.isVisible()
@@ -201,7 +196,7 @@ class TestTyping:
         QTest.keyClicks(viewport, "2.")
         QTest.keyClicks(viewport, "5")
         assert "42.5" in viewport.hand.words
-        qtbot.mouseMove(viewport, QPoint(20, 20))
+        move(viewport, QPoint(20, 20))
         assert value_of(session.document, declination, 1) == 42.5
         assert walking.desk.bridge.frame == 1, "the full stop is no command while a handle is held"
         QTest.keyClick(viewport, Qt.Key.Key_Return)

@@ -4,13 +4,32 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.tools.handle import place_in_view
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.viewport.viewport import Viewport
+
+
+def move(
+    widget: QWidget,
+    place: QPoint | QPointF,
+    held: Qt.MouseButton = Qt.MouseButton.NoButton,
+    modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
+) -> None:
+    """Move the pointer on a widget at once, with what is held meanwhile.
+
+    QTest's own way carries neither button nor modifiers, and moves the screen's pointer, whose events come when they
+    come, and not at all where it was already.
+    """
+    where = QPointF(place)
+    event = QMouseEvent(
+        QEvent.Type.MouseMove, where, widget.mapToGlobal(where), Qt.MouseButton.NoButton, held, modifiers
+    )
+    QApplication.sendEvent(widget, event)
 
 
 def place_of(viewport: Viewport, handle_id: str) -> QPoint:
@@ -34,12 +53,12 @@ def picture(viewport: Viewport) -> NDArray[np.uint8]:
 
 def drag(qtbot: QtBot, viewport: Viewport, handle_id: str, way: QPoint, *, let_go: bool = True) -> None:
     start = place_of(viewport, handle_id)
-    qtbot.mouseMove(viewport, start)
+    move(viewport, start)
     qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=start)
     assert viewport.hand.held is not None, f"{handle_id} cannot be taken hold of"
     assert viewport.hand.held.id == handle_id
     for part in (1, 2, 3):
-        qtbot.mouseMove(viewport, start + QPoint(way.x() * part // 3, way.y() * part // 3))
+        move(viewport, start + QPoint(way.x() * part // 3, way.y() * part // 3), Qt.MouseButton.LeftButton)
     if let_go:
         qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=start + way)
 
