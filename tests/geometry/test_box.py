@@ -2,7 +2,7 @@
 
 import pytest
 
-from kagezou.geometry.box import Box, centred_offset
+from kagezou.geometry.box import Box, around, centred_offset
 
 BOX = Box(10, 20, 30, 60)
 
@@ -24,6 +24,8 @@ def test_intersection_and_union() -> None:
     assert BOX.intersection(other) == Box(20, 20, 30, 30)
     assert BOX.intersection(Box(30, 20, 40, 60)) is None
     assert BOX.union(other) == Box(10, 0, 50, 60)
+    assert around(None, BOX, None, other) == Box(10, 0, 50, 60)
+    assert around(None) is None
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Axis-aligned boxes on the canvas."""
 
 from dataclasses import dataclass
+from functools import reduce
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +54,12 @@ class Box:
             max(self.right, other.right),
             max(self.bottom, other.bottom),
         )
+
+
+def around(*boxes: Box | None) -> Box | None:
+    """Return the smallest box that holds all that are there, None where none is."""
+    there = [box for box in boxes if box is not None]
+    return reduce(Box.union, there) if there else None
 
 
 def centred_offset(canvas: Box, width_px: int, height_px: int) -> tuple[int, int]:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 from itertools import product
 
-from kagezou.geometry.box import Box
+from kagezou.geometry.box import Box, around
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.shadow import Cast, cast_card
@@ -15,6 +15,7 @@ from kagezou.render.cast_uniforms import FULL_STRENGTH, TRANSLUCENT, Edges, Fram
 from kagezou.render.gl import GL
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Program, Uniform, Variants
+from kagezou.render.scratches import Scratches
 from kagezou.render.targets import Target
 from kagezou.render.tiles import CELLS, Fineness, TileGrid, Tiling, tile_grid
 from kagezou.scene.scene import ShadowCast
@@ -106,7 +107,7 @@ class CastPass:
         self._full = Variants("box.vert", "full.frag")
         self._copy = Program("box.vert", "shade.frag")
         self._threshold = Program("box.vert", "threshold.frag")
-        self._scratch: Target | None = None
+        self._scratches = Scratches()
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
         """Draw into ``target``, clearing ``old``; return the box that may hold shadow, None for none."""
@@ -124,12 +125,12 @@ class CastPass:
         apart = len(cast.card.pieces) > 1 and len(pairs) > 1
         drawn: Box | None = None
         for receiver, light in pairs:
-            own = self._scratch_like(target) if apart else target
+            own = self._scratches.like("apart", target) if apart else target
             box = self._draw_light(cast, (receiver, light), matte, own, window)
             if box is not None:
                 if apart:
                     self.merge(own, target, box)
-                drawn = box if drawn is None else drawn.union(box)
+                drawn = around(drawn, box)
         return drawn
 
     def merge(self, source: Target, target: Target, box: Box) -> None:
@@ -148,8 +149,7 @@ class CastPass:
         self._full.close()
         self._copy.close()
         self._threshold.close()
-        if self._scratch is not None:
-            self._scratch.close()
+        self._scratches.close()
 
     def _draw_light(
         self, cast: ShadowCast, pair: tuple[Plane, Vector4], matte: PlacedMatte, target: Target, window: Window
@@ -160,7 +160,7 @@ class CastPass:
             tiling = stroke.grid.tiling(window.box)
             if tiling.box is not None:
                 self.paint(stroke, tiling, target, Laying.ADDED if stroke.cast.joins_left else Laying.UNITED)
-                drawn = tiling.box if drawn is None else drawn.union(tiling.box)
+                drawn = around(drawn, tiling.box)
         return drawn
 
     def paint(self, stroke: Stroke, tiling: Tiling, target: Target, how: Laying) -> None:
@@ -192,12 +192,3 @@ class CastPass:
         for kind, boxes in tiling.edges.items():
             self._edge[switches | kind.switches].use(uniforms | limits if kind.is_at_limit else uniforms)
             self._boxes.draw(boxes)
-
-    def _scratch_like(self, target: Target) -> Target:
-        if self._scratch is not None and self._scratch.box != target.box:
-            self._scratch.close()
-            self._scratch = None
-        if self._scratch is None:
-            self._scratch = Target(target.box.width, target.box.height, target.texture.form)
-            self._scratch.clear()
-        return self._scratch

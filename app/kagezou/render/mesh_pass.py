@@ -6,7 +6,7 @@ from math import radians, sin
 
 import numpy as np
 
-from kagezou.geometry.box import Box
+from kagezou.geometry.box import Box, around
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG
 from kagezou.geometry.round_view import RoundFace
@@ -190,7 +190,7 @@ class MeshPass:
                 matte.texture.bind(0)
                 self._programs[switches].use(uniforms | more)
                 self._boxes.draw(tiling.boxes)
-                drawn = tiling.box if drawn is None else drawn.union(tiling.box)
+                drawn = around(drawn, tiling.box)
         return drawn
 
     def draw_own(self, lit: MeshLit, target: Target) -> Box | None:

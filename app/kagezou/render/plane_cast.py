@@ -17,6 +17,7 @@ from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.level import Floats as Texels
 from kagezou.render.mattes import PlacedMatte
 from kagezou.render.program import Program, Uniform, Variants
+from kagezou.render.scratches import Scratches
 from kagezou.render.shape_job import Chart, Job, View, beyond_of, extent_of
 from kagezou.render.targets import LAST_LEVEL, Format, Target
 from kagezou.render.tiles import CELLS
@@ -44,14 +45,15 @@ class PlaneCast:
         self._wholes: list[Target | None] = [None, None]
         self._ground_first: tuple[int, ...] = (0, 0)
         self._ground_box = Box(0, 0, 0, 0)
-        self._alone: Target | None = None
+        self._scratches = Scratches()
 
     def close(self) -> None:
         """Give the memory back."""
         self._reduce.close()
         self._paste.close()
         self._copy.close()
-        for target in (*self._wholes, self._alone):
+        self._scratches.close()
+        for target in self._wholes:
             if target is not None:
                 target.close()
 
@@ -106,7 +108,7 @@ class PlaneCast:
     def _cast_sheets(self, job: Job, chart: Chart, whole: Target, window: Window) -> None:
         """Cast the shadow on each sheet of a chart, and lay what is uppermost over the ground."""
         assert window.canvas_from_target is not None
-        alone = self._alone_of(whole)
+        alone = self._scratches.like("alone", whole)
         flat_from_target = np.eye(3)
         flat_from_target[:2, :2] = job.ground_from_blurred
         target_from_flat: Matrix = np.asarray(np.linalg.inv(flat_from_target @ window.canvas_from_target), np.float64)
@@ -164,15 +166,6 @@ class PlaneCast:
             cast, matte, shadow, Window(box, canvas_from_plane @ plane_from_texel, cells, is_shape_only=True)
         )
         return shadow.read_floats(box)
-
-    def _alone_of(self, whole: Target) -> Target:
-        """Return an empty target of the size of another one; whoever draws into it empties it again."""
-        if self._alone is None or self._alone.box != whole.box:
-            if self._alone is not None:
-                self._alone.close()
-            self._alone = Target(whole.box.width, whole.box.height, Format.ALPHA16)
-            self._alone.clear()
-        return self._alone
 
     def _whole_of(self, width: int, height: int, *, of_ground: bool) -> Target:
         """Return a target of at least a size for the shadow before it is blurred."""

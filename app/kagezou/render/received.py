@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from math import ceil, floor
 
-from kagezou.geometry.box import Box, centred_offset
+from kagezou.geometry.box import Box, around, centred_offset
 from kagezou.geometry.card import CardPiece, receiver_of
 from kagezou.io.cels import CelSource
 from kagezou.io.images import Matte
@@ -13,6 +13,7 @@ from kagezou.render.cast_pass import CastPass, Window
 from kagezou.render.gl import GL
 from kagezou.render.mattes import Mattes, PlacedMatte
 from kagezou.render.program import Program
+from kagezou.render.scratches import Scratches
 from kagezou.render.shelf import Shelf
 from kagezou.render.targets import Format, Target, Texture
 from kagezou.scene.scene import LayerScene, Received, Scene, Shade, ShadowCast, ShadowLook
@@ -46,7 +47,7 @@ class ReceivedLayers:
         self._boxes, self._caster, self._cels, self._mattes = boxes, caster, cels, mattes
         self._cut = Program("box.vert", "received.frag")
         self._alphas: Shelf[Texture] = Shelf(_ALPHA_BUDGET_BYTES)
-        self._scratches: dict[str, Target] = {}
+        self._scratches = Scratches()
         self._kept: dict[tuple[str, int], ReceivedCoverage] = {}
 
     def coverages(self, scene: Scene, layer: LayerScene) -> tuple[ReceivedCoverage, ...]:
@@ -68,10 +69,8 @@ class ReceivedLayers:
         """Give the memory back."""
         for kept in self._kept.values():
             kept.target.close()
-        for scratch in self._scratches.values():
-            scratch.close()
         self._kept.clear()
-        self._scratches.clear()
+        self._scratches.close()
         self._alphas.close()
         self._cut.close()
 
@@ -102,16 +101,12 @@ class ReceivedLayers:
         figure = alpha.box.moved(*centred_offset(target.box, width, height))
         drawn: Box | None = None
         for cast, matte in casting:
-            own = target if len(casting) == 1 else self._scratch("one", target)
+            own = target if len(casting) == 1 else self._scratches.like("one", target)
             placed = self._mattes.placed(matte, target.box)
-            box: Box | None = None
-            for piece in on.card.pieces:
-                part = self._draw_piece((cast, placed), piece, (alpha, figure), own)
-                box = part if box is None else box if part is None else box.union(part)
-            if box is not None:
-                if own is not target:
-                    self._caster.merge(own, target, box)
-                drawn = box if drawn is None else drawn.union(box)
+            box = around(*[self._draw_piece((cast, placed), each, (alpha, figure), own) for each in on.card.pieces])
+            if box is not None and own is not target:
+                self._caster.merge(own, target, box)
+            drawn = around(drawn, box)
         return drawn
 
     def _draw_piece(
@@ -126,7 +121,7 @@ class ReceivedLayers:
         columns = _columns(piece, place).intersection(target.box)
         if columns is None or matte is None:
             return None
-        whole = self._scratch("whole", target)
+        whole = self._scratches.like("whole", target)
         alone = replace(cast, receivers=(receiver_of(cast.camera, piece),))
         box = self._caster.unite(alone, matte, whole, Window(columns))
         if box is None:
@@ -149,15 +144,6 @@ class ReceivedLayers:
         self._boxes.draw_one(box)
         whole.clear(box)
         return box
-
-    def _scratch(self, name: str, like: Target) -> Target:
-        known = self._scratches.get(name)
-        if known is not None and known.box != like.box:
-            known.close()
-            known = None
-        if known is None:
-            known = self._scratches[name] = _cleared(like.box)
-        return known
 
 
 def _columns(piece: CardPiece, figure: Box) -> Box:

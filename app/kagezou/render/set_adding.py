@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from kagezou.geometry.box import Box
+from kagezou.geometry.box import Box, around
 from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass, Laying, Stroke
 from kagezou.render.gl import GL
@@ -79,8 +79,7 @@ class Adding:
                     waiting.clear()
                 waiting.append((edge, aside(len(waiting))))
                 self._caster.paint(stroke, edge.tiling, waiting[-1][1], Laying.INSTEAD)
-            for box in (whole.box, *(edge.tiling.box for edge in found)):
-                drawn = box if drawn is None else drawn.union(box or drawn)
+            drawn = around(drawn, whole.box, *(edge.tiling.box for edge in found))
         for stroke, whole in wholes:
             self._caster.paint(stroke, whole, target, Laying.ADDED)
         self._add_edges(waiting, target)
@@ -121,7 +120,7 @@ class Adding:
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
                 self._add_edge(needed, alone, edge.boxes, target, screen)
-                drawn = edge.box if drawn is None else drawn.union(edge.box)
+                drawn = around(drawn, edge.box)
         return drawn
 
     def add_own(
@@ -147,7 +146,7 @@ class Adding:
             edge = grid.tiling(target.box, tiles)
             if edge.box is not None:
                 self._add_own_edge(needed, shade, edge.boxes, target, screen)
-                drawn = edge.box if drawn is None else drawn.union(edge.box)
+                drawn = around(drawn, edge.box)
         return drawn
 
     def unite(self, source: Target, box: Box, target: Target) -> None:

@@ -13,11 +13,12 @@ from kagezou.render.boxes import Boxes
 from kagezou.render.cast_pass import CastPass
 from kagezou.render.look import distance_uniforms
 from kagezou.render.program import Program
+from kagezou.render.scratches import Scratches
 from kagezou.render.set_adding import Adding
 from kagezou.render.set_shapes import receivers_of
 from kagezou.render.set_stage import Stage
 from kagezou.render.shape_charts import flat_faces
-from kagezou.render.targets import Format, Target
+from kagezou.render.targets import Target
 from kagezou.scene.scene import ShadowCast
 
 _AWAY = np.array([0.0, 1.0, 0.0])
@@ -30,7 +31,7 @@ class DistancePass:
         self._boxes = boxes
         self._adding = Adding(boxes, caster)
         self._measure = Program("box.vert", "distance.frag")
-        self._alone: Target | None = None
+        self._scratches = Scratches()
 
     def draw(self, cast: ShadowCast, target: Target) -> None:
         """Draw the distances of a cast's receivers."""
@@ -39,7 +40,7 @@ class DistancePass:
         faces = flat_faces(cast, receivers_of(stage, cast.lights[0]))
         forms = _forms(unfolded(contact, tuple(faces), 2, 0.0).sheets)
         target.clear()
-        alone = self._alone_like(target)
+        alone = self._scratches.like("alone", target)
         for face in stage.faces:
             # What no shadow falls on counts like the ground seen there, so that the parts of a pixel at its rim add up.
             found = forms.get((face.body, face.plane), (contact, _AWAY))
@@ -49,8 +50,7 @@ class DistancePass:
         """Give the memory back."""
         self._adding.close()
         self._measure.close()
-        if self._alone is not None:
-            self._alone.close()
+        self._scratches.close()
 
     def _add(
         self, stage: Stage, face: Face, cast: ShadowCast, found: tuple[Plane, Matrix], targets: tuple[Target, Target]
@@ -63,14 +63,6 @@ class DistancePass:
         self._measure.use({"u_target_size_px": alone.size_px, **uniforms})
         self._boxes.draw_one(face.box)
         self._adding.add(stage.mask(face, ()), alone, face.box, target)
-
-    def _alone_like(self, target: Target) -> Target:
-        if self._alone is not None and self._alone.box != target.box:
-            self._alone.close()
-            self._alone = None
-        if self._alone is None:
-            self._alone = Target(target.box.width, target.box.height, Format.FLOAT)
-        return self._alone
 
 
 def _forms(sheets: tuple[Sheet, ...]) -> dict[tuple[int, Plane], tuple[Plane, Matrix]]:

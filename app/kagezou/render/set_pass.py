@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
-from kagezou.geometry.box import Box
+from kagezou.geometry.box import Box, around
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.round_view import RoundFace
@@ -22,6 +22,7 @@ from kagezou.render.mattes import PlacedMatte
 from kagezou.render.mesh_display import Display, SetPicture
 from kagezou.render.mesh_pass import MeshLit, MeshPass
 from kagezou.render.mesh_screen import Screen
+from kagezou.render.scratches import Scratches
 from kagezou.render.set_adding import Adding, OwnShade
 from kagezou.render.set_parts import EVERYWHERE, Lit, Shaped, own_shade
 from kagezou.render.set_round import RoundLit, RoundPass
@@ -50,7 +51,7 @@ class SetPass:
         self._mesh = MeshPass(boxes, meshes)
         self._silhouette = SilhouettePass(boxes, shaper)
         self._stages: OrderedDict[int, Stage] = OrderedDict()
-        self._scratches: dict[str, Target] = {}
+        self._scratches = Scratches()
 
     def close(self) -> None:
         """Give the memory back."""
@@ -58,9 +59,7 @@ class SetPass:
         self._round.close()
         self._mesh.close()
         self._silhouette.close()
-        for target in self._scratches.values():
-            target.close()
-        self._scratches.clear()
+        self._scratches.close()
 
     def forget_meshes(self) -> None:
         """Give back the memory of meshes."""
@@ -83,7 +82,7 @@ class SetPass:
         ground = cast.receivers[0] if cast.ground_receives else None
         for light in cast.lights:
             lit = self._lit(stage, light, ground, blocks)
-            own = target if len(cast.lights) == 1 else self._scratch("light", target)
+            own = target if len(cast.lights) == 1 else self._scratches.like("light", target)
             box = self._draw_light(lit, cast, matte, own, shaped)
             drawn = self._united(own, box, target, drawn)
         for alone, box in (shaped.faces if shaped else {}).values():
@@ -100,18 +99,18 @@ class SetPass:
         ground = cast.ground if cast.ground_receives else None
         for light in cast.lights:
             lit = self._lit(stage, light, ground, casts)
-            own = target if len(cast.lights) == 1 else self._scratch("light", target)
+            own = target if len(cast.lights) == 1 else self._scratches.like("light", target)
             box: Box | None = None
             for face in stage.faces:
                 if face.body != GROUND or ground is not None:
-                    box = _around(box, self._add_own(lit, face, own))
+                    box = around(box, self._add_own(lit, face, own))
             if lit.meshes is not None:
-                box = _around(box, self._mesh.draw_own(lit.meshes, own))
+                box = around(box, self._mesh.draw_own(lit.meshes, own))
             for each in stage.rounds:
-                alone = self._scratch("face", target)
+                alone = self._scratches.like("face", target)
                 round_lit = RoundLit(stage, each, light, lit.veils, self._screen(lit, each))
                 dark = self._round.draw_own(round_lit, alone, is_caster=stage.is_caster(each))
-                box = _around(box, self._add_round(lit, each, dark, own))
+                box = around(box, self._add_round(lit, each, dark, own))
             drawn = self._united(own, box, target, drawn)
         return drawn
 
@@ -132,13 +131,13 @@ class SetPass:
             if stage.is_caster(face) or (face.body == GROUND and wants_ground):
                 mask, shade = stage.mask(face, (EVERYWHERE,)), own_shade(face, None, face.box)
                 box = self._adding.add_own(mask, shade, face.box, target, self._screen(lit, face))
-                drawn = _around(drawn, box)
+                drawn = around(drawn, box)
         if lit.meshes is not None:
-            drawn = _around(drawn, self._mesh.draw_own(lit.meshes, target))
+            drawn = around(drawn, self._mesh.draw_own(lit.meshes, target))
         for each in filter(stage.is_caster, stage.rounds):
-            alone = self._scratch("face", target)
+            alone = self._scratches.like("face", target)
             round_lit = RoundLit(stage, each, lit.light, {}, self._screen(lit, each))
-            drawn = _around(
+            drawn = around(
                 drawn, self._add_round(lit, each, self._round.draw_own(round_lit, alone, is_caster=True), target)
             )
         return drawn
@@ -175,23 +174,23 @@ class SetPass:
             if of_face is None and len(cast.card.pieces) == 1 and lit.meshes is None:
                 single.append(face)
             else:
-                drawn = _around(drawn, self._add_face(lit, (cast, matte), face, target, of_face))
+                drawn = around(drawn, self._add_face(lit, (cast, matte), face, target, of_face))
         masked = (
             (self._mask(lit, face), stroke)
             for face in single
             for stroke in strokes(cast, (face.plane, lit.light), matte, Window(face.box))
             if stroke.grid.touched.any()
         )
-        drawn = _around(drawn, self._adding.add_strokes(masked, partial(self._aside, target), target))
+        drawn = around(drawn, self._adding.add_strokes(masked, partial(self._aside, target), target))
         if shaped is not None and shaped.silhouette is not None:
             cast, matte = shaped.silhouette.cast, shaped.silhouette.matte
         if lit.meshes is not None:
-            drawn = _around(drawn, self._mesh.draw(lit.meshes, cast, matte, target))
+            drawn = around(drawn, self._mesh.draw(lit.meshes, cast, matte, target))
         for round_face in stage.rounds:
             if stage.receives(round_face):
                 round_lit = RoundLit(stage, round_face, lit.light, lit.veils, self._screen(lit, round_face))
-                box = self._round.draw(round_lit, cast, matte, self._scratch("face", target))
-                drawn = _around(drawn, self._add_round(lit, round_face, box, target))
+                box = self._round.draw(round_lit, cast, matte, self._scratches.like("face", target))
+                drawn = around(drawn, self._add_round(lit, round_face, box, target))
         return drawn
 
     def _add_face(
@@ -208,7 +207,7 @@ class SetPass:
             screen = self._screen(lit, face)
             return None if box is None else self._adding.add(self._mask(lit, face), alone, box, target, screen)
         cast, matte = character
-        alone = self._scratch("face", target)
+        alone = self._scratches.like("face", target)
         box = self.coverage(cast, face, lit.light, matte, alone)
         if box is None:
             return None
@@ -232,7 +231,7 @@ class SetPass:
         """Add what is seen of a round face, and empty the scratch it was drawn in."""
         if box is None:
             return None
-        alone = self._scratch("face", target)
+        alone = self._scratches.like("face", target)
         drawn = self._adding.add(Stage.round_mask(face), alone, box, target, self._screen(lit, face))
         alone.clear(box)
         return drawn
@@ -244,7 +243,7 @@ class SetPass:
         if blurred is None:
             return shaped
         for number, (face, view) in enumerate(views_of(stage, blurred.job)):
-            alone = self._scratch(f"shaped {number}", target)
+            alone = self._scratches.like(f"shaped {number}", target)
             shaped.faces[face] = alone, self._shaper.show(blurred, view, alone)
         if any(piece.receives and piece.mesh is not None for piece in stage.pieces) or any(
             stage.receives(each) for each in stage.rounds
@@ -276,7 +275,7 @@ class SetPass:
         if box is not None and own is not target:
             self._adding.unite(own, box, target)
             own.clear(box)
-        return _around(drawn, box)
+        return around(drawn, box)
 
     def _stage(self, camera: Camera, canvas: Box, ground: Plane, pieces: tuple[PieceScene, ...]) -> Stage:
         """Return a set as a camera sees it; the last few are kept."""
@@ -291,21 +290,4 @@ class SetPass:
         return stage
 
     def _aside(self, target: Target, number: int) -> Target:
-        return self._scratch(f"edges {number}", target)
-
-    def _scratch(self, name: str, target: Target) -> Target:
-        """Return an empty target like another one; whoever draws into it empties it again."""
-        kept = self._scratches.get(name)
-        if kept is not None and kept.box != target.box:
-            kept.close()
-            kept = None
-        if kept is None:
-            kept = self._scratches[name] = Target(target.box.width, target.box.height, target.texture.form)
-            kept.clear()
-        return kept
-
-
-def _around(box: Box | None, other: Box | None) -> Box | None:
-    if box is None or other is None:
-        return box or other
-    return box.union(other)
+        return self._scratches.like(f"edges {number}", target)

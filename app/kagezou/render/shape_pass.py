@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.bands import FINEST_SIGMA_PX
-from kagezou.geometry.box import Box
+from kagezou.geometry.box import Box, around
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.polygon import bounding_box, seen_rectangle
@@ -85,8 +85,7 @@ class ShapePass:
         for receiver in cast.receivers:
             blurred = self.blurred(replace(cast, receivers=(receiver,)), matte, Receivers({}))
             box = None if blurred is None else self.show(blurred, View.of_ground(blurred.job, target.box), target)
-            if box is not None:
-                drawn = box if drawn is None else drawn.union(box)
+            drawn = around(drawn, box)
         return drawn
 
     def blurred(self, cast: ShadowCast, matte: PlacedMatte, receivers: Receivers) -> "Blurred | None":
@@ -288,9 +287,7 @@ def _box_of(view: View, sharp_box: Box | None) -> Box | None:
     if cores:
         low = (min(core.left for core in cores) - u, min(core.low for core in cores) - v)
         high = (max(core.right for core in cores) + u, max(core.high for core in cores) + v)
-        seen = bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, low, high))
-        if seen is not None:
-            box = seen if box is None else box.union(seen)
+        box = around(box, bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, low, high)))
     return None if box is None else box.intersection(view.box)
 
 
