@@ -12,6 +12,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QGuiApplication, QOpenGLContext
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
+from viewing import Clipboard
 
 from kagezou.io.encode import write_rgba
 from kagezou.session.staging import CharacterSource
@@ -84,19 +85,6 @@ def present(qtbot: QtBot) -> Iterator[Callable[[], None]]:
 
     yield pass_time
     window.close()
-
-
-class Clipboard:
-    """Text that is copied and pasted; the screen's own clipboard belongs to every program that runs there."""
-
-    def __init__(self) -> None:
-        self._text = ""
-
-    def text(self) -> str:
-        return self._text
-
-    def setText(self, text: str) -> None:
-        self._text = text
 
 
 @pytest.fixture

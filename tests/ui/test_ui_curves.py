@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +9,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
-from viewing import move
+from viewing import Clipboard, move
 
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, components_of
@@ -308,7 +307,7 @@ def test_the_table_shows_and_takes_keys(editor: CurveEditor, keyed: Desk) -> Non
     assert kept.text() == "42.5"
 
 
-def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: Desk, clipboard: Any) -> None:
+def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: Desk, clipboard: Clipboard) -> None:
     keyed.bridge.session.select_keys(frozenset({KeyRef(LIGHT, 5)}))
     editor.table.copy()
     text = clipboard.text()

@@ -1,12 +1,13 @@
 """Several layers in the inspector at once, links between them, and values and looks on the clipboard."""
 
-from typing import Any
+from collections.abc import Callable
 
 import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, QPointF, Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
+from viewing import Clipboard
 
 from kagezou.document import edits, properties
 from kagezou.document.address import Address, track_of, value_of
@@ -246,7 +247,7 @@ def test_a_link_is_made_shown_obeyed_and_undone(qtbot: QtBot, inspector: Inspect
 
 
 def test_a_value_goes_through_the_clipboard_as_scripts_write_it(
-    inspector: Inspector, trio: Desk, clipboard: Any
+    inspector: Inspector, trio: Desk, clipboard: Clipboard
 ) -> None:
     act(row_menu(inspector, OPACITY.name), "Copy Value").trigger()
     assert clipboard.text() == "0.9"
@@ -261,6 +262,35 @@ def test_a_value_goes_through_the_clipboard_as_scripts_write_it(
         assert not act(row_menu(inspector, OPACITY.name), "Paste Value").isEnabled()
     act(row_menu(inspector, OPACITY.name), "Copy Name").trigger()
     assert clipboard.text() == "layers.Third.shadow.opacity"
+
+
+def test_what_is_copied_goes_over_the_clipboard_of_the_screen(
+    qtbot: QtBot,
+    request: pytest.FixtureRequest,
+    inspector: Inspector,
+    layers: LayerList,
+    trio: Desk,
+    present: Callable[[], None],
+) -> None:
+    """Whole, from copying to pasting, again until no other program takes the clipboard in between."""
+    board = QGuiApplication.clipboard()
+    choose_all(trio)
+
+    def values_are_pasted() -> bool:
+        present()
+        act(row_menu(inspector, OPACITY.name), "Copy Value").trigger()
+        copied = board.text() == "0.9"
+        paste = act(row_menu(inspector, OPACITY.name), "Paste Value")
+        return copied and paste.isEnabled()
+
+    def looks_are_pasted() -> bool:
+        present()
+        layers.looks.copy()
+        return loads_style(board.text()) is not None and layers.looks.can_paste
+
+    with request.getfixturevalue("qtlog").disabled():
+        qtbot.waitUntil(values_are_pasted)
+        qtbot.waitUntil(looks_are_pasted)
 
 
 @pytest.mark.usefixtures("clipboard")
@@ -286,7 +316,7 @@ def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, 
 
 
 def test_a_look_is_pasted_on_all_chosen_layers(
-    layers: LayerList, inspector: Inspector, trio: Desk, clipboard: Any
+    layers: LayerList, inspector: Inspector, trio: Desk, clipboard: Clipboard
 ) -> None:
     session = trio.bridge.session
     inspector.row("shadow.color").enter("#334455")

@@ -14,6 +14,19 @@ from kagezou.ui.main_window import MainWindow
 from kagezou.ui.viewport.viewport import Viewport
 
 
+class Clipboard:
+    """Text that is copied and pasted; the screen's own clipboard belongs to every program that runs there."""
+
+    def __init__(self) -> None:
+        self._text = ""
+
+    def text(self) -> str:
+        return self._text
+
+    def setText(self, text: str) -> None:
+        self._text = text
+
+
 def move(
     widget: QWidget,
     place: QPoint | QPointF,
