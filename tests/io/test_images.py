@@ -58,7 +58,7 @@ def test_straight_alpha_is_exact_also_where_clear(tmp_path: Path, name: str, dty
     cel = read_cel(tmp_path / name)
     assert cel.rgba.dtype == dtype
     assert np.array_equal(cel.rgba, pixels)
-    assert np.array_equal(cel.matte.alpha, pixels[..., 3])
+    assert np.array_equal(cel.matte.whole(), pixels[..., 3])
     assert cel.notes == ()
     assert not cel.rgba.flags.writeable
     assert cel.nbytes == cel.rgba.nbytes + cel.matte.alpha.nbytes
@@ -93,7 +93,7 @@ def test_palette_with_transparency(tmp_path: Path) -> None:
         path = tmp_path / f"{bits}.png"
         path.write_bytes(files.png((4, 1), bits, PALETTE, b"\0" + row, COLOURS + CLEARS))
         assert read_cel(path).rgba.tolist() == [expected]
-        assert read_matte(path).alpha.tolist() == [[0, 128, 255, 255]]
+        assert read_matte(path).whole().tolist() == [[0, 128, 255, 255]]
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_gray_depths(tmp_path: Path, bits: int, row: bytes, grays: list[int]) ->
     assert cel.notes == ()
     key = row[:2] if bits == 16 else bytes([0, grays[0] * (2**bits - 1) // 255])
     path.write_bytes(files.png((len(grays), 1), bits, GRAY, b"\0" + row, files.chunk(b"tRNS", key)))
-    assert read_matte(path).alpha.tolist() == [[0 if gray == grays[0] else full for gray in grays]]
+    assert read_matte(path).whole().tolist() == [[0 if gray == grays[0] else full for gray in grays]]
 
 
 def test_gray_alpha_and_colour_key(tmp_path: Path) -> None:
@@ -140,13 +140,13 @@ def test_pure_white_is_clear(tmp_path: Path, dtype: str) -> None:
     cel = read_cel(tmp_path / "a.png")
     assert cel.notes == (CLEAR_NOTE,)
     assert np.array_equal(cel.rgba[..., :3], pixels)
-    assert np.argwhere(cel.matte.alpha != full).tolist() == [[3, 4]]
-    assert cel.matte.alpha[3, 4] == 0
+    assert np.argwhere(cel.matte.whole() != full).tolist() == [[3, 4]]
+    assert cel.matte.whole()[3, 4] == 0
     assert cel.matte.hard_edged
-    assert np.array_equal(read_matte(tmp_path / "a.png").alpha, cel.matte.alpha)
+    assert np.array_equal(read_matte(tmp_path / "a.png").whole(), cel.matte.whole())
     paper = read_cel(tmp_path / "a.png", white_is_clear=False)
     assert paper.notes == ()
-    assert (paper.matte.alpha == full).all()
+    assert (paper.matte.whole() == full).all()
 
 
 @pytest.mark.parametrize("name", ["a.jpg", "a.JPEG", "a.bmp", "a.tga", "a.png", "a.tif"])
@@ -188,9 +188,9 @@ def test_fourth_byte_of_tga(
 ) -> None:
     path = tmp_path / "a.tga"
     path.write_bytes(files.tga((2, 2), 32, attributes, body, alpha_type))
-    assert read_matte(path).alpha.tolist() == alpha
+    assert read_matte(path).whole().tolist() == alpha
     cel = read_cel(path)
-    assert cel.matte.alpha.tolist() == alpha
+    assert cel.matte.whole().tolist() == alpha
     if body is BGRA:
         assert cel.rgba[1, 0].tolist() == [3, 2, 1, 128]
 
@@ -205,7 +205,7 @@ def test_premultiplied_tga(tmp_path: Path) -> None:
 def test_fourth_byte_of_bmp(tmp_path: Path, body: bytes, alpha: list[list[int]]) -> None:
     path = tmp_path / "a.bmp"
     path.write_bytes(files.bmp32((2, 2), body))
-    assert read_matte(path).alpha.tolist() == alpha
+    assert read_matte(path).whole().tolist() == alpha
 
 
 # Premultiplied, linear and wide numbers.
@@ -247,7 +247,7 @@ def test_exr_becomes_straight_and_coded(tmp_path: Path, dtype: str, tolerance: i
     assert np.abs(cel.rgba[1:, :, :3] - coded(light[1:])).max() <= tolerance
     assert not cel.rgba[0].any()
     assert (cel.rgba[1, :, 3] == 65535).all()
-    assert np.array_equal(read_matte(tmp_path / "a.exr").alpha, cel.matte.alpha)
+    assert np.array_equal(read_matte(tmp_path / "a.exr").whole(), cel.matte.whole())
 
 
 def test_exr_that_is_no_number_or_too_much(tmp_path: Path) -> None:
@@ -298,7 +298,7 @@ def test_exr_windows(
     info = probe(tmp_path / "a.exr")
     assert (info.width_px, info.height_px) == display[2:]
     for matte in (read_cel(tmp_path / "a.exr").matte, read_matte(tmp_path / "a.exr")):
-        assert matte.alpha.shape == (display[3], display[2])
+        assert matte.whole().shape == (display[3], display[2])
         assert matte.box == box
 
 
@@ -327,7 +327,7 @@ def test_orientation(tmp_path: Path, orientation: int) -> None:
         stored = upright[::-1, ::-1].swapaxes(0, 1)
     files.save(tmp_path / "a.tif", stored, Orientation=orientation)
     assert np.array_equal(read_cel(tmp_path / "a.tif").rgba, upright)
-    assert np.array_equal(read_matte(tmp_path / "a.tif").alpha, upright[..., 3])
+    assert np.array_equal(read_matte(tmp_path / "a.tif").whole(), upright[..., 3])
     info = probe(tmp_path / "a.tif")
     assert (info.width_px, info.height_px) == (6, 4)
 
@@ -344,14 +344,38 @@ def test_box_and_hard_edges(dtype: type[np.uint8 | np.uint16]) -> None:
     alpha[2:5, 3:7] = full
     alpha[6, 10] = full
     matte = matte_of(alpha)
-    assert (matte.box, matte.hard_edged, matte.nbytes) == (Box(3, 2, 11, 7), True, alpha.nbytes)
+    assert (matte.box, matte.hard_edged) == (Box(3, 2, 11, 7), True)
     assert matte.alpha.flags.c_contiguous
+    assert not matte.alpha.flags.writeable
+    assert (matte.alpha == alpha[2:7, 3:11]).all()
+    assert (matte.whole() == alpha).all()
     for value in (1, full - 1, full // 2):
         soft = alpha.copy()
         soft[8, 0] = value
         assert (matte_of(soft).box, matte_of(soft).hard_edged) == (Box(0, 2, 11, 9), False)
+    square = np.zeros((9, 12), dtype)
+    square[3:5, 4:8] = full
+    assert (matte_of(square).box, matte_of(square).hard_edged) == (Box(4, 3, 8, 5), True)
     assert not matte_of(np.full((2, 2), full, dtype)).hard_edged
     assert matte_of(np.full((2, 2), full, dtype)).box == Box(0, 0, 2, 2)
+
+
+def test_a_kept_matte_takes_the_memory_of_its_figure_alone() -> None:
+    alpha = np.zeros((1080, 1920), np.uint8)
+    alpha[500:520, 900:930] = 255
+    matte = matte_of(alpha)
+    assert matte.nbytes == 600
+    assert matte.alpha.base is None, "a view would keep the whole drawing in memory"
+
+
+def test_a_matte_is_full_when_every_pixel_is() -> None:
+    full = np.full((3, 4), 255, np.uint8)
+    assert matte_of(full).is_full
+    for number in (0, 254):
+        other = full.copy()
+        other[0, 0] = number
+        assert not matte_of(other).is_full
+    assert not matte_of(np.zeros((3, 4), np.uint8)).is_full
 
 
 def test_probe(tmp_path: Path) -> None:
@@ -482,7 +506,7 @@ def test_mutants_end_in_a_picture_or_a_sentence(tmp_path: Path, name: str) -> No
         except InputProblem as problem:
             sentences.add(str(problem))
         else:
-            assert cel.rgba.shape[:2] == cel.matte.alpha.shape
+            assert cel.rgba.shape[:2] == cel.matte.whole().shape
     assert sentences
     assert all(sentence.startswith(f"{path}: ") and "\n" not in sentence for sentence in sentences)
 
@@ -511,6 +535,6 @@ def test_real_samples(samples: Path) -> None:
         cel, matte = read_cel(path), read_matte(path)
         assert cel.notes == ()
         assert cel.matte.box == matte.box is not None
-        assert np.array_equal(cel.matte.alpha, matte.alpha)
+        assert np.array_equal(cel.matte.whole(), matte.whole())
         assert np.array_equal(cel.rgba, files.read_back(path))
         assert not matte.hard_edged

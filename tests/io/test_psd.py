@@ -37,7 +37,7 @@ def test_a_layer_is_the_same_as_a_png_of_it(tmp_path: Path, offset: tuple[int, i
     ours, other = read_cel(PicturePart(path, "A/1")), read_cel(tmp_path / "a.png")
     assert np.array_equal(ours.rgba, other.rgba)
     assert ours.matte.box == other.matte.box
-    assert np.array_equal(read_matte(PicturePart(path, "A/1")).alpha, other.matte.alpha)
+    assert np.array_equal(read_matte(PicturePart(path, "A/1")).whole(), other.matte.whole())
 
 
 def test_hidden_layers_in_hidden_groups_are_drawn_when_they_are_asked_for(tmp_path: Path) -> None:

@@ -84,13 +84,13 @@ def test_a_drawing_lies_where_it_lay(tmp_path: Path, size: tuple[int, int]) -> N
     canvas = Box(0, 0, 1000, 1000)
     small = reduced(cel, canvas, 4)
 
-    weight = small.matte.alpha.astype(np.float64)
+    weight = small.matte.whole().astype(np.float64)
     y, x = np.mgrid[0 : weight.shape[0], 0 : weight.shape[1]] + 0.5
     place = np.array([(x * weight).sum(), (y * weight).sum()]) / weight.sum()
     corner = np.array([(250 - weight.shape[1]) // 2, (250 - weight.shape[0]) // 2])
     expected = np.array([400 + (1000 - width) // 2, 300 + (1000 - height) // 2])
     np.testing.assert_allclose((place + corner) * 4, expected, atol=0.1)
-    np.testing.assert_array_equal(small.rgba[small.matte.alpha > 0][:, :3], [(90, 120, 30)] * int((weight > 0).sum()))
+    np.testing.assert_array_equal(small.rgba[small.matte.whole() > 0][:, :3], [(90, 120, 30)] * int((weight > 0).sum()))
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16])

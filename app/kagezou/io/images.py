@@ -28,21 +28,38 @@ _TURNED: Final = 5
 
 @dataclass(frozen=True, eq=False, slots=True, weakref_slot=True)
 class Matte:
-    """The alpha of a drawing.
+    """The alpha of a drawing. Most of a drawing is clear, so only the part with its figure is kept.
 
     Attributes
     ----------
-    alpha
-        (H, W) ``uint8`` or ``uint16``, C-contiguous, read-only; the largest number is opaque.
+    width_px, height_px
+        The whole drawing.
     box
-        The smallest box that holds every pixel of any alpha, canvas px, y down; None where there is none.
+        The smallest box that holds every pixel of any alpha, px of the drawing, y down; None where there is none.
+    alpha
+        (box.height, box.width) ``uint8`` or ``uint16``, C-contiguous, read-only; the largest number is opaque.
     hard_edged
         Whether alpha is only 0 or full and both occur: paint data without anti-aliasing.
     """
 
-    alpha: Steps
+    width_px: int
+    height_px: int
     box: Box | None
+    alpha: Steps
     hard_edged: bool
+
+    @property
+    def is_full(self) -> bool:
+        """Whether every pixel is opaque; so it is for a drawing of no pixels."""
+        covers = self.alpha.size == self.width_px * self.height_px
+        return covers and bool((self.alpha == _full(self.alpha)).all())
+
+    def whole(self) -> Steps:
+        """Return the alpha of the whole drawing, (height_px, width_px)."""
+        whole: Steps = np.zeros_like(self.alpha, shape=(self.height_px, self.width_px))
+        if self.box is not None:
+            whole[self.box.top : self.box.bottom, self.box.left : self.box.right] = self.alpha
+        return whole
 
     @property
     def nbytes(self) -> int:
@@ -133,7 +150,7 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
     if not has_alpha and white_is_clear:
         notes = _clear_white(rgba)
     matte = matte_of(rgba[..., 3])
-    if has_alpha and white_is_clear and matte.alpha.size and matte.alpha.min() == _full(matte.alpha):
+    if has_alpha and white_is_clear and rgba.size and matte.is_full:
         notes = (_ALL_FULL,)
     rgba.setflags(write=False)
     return Cel(rgba, matte, notes)
@@ -181,15 +198,21 @@ def read_matte(source: PictureSource) -> Matte:
 
 
 def matte_of(alpha: NDArray[Any]) -> Matte:
-    """Return the matte with ``alpha``, (H, W) ``uint8`` or ``uint16``; the array is copied unless it can be kept."""
-    kept = np.ascontiguousarray(alpha)
-    kept.setflags(write=False)
-    box = _box_of(kept)
+    """Return the matte of a drawing with ``alpha``, (H, W) ``uint8`` or ``uint16``, which is copied."""
+    # One pass over pixels that lie apart; the rest is then done on those of the figure alone.
+    plane = np.ascontiguousarray(alpha)
+    height, width = plane.shape
+    box = _box_of(plane)
     if box is None:
-        return Matte(kept, None, hard_edged=False)
+        none: Steps = np.zeros((0, 0), plane.dtype)
+        none.setflags(write=False)
+        return Matte(width, height, None, none, hard_edged=False)
+    kept: Steps = plane[box.top : box.bottom, box.left : box.right].copy()
+    kept.setflags(write=False)
     wrapped = kept + kept.dtype.type(1)  # full becomes 0 and 0 becomes 1: nothing else may occur
-    hard = int(wrapped.max()) == 1 and int(wrapped.min()) == 0
-    return Matte(kept, box, hard_edged=hard)
+    has_clear = kept.size < plane.size or int(wrapped.max()) == 1
+    hard = has_clear and int(wrapped.max()) <= 1 and int(wrapped.min()) == 0
+    return Matte(width, height, box, kept, hard_edged=hard)
 
 
 def _box_of(alpha: NDArray[Any]) -> Box | None:

@@ -4,11 +4,14 @@ A texel holds its own alpha and those to its right, below and below right: what 
 at once, which is most of what an edge costs.
 """
 
+import sys
 from dataclasses import dataclass
 from functools import partial
 from math import ceil
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images import Matte, Steps
@@ -88,8 +91,7 @@ class Mattes:
         if matte.box is None:
             return None
         on_card = self._shelf.made_of(matte, partial(self._put_on_card, matte, matte.box))
-        height, width = matte.alpha.shape
-        left, top = centred_offset(canvas, width, height)
+        left, top = centred_offset(canvas, matte.width_px, matte.height_px)
         corner = matte.box.moved(left, top).grown(_margin(matte))
         box = Box(
             corner.left, corner.top, corner.left + on_card.texture.width_px, corner.top + on_card.texture.height_px
@@ -106,9 +108,7 @@ class Mattes:
         margin = _margin(matte)
         height, width = (_whole_squares(side + 2 * margin) for side in (box.height, box.width))
         padded = _empty_like(matte.alpha, (height, width))
-        padded[margin : margin + box.height, margin : margin + box.width] = matte.alpha[
-            box.top : box.bottom, box.left : box.right
-        ]
+        padded[margin : margin + box.height, margin : margin + box.width] = matte.alpha
         if matte.hard_edged:
             return MatteOnCard(self._smoothed(padded), Occupancy(padded, _SMOOTHING_REACH_PX))
         texture = Texture(width, height, Format.RGBA8 if padded.dtype == np.uint8 else Format.RGBA16)
@@ -142,12 +142,20 @@ def drawn_from(source: Texture, form: Format, boxes: Boxes, program: Program, un
 
 def _with_neighbours(alpha: Steps) -> Steps:
     """Return for each texel of a matte (H, W) what ``neighbours.frag`` does, (H, W, 4)."""
-    quads = _empty_like(alpha, (*alpha.shape, 4))
-    quads[..., 0] = alpha
-    quads[:, :-1, 1] = alpha[:, 1:]
-    quads[:-1, :, 2] = alpha[1:]
-    quads[:-1, :-1, 3] = alpha[1:, 1:]
-    return quads
+    # Texels beside one another are joined to a number, then numbers below one another, so that no byte is moved alone.
+    bits = alpha.dtype.itemsize * 8
+    first, second = (0, bits) if sys.byteorder == "little" else (bits, 0)
+    pairs = _shifted(alpha, first)
+    pairs[:, :-1] += _shifted(alpha[:, 1:], second)
+    quads = _shifted(pairs, 2 * first)
+    quads[:-1] += _shifted(pairs[1:], 2 * second)
+    return np.asarray(quads.view(alpha.dtype).reshape(*alpha.shape, 4))
+
+
+def _shifted(numbers: NDArray[Any], bits: int) -> NDArray[Any]:
+    """Return unsigned numbers in twice their size, so many bits higher."""
+    wide = np.dtype(f"u{2 * numbers.dtype.itemsize}")
+    return np.asarray(np.left_shift(numbers, wide.type(bits), dtype=wide))
 
 
 def _margin(matte: Matte) -> int:

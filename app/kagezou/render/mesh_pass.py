@@ -224,7 +224,7 @@ def _shaded(view: MeshView, cast: SpaceCast, matte: PlacedMatte) -> tuple[Flags,
     is_bounded = w.min(axis=0) > 1e-9 * np.abs(cast.art_from_world[2]).max()
     corner = np.array([matte.box.left, matte.box.top])[:, np.newaxis]
     texels = art[:, :2] / np.where(w > 0, w, 1.0)[:, np.newaxis] - corner
-    empty, filled = matte.occupancy.states(texels.min(axis=0).T, texels.max(axis=0).T)
+    empty, filled = matte.occupancy.states(texels.min(axis=0), texels.max(axis=0))
     limits = np.array([form for form in (cast.side, cast.left_fold, cast.right_fold) if form is not None])
     values = np.matmul(limits @ shift, view.hulls)
     outside, inside = (values.max(axis=0) < 0).any(axis=0), (values.min(axis=0) >= 0).all(axis=0)

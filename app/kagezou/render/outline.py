@@ -133,14 +133,14 @@ class _Tiles:
             near, far = self._low[1], self._high[1]
         low, high = np.stack([self._low[0, at], near[at]]), np.stack([self._high[0, at], far[at]])
         corner = (strip.plane_from_atlas @ np.array([strip.shown.left, strip.shown.top, 1.0]))[:2, np.newaxis]
-        limit = np.array([values.shape[1], values.shape[0]])
-        first = np.floor((low - corner) / texel).T - _SPLINE_TEXELS
-        last = np.floor((high - corner) / texel).T + _SPLINE_TEXELS + 1
-        leaves = (first[:, 0] < 0) | (last[:, 0] > limit[0])
+        limit = np.array([[values.shape[1]], [values.shape[0]]])
+        first = np.floor((low - corner) / texel) - _SPLINE_TEXELS
+        last = np.floor((high - corner) / texel) + _SPLINE_TEXELS + 1
+        leaves = (first[0] < 0) | (last[0] > limit[0])
         start = np.clip(first, 0, limit).astype(np.intp)
         stop = np.maximum(np.clip(last, 0, limit).astype(np.intp), start)
         some = count_in(summed(values > reach.empty), start, stop)
         full = some if reach.full == reach.empty else count_in(summed(values > reach.full), start, stop)
         self._is_empty[at] &= some == 0
-        self._is_full[at] &= ~leaves & (full == (stop - start).prod(axis=1))
+        self._is_full[at] &= ~leaves & (full == (stop - start).prod(axis=0))
         self._seen_px[at] += far[at] - near[at]

@@ -97,8 +97,7 @@ class ReceivedLayers:
         """Draw all that falls on a character; return the box that may hold it."""
         if alpha.box is None:
             return None
-        height, width = alpha.alpha.shape
-        figure = alpha.box.moved(*centred_offset(target.box, width, height))
+        figure = alpha.box.moved(*centred_offset(target.box, alpha.width_px, alpha.height_px))
         drawn: Box | None = None
         for cast, matte in casting:
             own = target if len(casting) == 1 else self._scratches.like("one", target)
@@ -163,5 +162,5 @@ def _uploaded(matte: Matte) -> Texture:
     assert matte.box is not None
     form = Format.ALPHA8 if matte.alpha.dtype.itemsize == 1 else Format.ALPHA16
     texture = Texture(matte.box.width, matte.box.height, form)
-    texture.upload_part(matte.alpha, matte.box)
+    texture.upload(matte.alpha)
     return texture

@@ -286,5 +286,6 @@ class Renderer:
 def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
     """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
     most = (1 << depth) - 1
-    alpha: Steps = np.rint(covered * np.float32(opacity * most / _MOST_COVERED)).astype(_DEPTHS[depth])
+    scaled = covered * np.float32(opacity * most / _MOST_COVERED)
+    alpha: Steps = np.rint(scaled, out=scaled).astype(_DEPTHS[depth])
     return alpha

@@ -132,7 +132,7 @@ def _shaded_tiles(lit: RoundLit, casts: Sequence[SpaceCast], matte: PlacedMatte,
         )
         low, high = texels.min(axis=0), texels.max(axis=0)
         margin = _PATCH_MARGIN * (high - low)
-        empty, _ = matte.occupancy.states((low - margin).T, (high + margin).T)
+        empty, _ = matte.occupancy.states(low - margin, high + margin)
         before = (cast.side @ points).max(axis=0) < 0
         may_hold |= ~(is_bounded & (empty | before))
     return grid.tiling(canvas, seen & may_hold)

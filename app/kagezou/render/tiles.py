@@ -13,6 +13,7 @@ from kagezou.render.mattes import PlacedMatte
 from kagezou.render.occupancy import Flags
 
 TILE_PX = 8
+_MARGIN_PX = 1.0
 
 CELLS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
 """The numbers of cells, each way, that a pixel may be split into."""
@@ -137,9 +138,9 @@ def tile_grid(cast: Cast, region: Box, matte: PlacedMatte, fineness: Fineness) -
     columns = np.arange(region.left // TILE_PX, -(-region.right // TILE_PX))
     rows = np.arange(region.top // TILE_PX, -(-region.bottom // TILE_PX))
     corners = tile_corners(columns, rows)
-    outside, inside = _limits(cast, corners)
+    outside, inside = _limits(cast, columns, rows)
     texels, w = _seen(cast, corners, matte.box)
-    empty, full = matte.occupancy.states(texels.min(axis=0).T, texels.max(axis=0).T)
+    empty, full = matte.occupancy.states(texels.min(axis=0), texels.max(axis=0))
     # A tile across the horizon or the eye has no bounded picture on the drawing: it may be anything.
     bounded = w.min(axis=0) > 1e-9 * np.abs(cast.art_from_canvas[2]).max()
     codes = np.full(len(outside), _UNTOUCHED)
@@ -153,11 +154,11 @@ def tile_grid(cast: Cast, region: Box, matte: PlacedMatte, fineness: Fineness) -
 
 
 def tile_corners(columns: Codes, rows: Codes) -> Matrix:
-    """Return the corners (4, 3, N) of tiles as homogeneous canvas points.
+    """Return the corners (4, 3, N) of tiles as homogeneous canvas points, row by row.
 
     One px of margin: a pixel's own area and all that its sampling may touch lies within its tile's corners.
     """
-    near, far = -1.0, TILE_PX + 1.0
+    near, far = -_MARGIN_PX, TILE_PX + _MARGIN_PX
     corners = np.ones((4, 3, len(rows), len(columns)))
     corners[:, 0] = (columns * TILE_PX + np.array([[near], [far], [far], [near]]))[:, np.newaxis]
     corners[:, 1] = (rows * TILE_PX + np.array([[near], [near], [far], [far]]))[:, :, np.newaxis]
@@ -168,11 +169,17 @@ def _corner_of(box: Box) -> Matrix:
     return np.array([box.left, box.top], dtype=np.float64)[np.newaxis, :, np.newaxis]
 
 
-def _limits(cast: Cast, corners: Matrix) -> tuple[Flags, Flags]:
-    """Return which tiles lie wholly beyond a limit of the cast, and which wholly within all of them."""
+def _limits(cast: Cast, columns: Codes, rows: Codes) -> tuple[Flags, Flags]:
+    """Return which tiles, row by row, lie wholly beyond a limit of the cast, and which wholly within all of them."""
     forms = np.array([cast.side, cast.horizon, cast.left_fold, cast.right_fold])
-    distances = np.matmul(forms, corners)
-    return (distances.max(axis=0) < 0).any(axis=0), (distances.min(axis=0) >= 0).all(axis=0)
+    middles = (columns + 0.5) * TILE_PX, (rows + 0.5) * TILE_PX
+    across, down = (forms[:, axis, np.newaxis] * middles[axis] for axis in (0, 1))
+    # The farthest corner of a tile is as far from each line through its middle as the line's slopes say.
+    reach = np.abs(forms[:, :2]).sum(axis=1) * (TILE_PX / 2 + _MARGIN_PX)
+    distances = across[:, np.newaxis] + (down + forms[:, 2:])[..., np.newaxis]
+    is_beyond = (distances < -reach[:, np.newaxis, np.newaxis]).any(axis=0)
+    is_within = (distances >= reach[:, np.newaxis, np.newaxis]).all(axis=0)
+    return is_beyond.ravel(), is_within.ravel()
 
 
 def _seen(cast: Cast, corners: Matrix, box: Box) -> tuple[Matrix, Matrix]:

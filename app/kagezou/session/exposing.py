@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure, PicturePart
@@ -131,8 +130,7 @@ def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, i
 
 
 def _is_opaque(part: PicturePart) -> bool:
-    alpha = read_matte(part).alpha
-    return bool(alpha.min() == np.iinfo(alpha.dtype).max)
+    return read_matte(part).is_full
 
 
 def _left_out_of(path: Path, cast: PsdCast) -> list[str]:

@@ -103,7 +103,7 @@ def figure_in(source: PictureSource, canvas: Box) -> Figure | None:
     InputProblem
         The drawing cannot be read.
     """
-    alpha = read_matte(source).alpha
+    alpha = read_matte(source).whole()
     solid = alpha > np.iinfo(alpha.dtype).max // 2
     height, width = solid.shape
     return Figure(solid, centred_offset(canvas, width, height)) if solid.any() else None

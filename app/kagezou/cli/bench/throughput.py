@@ -101,12 +101,10 @@ def _floor_seconds(pieces: list[_Piece], folder: Path, workers: int) -> float:
 def _shadow_in(path: Path) -> ShadowImage:
     """Return a written shadow as what it was written from."""
     cel = read_cel(path)
-    height, width = cel.matte.alpha.shape
-    box = cel.matte.box or Box(0, 0, 0, 0)
+    matte = cel.matte
     red, green, blue = (int(part) for part in cel.rgba[0, 0, :3])
-    return ShadowImage(
-        width, height, (red, green, blue), cel.matte.alpha[box.top : box.bottom, box.left : box.right], box
-    )
+    box = matte.box or Box(0, 0, 0, 0)
+    return ShadowImage(matte.width_px, matte.height_px, (red, green, blue), matte.alpha, box)
 
 
 def _unwatched(done: int, total: int) -> None:
