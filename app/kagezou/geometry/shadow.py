@@ -7,8 +7,10 @@ where a foot meets its shadow.
 """
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from math import isfinite
+from typing import Final
 
 import numpy as np
 
@@ -18,6 +20,9 @@ from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, rectangle_edges, shifted
 from kagezou.geometry.vectors import Matrix, Vector4, coincide, height_over
+
+_CASTS_KEPT: Final = 256
+"""Enough for all lights and receivers of a scene, whose drawings change from frame to frame while they stay."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,6 +139,7 @@ def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -
     )
 
 
+@lru_cache(_CASTS_KEPT)
 def cast_card(camera: Camera, receiver: Plane, card: Card, light: Vector4) -> tuple[Cast, ...]:
     """Return the casts of all pieces of a card, left out where nothing is cast or seen.
 

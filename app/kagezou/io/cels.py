@@ -62,6 +62,7 @@ class CelCache:
     def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
         self._limit_bytes = limit_bytes
         self._kept: OrderedDict[_Key, Cel | Matte] = OrderedDict()
+        self._states: dict[PictureSource, set[_Key]] = {}
         self._nbytes = 0
         self._running: dict[_Key, Future[Cel | Matte]] = {}
         self._lock = threading.Lock()
@@ -128,12 +129,13 @@ class CelCache:
     def kept_sources(self) -> frozenset[PictureSource]:
         """Return which drawings are kept now."""
         with self._lock:
-            return frozenset(key.source for key in self._kept)
+            return frozenset(self._states)
 
     def clear(self) -> None:
         """Forget every drawing."""
         with self._lock:
             self._kept.clear()
+            self._states.clear()
             self._nbytes = 0
 
     def _get(self, key: _Key, read: Callable[[], Cel | Matte]) -> Cel | Matte:
@@ -167,11 +169,12 @@ class CelCache:
 
     def _keep(self, key: _Key, found: Cel | Matte) -> None:
         """Keep ``found``, dropping its older states, its separate matte, and the least lately used."""
-        for other in [kept for kept in self._kept if kept.source == key.source and self._is_outdone(kept, key)]:
+        for other in [kept for kept in self._states.get(key.source, ()) if self._is_outdone(kept, key)]:
             self._drop(other)
         if found.nbytes > self._limit_bytes:
             return
         self._kept[key] = found
+        self._states.setdefault(key.source, set()).add(key)
         self._nbytes += found.nbytes
         while self._nbytes > self._limit_bytes:
             self._drop(next(iter(self._kept)))
@@ -182,6 +185,10 @@ class CelCache:
 
     def _drop(self, key: _Key) -> None:
         self._nbytes -= self._kept.pop(key).nbytes
+        states = self._states[key.source]
+        states.remove(key)
+        if not states:
+            del self._states[key.source]
 
 
 def _key(kind: _Kind, source: PictureSource) -> _Key:

@@ -56,7 +56,7 @@ class Matte:
 
     def whole(self) -> Steps:
         """Return the alpha of the whole drawing, (height_px, width_px)."""
-        whole: Steps = np.zeros_like(self.alpha, shape=(self.height_px, self.width_px))
+        whole: Steps = np.zeros((self.height_px, self.width_px), self.alpha.dtype)
         if self.box is not None:
             whole[self.box.top : self.box.bottom, self.box.left : self.box.right] = self.alpha
         return whole

@@ -26,6 +26,7 @@ HARD_EDGE_SIGMA_PX = 1.0
 
 # Two, so that the texels of a place beyond the rim, which is looked for in the outermost four, are all empty.
 _RIM_PX = 2
+_STRIP_BYTES = 1 << 15
 _SMOOTHING_REACH_PX = ceil(3 * HARD_EDGE_SIGMA_PX)
 
 
@@ -107,13 +108,18 @@ class Mattes:
     def _put_on_card(self, matte: Matte, box: Box) -> MatteOnCard:
         margin = _margin(matte)
         height, width = (_whole_squares(side + 2 * margin) for side in (box.height, box.width))
-        padded = _empty_like(matte.alpha, (height, width))
+        # With one row more, so that each row has one below it.
+        padded = _empty_like(matte.alpha, (height + 1, width))
         padded[margin : margin + box.height, margin : margin + box.width] = matte.alpha
+        texels = padded[:height]
         if matte.hard_edged:
-            return MatteOnCard(self._smoothed(padded), Occupancy(padded, _SMOOTHING_REACH_PX))
+            return MatteOnCard(self._smoothed(texels), Occupancy(texels, _SMOOTHING_REACH_PX))
         texture = Texture(width, height, Format.RGBA8 if padded.dtype == np.uint8 else Format.RGBA16)
-        texture.upload(_with_neighbours(padded))
-        return MatteOnCard(texture, Occupancy(padded, 0))
+        # In strips, so that what is joined and handed over stays in the processor's cache.
+        step = max(_STRIP_BYTES // padded[0].nbytes, 1)
+        for top in range(0, height, step):
+            texture.upload_rows(_with_neighbours(padded[top : top + step + 1]), top)
+        return MatteOnCard(texture, Occupancy(texels, 0))
 
     def _smoothed(self, alpha: Steps) -> Texture:
         """Return the matte smoothed in x, then in y."""
@@ -141,15 +147,15 @@ def drawn_from(source: Texture, form: Format, boxes: Boxes, program: Program, un
 
 
 def _with_neighbours(alpha: Steps) -> Steps:
-    """Return for each texel of a matte (H, W) what ``neighbours.frag`` does, (H, W, 4)."""
+    """Return for each texel of (H + 1, W) but the last row what ``neighbours.frag`` does, (H, W, 4)."""
     # Texels beside one another are joined to a number, then numbers below one another, so that no byte is moved alone.
     bits = alpha.dtype.itemsize * 8
     first, second = (0, bits) if sys.byteorder == "little" else (bits, 0)
     pairs = _shifted(alpha, first)
     pairs[:, :-1] += _shifted(alpha[:, 1:], second)
-    quads = _shifted(pairs, 2 * first)
-    quads[:-1] += _shifted(pairs[1:], 2 * second)
-    return np.asarray(quads.view(alpha.dtype).reshape(*alpha.shape, 4))
+    quads = _shifted(pairs[:-1], 2 * first)
+    quads += _shifted(pairs[1:], 2 * second)
+    return np.asarray(quads.view(alpha.dtype).reshape(*quads.shape, 4))
 
 
 def _shifted(numbers: NDArray[Any], bits: int) -> NDArray[Any]:

@@ -59,7 +59,7 @@ def _in_whole_blocks(alpha: Steps) -> Steps:
         return np.ascontiguousarray(alpha)
     blocks = np.zeros((height + -height % BLOCK_TEXELS, width + -width % BLOCK_TEXELS), dtype=alpha.dtype)
     blocks[:height, :width] = alpha
-    return blocks
+    return np.asarray(blocks)
 
 
 def summed(numbers: Flags | NDArray[np.int64]) -> NDArray[np.int64]:

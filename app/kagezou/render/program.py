@@ -3,6 +3,7 @@
 import ctypes
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ Uniform = bool | int | float | Sequence[float] | NDArray[np.float64]
 """A (3, 3) matrix, (N, 4) vectors, a vector, a number or a switch."""
 
 
+@cache
 def shader_source(name: str) -> str:
     """Return a shader's text with its includes put in their places."""
     text = Path(shader_folder(), name).read_text(encoding="utf-8")

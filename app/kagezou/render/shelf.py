@@ -1,6 +1,6 @@
 """Things on the graphics card kept within a budget of memory."""
 
-from collections import OrderedDict
+from collections import OrderedDict, deque
 from collections.abc import Callable
 from typing import Generic, Protocol, TypeVar
 from weakref import ref
@@ -31,7 +31,10 @@ class Shelf(Generic[T]):
 
     def __init__(self, budget_bytes: int) -> None:
         self._budget = budget_bytes
-        self._kept: OrderedDict[int, tuple[ref[object], T]] = OrderedDict()
+        self._kept: OrderedDict[int, tuple[ref[object], T, int]] = OrderedDict()
+        self._nbytes = 0
+        # Filled from whatever thread lets go of an object last; things are closed only where they are made.
+        self._gone: deque[tuple[int, ref[object]]] = deque()
 
     def made_of(self, source: object, make: Callable[[], T]) -> T:
         """Return what was made of ``source``, which is told by identity; made now if it is not there."""
@@ -43,23 +46,30 @@ class Shelf(Generic[T]):
             return known[1]
         self._forget_gone()
         made = make()
-        self._kept[key] = (ref(source), made)
+        gone = self._gone
+        self._kept[key] = (ref(source, lambda mark: gone.append((key, mark))), made, made.nbytes)
+        self._nbytes += made.nbytes
         self._forget_over_budget()
         return made
 
     def close(self) -> None:
         """Give the memory back."""
-        for _, made in self._kept.values():
-            made.close()
-        self._kept.clear()
+        while self._kept:
+            self._forget(next(iter(self._kept)))
+        self._gone.clear()
 
     def _forget_gone(self) -> None:
-        for key in [key for key, (source, _) in self._kept.items() if source() is None]:
-            self._kept.pop(key)[1].close()
+        while self._gone:
+            key, mark = self._gone.popleft()
+            kept = self._kept.get(key)
+            if kept is not None and kept[0] is mark:
+                self._forget(key)
 
     def _forget_over_budget(self) -> None:
-        total = sum(made.nbytes for _, made in self._kept.values())
-        while total > self._budget and len(self._kept) > 1:
-            _, (_, oldest) = self._kept.popitem(last=False)
-            total -= oldest.nbytes
-            oldest.close()
+        while self._nbytes > self._budget and len(self._kept) > 1:
+            self._forget(next(iter(self._kept)))
+
+    def _forget(self, key: int) -> None:
+        _, made, nbytes = self._kept.pop(key)
+        self._nbytes -= nbytes
+        made.close()

@@ -18,6 +18,8 @@ LAST_LEVEL = 5
 
 Component: TypeAlias = type[np.uint8] | type[np.uint16] | type[np.uint32] | type[np.float32]
 
+_CHANNELS: dict[int, int] = {GL.GL_RG: 2, GL.GL_RGBA: 4, GL.GL_RGBA_INTEGER: 4}
+
 _COMPONENTS: dict[int, Component] = {
     GL.GL_UNSIGNED_BYTE: np.uint8,
     GL.GL_UNSIGNED_SHORT: np.uint16,
@@ -47,7 +49,7 @@ class Format(Enum):
     @property
     def components(self) -> int:
         """How many components a pixel has."""
-        return {GL.GL_RG: 2, GL.GL_RGBA: 4, GL.GL_RGBA_INTEGER: 4}.get(self.value[1], 1)
+        return _CHANNELS.get(self.value[1], 1)
 
 
 class Texture:
@@ -98,6 +100,15 @@ class Texture:
         start = c_void_p(corner.ctypes.data)
         GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, box.width, box.height, order, component, start)
         GL.glPixelStorei(GL.GL_UNPACK_ROW_LENGTH, 0)
+        self.has_mipmaps = False
+
+    def upload_rows(self, pixels: Steps, top: int) -> None:
+        """Fill the rows from ``top`` with C-contiguous pixels (H, W) or (H, W, 4) of the format's type."""
+        _, order, component = self.form.value
+        self.bind(0)
+        GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
+        start = c_void_p(pixels.ctypes.data)
+        GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, top, self.width_px, len(pixels), order, component, start)
         self.has_mipmaps = False
 
     def make_mipmaps(self) -> None:

@@ -13,7 +13,10 @@ from kagezou.render.mattes import PlacedMatte
 from kagezou.render.occupancy import Flags
 
 TILE_PX = 8
-_MARGIN_PX = 1.0
+
+_MARGIN_PX = 0.25
+"""How far beyond a tile its pixels look: squares of texels that stand for a cell are wider than it, but no more than
+twice, and there are only such where a px has 16 cells or more each way."""
 
 CELLS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
 """The numbers of cells, each way, that a pixel may be split into."""
@@ -137,7 +140,7 @@ def tile_grid(cast: Cast, region: Box, matte: PlacedMatte, fineness: Fineness) -
     """
     columns = np.arange(region.left // TILE_PX, -(-region.right // TILE_PX))
     rows = np.arange(region.top // TILE_PX, -(-region.bottom // TILE_PX))
-    corners = tile_corners(columns, rows)
+    corners = tile_corners(columns, rows, _MARGIN_PX)
     outside, inside = _limits(cast, columns, rows)
     texels, w = _seen(cast, corners, matte.box)
     empty, full = matte.occupancy.states(texels.min(axis=0), texels.max(axis=0))
@@ -153,12 +156,12 @@ def tile_grid(cast: Cast, region: Box, matte: PlacedMatte, fineness: Fineness) -
     return TileGrid(codes.reshape(len(rows), len(columns)), columns, rows)
 
 
-def tile_corners(columns: Codes, rows: Codes) -> Matrix:
-    """Return the corners (4, 3, N) of tiles as homogeneous canvas points, row by row.
+def tile_corners(columns: Codes, rows: Codes, margin_px: float = 1.0) -> Matrix:
+    """Return the corners (4, 3, N) of tiles with a margin as homogeneous canvas points, row by row.
 
-    One px of margin: a pixel's own area and all that its sampling may touch lies within its tile's corners.
+    With one px, a pixel's own area and all that any sampling may touch lies within its tile's corners.
     """
-    near, far = -_MARGIN_PX, TILE_PX + _MARGIN_PX
+    near, far = -margin_px, TILE_PX + margin_px
     corners = np.ones((4, 3, len(rows), len(columns)))
     corners[:, 0] = (columns * TILE_PX + np.array([[near], [far], [far], [near]]))[:, np.newaxis]
     corners[:, 1] = (rows * TILE_PX + np.array([[near], [near], [far], [far]]))[:, :, np.newaxis]
@@ -194,8 +197,11 @@ def _stretch(cast: Cast, art: Matrix, w: Matrix) -> Matrix:
     """Return how many texels one canvas px covers at most in each tile, (2, N): along x and along y."""
     safe = np.where(w > 0, w, 1.0)
     x_row, y_row, w_row = cast.art_from_canvas
-    steps = [np.hypot(x_row[k] - art[:, 0] * w_row[k], y_row[k] - art[:, 1] * w_row[k]) / safe for k in (0, 1)]
-    return np.array([step.max(axis=0) for step in steps])
+    squares = [
+        ((x_row[k] - art[:, 0] * w_row[k]) ** 2 + (y_row[k] - art[:, 1] * w_row[k]) ** 2) / (safe * safe)
+        for k in (0, 1)
+    ]
+    return np.sqrt([each.max(axis=0) for each in squares])
 
 
 def _edge_codes(cells: Matrix, at_limit: Flags, most: int) -> Codes:

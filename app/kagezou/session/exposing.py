@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure, PicturePart
 from kagezou.errors import InputProblem
