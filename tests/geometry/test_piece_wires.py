@@ -1,6 +1,6 @@
 """The edges of set pieces against sight lines walked step by step."""
 
-from math import dist
+from math import dist, pi
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from kagezou.geometry import piece_shapes as shapes
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.piece_shapes import stand_on
-from kagezou.geometry.piece_wires import Measures, Wire, wires_of
+from kagezou.geometry.piece_wires import RIM_PARTS, Measures, Wire, wires_of
 from kagezou.geometry.pieces import Body, Drum, Solid
 from kagezou.geometry.vectors import Matrix, Vector4
 
@@ -32,19 +32,27 @@ def is_inside(body: Body, points: Matrix) -> NDArray[np.bool_]:
     return np.asarray(inside, np.bool_)
 
 
-def walked_within(bodies: tuple[Body, ...], start: Matrix, eye: Vector4, size: float) -> float:
+def walked_within(
+    bodies: tuple[Body, ...], start: Matrix, eye: Vector4, size: float, steps: int = STEPS_WALKED
+) -> float:
     """Return how far the way from a point to the eye is within bodies, px, as far as it was walked."""
     way = np.array(eye[:3]) - eye[3] * start
     way = way / np.linalg.norm(way)
-    points = start + np.linspace(0, 3 * size, STEPS_WALKED)[:, None] * way
+    points = start + np.linspace(0, 3 * size, steps)[:, None] * way
     inside = np.logical_or.reduce([is_inside(body, points) for body in bodies])
-    return float(inside.sum()) * 3 * size / STEPS_WALKED
+    return float(inside.sum()) * 3 * size / steps
 
 
 def middle_of(wire: Wire) -> Matrix:
     """Return a point truly on a wire: the corner nearest to its middle, or the middle of a straight one."""
     points = np.array(wire.points)
     return np.asarray(points[len(points) // 2] if len(points) > 2 else points.mean(axis=0), np.float64)
+
+
+def is_one_part_of_a_rim(wire: Wire, measures: Measures) -> bool:
+    """Whether a wire is but one chord of a circle: its ends may be seen or not, and its middle is within the piece."""
+    chord = 2 * pi * (measures.width_px / 2) / RIM_PARTS
+    return measures.kind in {"cylinder", "sphere"} and len(wire.points) == 2 and dist(*wire.points) < 1.01 * chord
 
 
 @settings(max_examples=60)
@@ -67,10 +75,16 @@ def test_what_is_hidden_is_what_a_sight_line_cannot_reach(kind: str, angle: floa
     bodies = made.get(kind, shapes.box(stand, 200, 180, 150))
     eye = Camera(1000, 1000, fov).eye
     for wire in wires_of(stand, measures, eye):
+        if is_one_part_of_a_rim(wire, measures):
+            continue
         # An end of a run may lie between the places that were looked at; its middle is sure.
-        within = walked_within(bodies, middle_of(wire), eye, 400)
-        if not 0.5 < within < 12:
-            assert wire.is_hidden == (within >= 12), (kind, within)
+        middle = middle_of(wire)
+        within = walked_within(bodies, middle, eye, 400)
+        if within >= 12:
+            assert wire.is_hidden, (kind, within)
+        elif within < 0.5 and wire.is_hidden:
+            # Coarse steps may have missed a corner that the way only brushes.
+            assert walked_within(bodies, middle, eye, 400, steps=50_000) > 0, kind
 
 
 @given(st.floats(5, 85), st.one_of(st.just(0.0), st.floats(5, 90)))
