@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -17,9 +18,11 @@ from kagezou.document.set_pieces import add_piece
 from kagezou.document.set_properties import MESH
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, template, write_bundle
+from kagezou.export.frames import export_frames
 from kagezou.export.request import ExportRequest
 from kagezou.io.path_mapping import Rule, mapped, read_rules, with_mapped_paths
 from kagezou.io.project_file import save
+from kagezou.render.context import open_headless_context
 
 posix = pytest.mark.skipif(os.name != "posix", reason="the worker is called through a shell script")
 
@@ -41,10 +44,16 @@ def worker(tmp_path: Path) -> Path:
     return script
 
 
-def bundle(document: Document, folder: Path, worker: Path | str = "kagezou", chunk: int = 6) -> tuple[Path, Path]:
+def bundle(
+    document: Document,
+    folder: Path,
+    worker: Path | str = "kagezou",
+    chunk: int = 6,
+    asked: ExportRequest | None = None,
+) -> tuple[Path, Path]:
     project = folder / "cut 12.kage"
     save(document, project)
-    request = FarmRequest(project, ExportRequest(folder / "out"), chunk, str(worker))
+    request = FarmRequest(project, asked or ExportRequest(folder / "out"), chunk, str(worker))
     write_bundle(document, request, folder / "job")
     return folder / "job" / TEMPLATE, project
 
@@ -91,6 +100,28 @@ def test_two_workers_at_once_make_the_bytes_of_a_local_render(document: Document
     assert [session.returncode for session in sessions] == [0, 0], said
     assert "openjd_progress: 100.0" in said[0]
     assert "openjd_status: 6 of 6 files" in said[0]
+    assert bytes_below(tmp_path / "farm") == bytes_below(tmp_path / "local")
+
+
+@posix
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ExportRequest(Path("out"), layered=True, format="psd"),
+        ExportRequest(Path("out"), receivers=True, composite=True),
+    ],
+    ids=["layered", "with mattes and composite"],
+)
+def test_a_farm_makes_all_that_a_local_render_can(
+    document: Document, worker: Path, tmp_path: Path, asked: ExportRequest
+) -> None:
+    frames = (1, 2, 3)
+    here = replace(asked, folder=tmp_path / "local", frames=frames)
+    export_frames(document, here, open_headless_context, lambda *_: None, lambda: False)
+    job, project = bundle(document, tmp_path, worker, asked=replace(asked, folder=tmp_path / "farm", frames=frames))
+    done = openjd(*run_words(job, project, tmp_path / "farm"))
+    assert done.returncode == 0, done.stdout
+    assert len(bytes_below(tmp_path / "local")) == 3 * (1 if asked.layered else 3)
     assert bytes_below(tmp_path / "farm") == bytes_below(tmp_path / "local")
 
 

@@ -78,11 +78,31 @@ def test_only_what_a_kind_knows_is_asked(dialog: ExportDialog) -> None:
     def seen() -> str:
         return " ".join(box.text() for box in dialog.findChildren(QCheckBox) if box.isVisible())
 
-    assert "Matte" not in seen()
+    assert "near the feet" not in seen()
     choose(dialog, "After Effects")
-    assert "Matte" in seen()
+    assert "near the feet" in seen()
     assert "Composite" not in seen()
     assert data_of(dialog.options.format_box) == ["png", "exr"]
+
+
+def test_mattes_of_what_is_fallen_on_are_written_for_any_compositor(dialog: ExportDialog) -> None:
+    tick(dialog, "the ground and every set piece")
+    assert lines(dialog) == ["Walker_shadow/  6 × .png", "ground_matte/  6 × .png"]
+
+
+def test_a_farm_makes_layered_frames_too(dialog: ExportDialog) -> None:
+    choose(dialog, "Render farm job")
+    tick(dialog, "Composite")
+    tick(dialog, "All layers of a frame in one file")
+    assert data_of(dialog.options.format_box) == ["psd", "exr"]
+    box = next(box for box in dialog.findChildren(QCheckBox) if "Composite" in box.text())
+    assert not box.isEnabled()
+    assert box.toolTip() == "One file with all layers has it already."
+    assert dialog.go.isEnabled(), "a composite asked for before stands not in the way"
+    tick(dialog, "All layers of a frame in one file")
+    assert data_of(dialog.options.format_box) == ["png", "tga", "tiff", "exr"]
+    assert box.isEnabled()
+    assert box.isChecked()
 
 
 def test_layered_frames_show_their_layers(dialog: ExportDialog) -> None:

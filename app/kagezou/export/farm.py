@@ -13,7 +13,7 @@ from kagezou.animation.frames import format_frames
 from kagezou.document.model import Document, file_of
 from kagezou.errors import UsageProblem
 from kagezou.export.jobs import planned
-from kagezou.export.request import DEPTHS, SUFFIXES, ExportRequest
+from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
 from kagezou.io.atomic import write_bytes
 from kagezou.io.faults import output_problem
 from kagezou.io.gltf import files_beside
@@ -114,7 +114,8 @@ def _words(request: FarmRequest) -> list[str]:
         if "{{" in layer:
             raise UsageProblem(f"the layer {layer!r} cannot be named in a job: it has braces")
         words += ["--layer", layer]
-    return words + (["--composite"] if export.composite else [])
+    switches = {"--composite": export.composite, "--layered": export.layered, "--receivers": export.receivers}
+    return words + [switch for switch, is_on in switches.items() if is_on]
 
 
 def _definitions(document: Document, request: FarmRequest) -> list[Json]:
@@ -145,7 +146,7 @@ def _definitions(document: Document, request: FarmRequest) -> list[Json]:
             "name": "Format",
             "type": "STRING",
             "default": export.format,
-            "allowedValues": list(SUFFIXES),
+            "allowedValues": list(LAYERED_SUFFIXES if export.layered else SUFFIXES),
             "description": "The format of the frames.",
         },
         {

@@ -56,10 +56,10 @@ def _in_whole_blocks(alpha: Steps) -> Steps:
     """Return the texels, C-contiguous, with empty ones after them where the last blocks are not filled."""
     height, width = alpha.shape
     if height % BLOCK_TEXELS == width % BLOCK_TEXELS == 0:
-        return np.ascontiguousarray(alpha)
-    blocks = np.zeros((height + -height % BLOCK_TEXELS, width + -width % BLOCK_TEXELS), dtype=alpha.dtype)
+        return alpha if alpha.flags.c_contiguous else alpha.copy()
+    blocks: Steps = np.zeros((height + -height % BLOCK_TEXELS, width + -width % BLOCK_TEXELS), alpha.dtype)
     blocks[:height, :width] = alpha
-    return np.asarray(blocks)
+    return blocks
 
 
 def summed(numbers: Flags | NDArray[np.int64]) -> NDArray[np.int64]:

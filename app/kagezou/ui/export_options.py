@@ -4,7 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from kagezou.document.model import Document
-from kagezou.ui.export_plan import FORMATS, ExportKind, ExportPlan, depths_of
+from kagezou.ui.export_plan import ExportKind, ExportPlan, depths_of
 
 _LAYERS, _LAYERED, _VIDEO, _EFFECTS, _FARM = tuple(ExportKind)
 _FRAMES = (_LAYERS, _LAYERED, _EFFECTS, _FARM)
@@ -47,12 +47,15 @@ class ExportOptions(QWidget):
             self._form.setRowVisible(widget, plan.kind in kinds)
         self.depth_box.setVisible(plan.kind in _FRAMES)
         titles = self._format_words()
-        _fill(self.format_box, {titles.get(each, each.upper()): each for each in FORMATS[plan.kind]}, plan.format)
+        _fill(self.format_box, {titles.get(each, each.upper()): each for each in plan.formats}, plan.format)
         depths = depths_of(plan.format)
         _fill(self.depth_box, {self.tr("%1 bit").replace("%1", str(each)): each for each in depths}, plan.depth)
         only = self.tr("%1 has no other depth.").replace("%1", plan.format.upper())
         _allow(self.depth_box, "" if len(depths) > 1 else only)
         _fill(self.video_box, self._pictures(), plan.video_layer)
+        apart = self.tr("One file with all layers has it already.") if plan.is_layered else ""
+        for name in ("composite", "receivers"):
+            _allow(self._ticks[name], apart)
         for name, box in self._ticks.items():
             _tick(box, on=bool(getattr(plan, name)))
         for matte, box in self._mattes.items():
@@ -73,7 +76,9 @@ class ExportOptions(QWidget):
         self._form.addRow(self.labels[0], row)
         self._form.addRow(self.labels[1], self.video_box)
         self._rows.append((self.video_box, (_VIDEO,)))
+        self._add(self.tr("All layers of a frame in one file"), "in_one", (_FARM,))
         self._add(self.tr("Composite with background and characters"), "composite", (_LAYERS, _FARM))
+        self._add(self.tr("Mattes: the ground and every set piece"), "receivers", (_LAYERS, _FARM))
         self._add(self.tr("Only the work area"), "only_work_area", (_LAYERS, _LAYERED, _VIDEO, _FARM))
         if self._document.work_area is None:
             _refuse(self._ticks["only_work_area"], self.tr("the cut has none"))

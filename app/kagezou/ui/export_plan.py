@@ -26,14 +26,13 @@ class ExportKind(StrEnum):
     FARM = "farm"
 
 
-FORMATS: Final[dict[ExportKind, tuple[str, ...]]] = {
+_FORMATS: Final[dict[ExportKind, tuple[str, ...]]] = {
     ExportKind.LAYERS: tuple(SUFFIXES),
     ExportKind.LAYERED: tuple(LAYERED_SUFFIXES),
     ExportKind.VIDEO: ("mp4", "mov"),
     ExportKind.AFTER_EFFECTS: ("png", "exr"),
     ExportKind.FARM: tuple(SUFFIXES),
 }
-"""The formats of each kind, the usual one first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +47,10 @@ class ExportPlan:
         Whether frames outside the work area are left out; a hand-off to After Effects always has them all.
     format
         One of those of its kind.
-    depth, composite, skip_existing
+    depth, composite, receivers, skip_existing
         As of `ExportRequest`.
+    in_one
+        Whether a farm makes frames of layers, as `ExportKind.LAYERED` does, instead of shadow layers.
     per_drawing, copies, mattes
         As of `HandOffRequest`.
     chunk
@@ -63,12 +64,24 @@ class ExportPlan:
     format: str = "png"
     depth: int = 8
     composite: bool = False
+    receivers: bool = False
+    in_one: bool = False
     skip_existing: bool = True
     per_drawing: bool = False
     copies: bool = True
     mattes: tuple[str, ...] = ()
     chunk: int = 10
     video_layer: str = ""
+
+    @property
+    def is_layered(self) -> bool:
+        """Whether each frame is one file that holds all layers."""
+        return self.kind is ExportKind.LAYERED or (self.kind is ExportKind.FARM and self.in_one)
+
+    @property
+    def formats(self) -> tuple[str, ...]:
+        """The formats it may have, the usual one first."""
+        return _FORMATS[ExportKind.LAYERED if self.is_layered else self.kind]
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,9 +132,8 @@ def depths_of(form: str) -> tuple[int, ...]:
 
 
 def sound(plan: ExportPlan) -> ExportPlan:
-    """Return the plan with a format that its kind has and a depth that its format has."""
-    formats = FORMATS[plan.kind]
-    form = plan.format if plan.format in formats else formats[0]
+    """Return the plan with a format that it may have and a depth that its format has."""
+    form = plan.format if plan.format in plan.formats else plan.formats[0]
     depth = plan.depth if plan.depth in depths_of(form) else depths_of(form)[0]
     return replace(plan, format=form, depth=depth, chunk=min(max(plan.chunk, 1), 1000))
 
@@ -138,7 +150,7 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
         return _video_preview(document, plan, place)
     made = planned(document, frames_request(document, plan, place.folder, workers=1))
     length = len(made.jobs) and made.files // max(len(made.folders), 1)
-    suffix = f".{plan.format}" if plan.kind is ExportKind.LAYERED else SUFFIXES[plan.format]
+    suffix = (LAYERED_SUFFIXES if plan.is_layered else SUFFIXES)[plan.format]
     match plan.kind:
         case ExportKind.LAYERS:
             return tuple(f"{folder.name}/  {length} × {suffix}" for folder in made.folders)
@@ -176,15 +188,17 @@ def video_request(document: Document, plan: ExportPlan, place: Place, workers: i
 
 def frames_request(document: Document, plan: ExportPlan, folder: Path, workers: int) -> ExportRequest:
     """Return what numbered frames are asked for with."""
+    apart = plan.kind in (ExportKind.LAYERS, ExportKind.FARM) and not plan.is_layered
     return ExportRequest(
         folder=folder,
         frames=None if plan.kind is ExportKind.AFTER_EFFECTS else _frames(document, plan),
         format=plan.format,
         depth=plan.depth,
-        composite=plan.composite and plan.kind in (ExportKind.LAYERS, ExportKind.FARM),
+        composite=plan.composite and apart,
+        receivers=plan.receivers and apart,
         skip_existing=plan.skip_existing,
         workers=workers,
-        layered=plan.kind is ExportKind.LAYERED,
+        layered=plan.is_layered,
     )
 
 

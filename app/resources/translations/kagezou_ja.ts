@@ -1135,6 +1135,14 @@
         <translation>%1 のビット数はこれだけです。</translation>
     </message>
     <message>
+        <source>One file with all layers has it already.</source>
+        <translation>全レイヤーを収めたファイルに、すでに含まれています。</translation>
+    </message>
+    <message>
+        <source>All layers of a frame in one file</source>
+        <translation>1フレームの全レイヤーを1つのファイルに</translation>
+    </message>
+    <message>
         <source>Composite with background and characters</source>
         <translation>背景・キャラクターとの合成も書き出す</translation>
     </message>

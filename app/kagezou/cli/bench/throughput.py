@@ -17,7 +17,7 @@ from kagezou.io.encode import ShadowImage, encode_png
 from kagezou.io.images import read_cel, read_matte
 from kagezou.render.context import OpenContext
 
-REPETITIONS: Final = 3
+REPETITIONS: Final = 7
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ format and the program's name are parameters of the job. Prints the template."""
 EXAMPLES = """\
   kagezou farm walk.kage -o job --output shadows
   kagezou farm walk.kage -o job --output /mnt/shows/c012/shadows --chunk 24 --format exr --composite
+  kagezou farm walk.kage -o job --layered --format psd
   openjd run job/template.json --step Render -p ProjectFile=$PWD/walk.kage -p OutputDir=$PWD/shadows
   deadline bundle submit job
 """
@@ -28,9 +29,11 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--chunk", type=whole_number, default=10, metavar="N", help="frames a task (10)")
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
-    parser.add_argument("--format", choices=("png", "tga", "tiff", "exr"), default="png", help="the format (png)")
+    parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16)")
     parser.add_argument("--composite", action="store_true", help="also background, shadows and characters in one")
+    parser.add_argument("--receivers", action="store_true", help="also mattes of the ground and every set piece")
+    parser.add_argument("--layered", action="store_true", help="each frame one psd or exr with all layers instead")
     parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
 
 
@@ -44,13 +47,16 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 
     project: Path = options.project.absolute()
     output = options.output or project.with_name(f"{project.stem}_shadows")
+    form = options.format or ("psd" if options.layered else "png")
     export = ExportRequest(
         folder=output.absolute(),
         frames=None if options.frames is None else parse_frames(options.frames),
         layers=None if options.layer is None else tuple(options.layer),
-        format=options.format,
-        depth=options.depth or _DEFAULT_DEPTH.get(options.format, 8),
+        format=form,
+        depth=options.depth or _DEFAULT_DEPTH.get(form, 8),
         composite=options.composite,
+        receivers=options.receivers,
+        layered=options.layered,
     )
     document = load(project)
     write_bundle(document, FarmRequest(project, export, options.chunk, options.program), options.bundle)
