@@ -70,7 +70,8 @@ def test_the_preview_follows_every_choice(dialog: ExportDialog) -> None:
         "background/",
     ]
     choose(dialog, "Render farm job")
-    assert lines(dialog) == ["template.json", "parameter_values.json", "asset_references.json", "1 × 10"]
+    assert lines(dialog)[:4] == ["template.json", "parameter_values.json", "asset_references.json", "1 × 10"]
+    assert lines(dialog)[4:] == ["    Walker_shadow/  6 × .exr", "    composite/  6 × .exr"]
     assert dialog.go.isEnabled()
 
 

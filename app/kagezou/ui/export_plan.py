@@ -9,6 +9,7 @@ from typing import Final
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.after_effects.mattes import MATTES
+from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE
 from kagezou.export.jobs import LayeredContent, planned
 from kagezou.export.layered import part_names
 from kagezou.export.names import safe_names
@@ -139,7 +140,7 @@ def sound(plan: ExportPlan) -> ExportPlan:
 
 
 def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ...]:
-    """Return what would be written, folder by folder; below it, indented, what is in its files.
+    """Return what would be written, folder by folder; below it, indented, what is in its files or comes of its tasks.
 
     Raises
     ------
@@ -168,7 +169,8 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
             if place.project is None:
                 raise UsageProblem("a farm renders a saved project; save this one first")
             tasks = -(-length // plan.chunk)
-            return ("template.json", "parameter_values.json", "asset_references.json", f"{tasks} × {plan.chunk}")
+            files = (TEMPLATE, PARAMETERS, ASSETS, f"{tasks} × {plan.chunk}")
+            return (*files, *(f"    {folder.name}/  {length} × {suffix}" for folder in made.folders))
 
 
 def _video_preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ...]:
