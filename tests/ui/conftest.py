@@ -23,6 +23,9 @@ from kagezou.ui.desk import Desk
 from kagezou.ui.language import Language
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.panels import look_clipboard, row_menu
+from kagezou.ui.panels.inspector import Inspector
+from kagezou.ui.panels.layer_list import LayerList
+from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.settings import Settings
 from kagezou.ui.viewport import reading, resolution
 
@@ -172,3 +175,25 @@ def active(qtbot: QtBot, walking: MainWindow, present: Callable[[], None]) -> Ma
 
     qtbot.waitUntil(is_active)
     return walking
+
+
+@pytest.fixture
+def inspector(qtbot: QtBot, filled: Desk) -> Inspector:
+    """The panel of properties, shown."""
+    made = Inspector(filled.bridge)
+    qtbot.addWidget(made)
+    made.resize(360, 900)
+    made.show()
+    return made
+
+
+@pytest.fixture
+def layers(qtbot: QtBot, filled: Desk) -> LayerList:
+    """The list of layers, shown."""
+    thumbnails = Thumbnails()
+    made = LayerList(filled.bridge, thumbnails)
+    made.destroyed.connect(thumbnails.wait)
+    qtbot.addWidget(made)
+    made.resize(300, 400)
+    made.show()
+    return made

@@ -21,7 +21,6 @@ from kagezou.ui.panels.key_button import KeyState
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.row_menu import fill_row_menu, fill_section_menu
 from kagezou.ui.panels.scrub_field import MIXED, ScrubField
-from kagezou.ui.panels.thumbnails import Thumbnails
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support propagateSizeHints")
 
@@ -44,23 +43,8 @@ def trio(filled: Desk) -> Desk:
 
 
 @pytest.fixture
-def inspector(qtbot: QtBot, trio: Desk) -> Inspector:
-    made = Inspector(trio.bridge)
-    qtbot.addWidget(made)
-    made.resize(360, 900)
-    made.show()
-    return made
-
-
-@pytest.fixture
-def layers(qtbot: QtBot, trio: Desk) -> LayerList:
-    thumbnails = Thumbnails()
-    made = LayerList(trio.bridge, thumbnails)
-    made.destroyed.connect(thumbnails.wait)
-    qtbot.addWidget(made)
-    made.resize(300, 400)
-    made.show()
-    return made
+def inspector(trio: Desk, inspector: Inspector) -> Inspector:  # noqa: ARG001 - of three characters
+    return inspector
 
 
 def opacities(desk: Desk) -> list[float]:

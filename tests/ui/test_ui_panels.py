@@ -18,7 +18,6 @@ from kagezou.ui.panels.key_button import KeyState
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.layer_model import Role
 from kagezou.ui.panels.scrub_field import ScrubField
-from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.playback import Player
 from kagezou.ui.timeline.ruler import Ruler
 from kagezou.ui.timeline.time_scale import TimeScale
@@ -28,26 +27,6 @@ from kagezou.ui.transport import FrameField, Transport
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support propagateSizeHints")
 
 DECLINATION = Address(properties.GROUND_DECLINATION)
-
-
-@pytest.fixture
-def inspector(qtbot: QtBot, filled: Desk) -> Inspector:
-    made = Inspector(filled.bridge)
-    qtbot.addWidget(made)
-    made.resize(340, 900)
-    made.show()
-    return made
-
-
-@pytest.fixture
-def layers(qtbot: QtBot, filled: Desk) -> LayerList:
-    thumbnails = Thumbnails()
-    made = LayerList(filled.bridge, thumbnails)
-    made.destroyed.connect(thumbnails.wait)
-    qtbot.addWidget(made)
-    made.resize(300, 400)
-    made.show()
-    return made
 
 
 def field_of(inspector: Inspector, name: str, index: int = 0) -> ScrubField:
