@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 from kagezou.document.model import PicturePart
 from kagezou.ui.arrivals import arrivals_of, whole_sequence
 from kagezou.ui.desk import Desk
+from kagezou.ui.dialogs import Answer
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.settings import Settings
 from psd_files import SIZE, Folder, Leaf, block, write_psd
@@ -33,6 +34,17 @@ def test_a_psd_file_opens_the_window_with_it(plain: MainWindow, psd: Path) -> No
     assert (document.canvas.width_px, document.canvas.length_frames) == (SIZE[0], 3)
     assert plain.desk.path is None
     assert not plain.desk.is_saved
+    plain.close_unasked()
+
+
+def test_opened_it_takes_the_place_of_the_project(
+    plain: MainWindow, cels: Path, psd: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain.project.bring([cels])
+    monkeypatch.setattr(plain.project.dialogs, "unsaved", lambda _name: Answer.DISCARD)
+    monkeypatch.setattr(plain.project.dialogs, "project_to_open", lambda: psd)
+    plain.actions_of["open"].trigger()
+    assert [layer.name for layer in plain.desk.bridge.document.layers] == ["Hero"]
     plain.close_unasked()
 
 

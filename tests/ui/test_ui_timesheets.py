@@ -9,6 +9,7 @@ from kagezou.io.timesheet import SheetTrack, Timesheet
 from kagezou.io.xdts import read_timesheet, write_xdts
 from kagezou.ui.arrivals import arrivals_of
 from kagezou.ui.desk import Desk
+from kagezou.ui.dialogs import Answer
 from kagezou.ui.main_window import MainWindow
 from kagezou.ui.settings import Settings
 
@@ -46,6 +47,24 @@ def test_a_sheet_dropped_on_a_project_times_it_in_one_step(plain: MainWindow, ce
     assert plain.desk.bridge.session.undo_name == "Apply timesheet"
     plain.desk.bridge.session.undo()
     assert plain.desk.bridge.document is before
+    plain.close_unasked()
+
+
+def test_a_sheet_that_is_opened_puts_the_project_away(
+    plain: MainWindow, cels: Path, sheet: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain.project.bring([cels, cels.parent])
+    monkeypatch.setattr(plain.project.dialogs, "project_to_open", lambda: sheet)
+    monkeypatch.setattr(plain.project.dialogs, "unsaved", lambda _name: Answer.CANCEL)
+    before = plain.desk.bridge.document
+    plain.actions_of["open"].trigger()
+    assert plain.desk.bridge.document is before
+    monkeypatch.setattr(plain.project.dialogs, "unsaved", lambda _name: Answer.DISCARD)
+    plain.actions_of["open"].trigger()
+    document = plain.desk.bridge.document
+    assert [layer.name for layer in document.layers] == ["walker"]
+    assert document.canvas.length_frames == 30
+    assert not plain.desk.is_saved
     plain.close_unasked()
 
 

@@ -28,6 +28,8 @@ FORMATS: Final = {
 }
 """The formats that are read, by lower-case suffix."""
 
+PSD_SUFFIXES: Final = tuple(suffix for suffix, form in FORMATS.items() if form == "psd")
+
 LARGEST_SIDE_PX: Final = 32768
 """The widest and the highest picture that is read."""
 

@@ -164,6 +164,14 @@ class Desk(QObject):
         whole = path if path.suffix.lower() == ".xdts" else path.with_name(path.name + ".xdts")
         write_xdts(whole, sheet_of(self.bridge.document, name))
 
+    def new_by(self, sheet: Path) -> AnyLoad:
+        """Begin a project of the drawings beside a timesheet; it has no file yet and counts as unsaved."""
+
+        def read(watch: Watch) -> Staged:
+            return self._first_seen(document_of_sheet(sheet, watch), watch)
+
+        return Load(sheet.name, read, lambda staged: self._begin(self.tr("New from timesheet"), staged), replaces=True)
+
     def put_background(self, path: Path) -> AnyLoad:
         """Put a picture under everything; into nothing it brings its size."""
 

@@ -7,7 +7,8 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from kagezou.io.meshes import MESH_SUFFIXES
-from kagezou.io.signatures import FORMATS
+from kagezou.io.signatures import FORMATS, PSD_SUFFIXES
+from kagezou.session.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.ui.arrivals import PROJECT_SUFFIX
 from kagezou.ui.settings import Settings
 
@@ -36,9 +37,12 @@ class Dialogs:
         self._settings = settings
 
     def project_to_open(self) -> Path | None:
-        """Ask for a project file."""
+        """Ask for a project file, or for what a project begins with: a timesheet or a PSD file."""
         title = QCoreApplication.translate("Dialogs", "Open Project")
-        chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("project"), self._project_filter())
+        patterns = " ".join(f"*{each}" for each in (PROJECT_SUFFIX, *TIMESHEET_SUFFIXES, *PSD_SUFFIXES))
+        every = QCoreApplication.translate("Dialogs", "Projects, timesheets and PSD files") + f" ({patterns})"
+        filters = ";;".join([every, self._project_filter()])
+        chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("project"), filters)
         return self._remembered("project", chosen)
 
     def project_to_save(self, suggested: str) -> Path | None:

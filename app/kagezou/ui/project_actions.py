@@ -78,9 +78,9 @@ class ProjectActions(QObject):
         one of what is in it.
         """
         if is_psd(path):
-            return self._load(self._desk.bring((CharacterSource(None, path),)))
+            return self._load(self._desk.new((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
-            return self.time_by(path)
+            return self._load(self._desk.new_by(path))
         holder = self._lock.holder_of(path)
         if holder and not self.dialogs.open_twice(path.name, holder):
             return False

@@ -842,6 +842,10 @@
         <translation>プロジェクトを開く</translation>
     </message>
     <message>
+        <source>Projects, timesheets and PSD files</source>
+        <translation>プロジェクト・タイムシート・PSD</translation>
+    </message>
+    <message>
         <source>Save Project As</source>
         <translation>プロジェクトを名前を付けて保存</translation>
     </message>
