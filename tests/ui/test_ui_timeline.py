@@ -6,17 +6,18 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QInputDialog, QLineEdit
+from PySide6.QtWidgets import QInputDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 from viewing import move
 
 from kagezou.animation.track import Interpolation
 from kagezou.document import edits, review
 from kagezou.document.address import Address, track_of
+from kagezou.document.ease_edits import set_interpolation
 from kagezou.document.key_edits import KeyRef, Refs
-from kagezou.document.model import Canvas, Marker
+from kagezou.document.model import Canvas, Document, Marker
 from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION, OPACITY
 from kagezou.document.set_pieces import add_piece, remove_piece
 from kagezou.document.set_properties import PIECE_ANGLE
@@ -59,6 +60,41 @@ def timeline(qtbot: QtBot, keyed: Desk) -> Timeline:
     made.show()
     qtbot.waitExposed(made)
     return made
+
+
+class Paints(QObject):
+    """How often widgets are painted."""
+
+    def __init__(self, *widgets: QWidget) -> None:
+        super().__init__()
+        self.counts = dict.fromkeys(widgets, 0)
+        for widget in widgets:
+            widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() is QEvent.Type.Paint and isinstance(watched, QWidget):
+            self.counts[watched] += 1
+        return False
+
+
+def test_a_drag_of_a_keyed_value_paints_the_names_alone(qtbot: QtBot, timeline: Timeline, keyed: Desk) -> None:
+    ruler, lanes, names = timeline.ruler, timeline.lanes, timeline.names
+    QTest.qWait(50)
+    paints = Paints(ruler, lanes, names)
+    document = edits.set_key(keyed.bridge.document, LIGHT, 10, (12.0, 0.0, 900.0))
+    keyed.bridge.session.edit("Move the lamp", document)
+    qtbot.waitUntil(lambda: paints.counts[names] > 0)
+    assert (paints.counts[ruler], paints.counts[lanes]) == (0, 0)
+
+    def is_painted_after(widget: QWidget, changed: Document) -> bool:
+        before = paints.counts[widget]
+        keyed.bridge.session.edit("Change", changed)
+        qtbot.waitUntil(lambda: paints.counts[widget] > before)
+        return True
+
+    assert is_painted_after(lanes, edits.set_key(document, LIGHT, 12, (12.0, 0.0, 900.0)))
+    assert is_painted_after(lanes, set_interpolation(document, frozenset({KeyRef(LIGHT, 10)}), Interpolation.HOLD))
+    assert is_painted_after(ruler, review.set_work_area(document, 3, 9))
 
 
 def frames(desk: Desk, address: Address) -> list[int]:

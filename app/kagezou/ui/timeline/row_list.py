@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from PySide6.QtCore import QObject, Signal
 
+from kagezou.animation.track import Track
 from kagezou.document.address import track_of
 from kagezou.document.model import Document
 from kagezou.ui.bridge import Bridge
@@ -20,6 +21,9 @@ class RowList(QObject):
     """
 
     changed = Signal()
+    """What is drawn of the rows over time is another: which there are, their drawings, where their keys lie."""
+    values_changed = Signal()
+    """Nothing but values of properties that are shown."""
 
     def __init__(self, bridge: Bridge) -> None:
         super().__init__()
@@ -31,6 +35,7 @@ class RowList(QObject):
         self.reveal = Reveal()
         self.rows: tuple[Row, ...] = ()
         self._shown: tuple[object, ...] = ()
+        self._tracks: tuple[Track, ...] = ()
         bridge.document_changed.connect(self._refill)
         bridge.session_replaced.connect(self._begin_anew)
         self._refill()
@@ -104,25 +109,39 @@ class RowList(QObject):
     def _refill(self) -> None:
         document = self._bridge.document
         rows = rows_of(document, self._closed, self.reveal)
-        shown = (rows, document.work_area, document.markers, document.linked, *_drawn_of(document, rows))
+        shown = (rows, document.work_area, document.markers, document.linked, *_drawings_of(document, rows))
+        tracks = tuple(track_of(document, address) for row in rows for address in row.addresses)
         # A drag on the picture tells many times a second; what is seen here mostly stays.
-        if not _is_same(shown, self._shown):
-            self.rows, self._shown = rows, shown
+        is_drawn_alike = is_same(shown, self._shown) and _have_like_keys(tracks, self._tracks)
+        has_like_values = is_same(tracks, self._tracks)
+        self.rows, self._shown, self._tracks = rows, shown, tracks
+        if not is_drawn_alike:
             self.changed.emit()
+        elif not has_like_values:
+            self.values_changed.emit()
 
 
-def _drawn_of(document: Document, rows: tuple[Row, ...]) -> Iterator[object]:
-    """Yield what the lanes draw of rows: tracks, and the drawings of layers with their names."""
+def is_same(now: tuple[object, ...], before: tuple[object, ...]) -> bool:
+    """Whether nothing changed; values that an edit left alone are the very same objects, so that this is quick."""
+    return len(now) == len(before) and all(a is b or a == b for a, b in zip(now, before, strict=True))
+
+
+def _drawings_of(document: Document, rows: tuple[Row, ...]) -> Iterator[object]:
+    """Yield what the lanes draw of layers: their drawings with their names."""
     yield document.canvas
     for row in rows:
         if row.kind is RowKind.LAYER and row.layer_id is not None:
             layer = document.layer(row.layer_id)
             yield layer.cels
             yield layer.name
-        for address in row.addresses:
-            yield track_of(document, address)
 
 
-def _is_same(now: tuple[object, ...], before: tuple[object, ...]) -> bool:
-    """Whether nothing changed; values that an edit left alone are the very same objects, so that this is quick."""
-    return len(now) == len(before) and all(a is b or a == b for a, b in zip(now, before, strict=True))
+def _have_like_keys(now: tuple[Track, ...], before: tuple[Track, ...]) -> bool:
+    """Whether keys lie on the same frames and look alike, whatever their values."""
+    return len(now) == len(before) and all(
+        a is b or _key_shapes(a) == _key_shapes(b) for a, b in zip(now, before, strict=True)
+    )
+
+
+def _key_shapes(track: Track) -> list[object]:
+    return [(key.frame, key.interpolation) for key in track.keys]

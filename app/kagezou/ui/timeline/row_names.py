@@ -44,8 +44,9 @@ class RowNames(QWidget):
         self._bridge = bridge
         self._rows = rows
         self.setAccessibleName(self.tr("Layers and properties"))
-        for signal in (rows.changed, bridge.frame_changed, bridge.keys_changed, bridge.selection_changed):
+        for signal in (rows.changed, rows.values_changed, bridge.frame_changed, bridge.keys_changed):
             signal.connect(self.update)
+        bridge.selection_changed.connect(self.update)
 
     def spot_at(self, place: QPointF) -> tuple[Row, Spot] | None:
         """Return the row and the part of it at a point."""

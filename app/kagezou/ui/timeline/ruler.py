@@ -7,12 +7,13 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from kagezou.document.model import Marker, PictureSource
+from kagezou.document.model import Document, Marker, PictureSource
 from kagezou.document.review import move_marker, set_work_area
 from kagezou.session.session import Gesture
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.theme import BRIGHT, CHANGED, DIM, LINE, OFF, TEXT, WELL
 from kagezou.ui.timecode import Count, counted, frames_per_second, sheet_text
+from kagezou.ui.timeline.row_list import is_same
 from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.time_scale import TimeScale
 
@@ -56,8 +57,10 @@ class Ruler(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMouseTracking(True)
         self.setAccessibleName(self.tr("Frame ruler"))
-        for signal in (scale.changed, bridge.frame_changed, bridge.document_changed):
+        self._seen = _seen_of(bridge.document)
+        for signal in (scale.changed, bridge.frame_changed):
             signal.connect(self.update)
+        bridge.document_changed.connect(self._show_document)
 
     def sizeHint(self) -> QSize:
         return QSize(400, self.fontMetrics().height() + 20)
@@ -140,6 +143,13 @@ class Ruler(QWidget):
             self.marker_asked.emit(marker.frame)
         elif self.end_at(event.position()) or event.position().y() > self.height() - _STRIP_PX:
             self._bridge.session.edit(self.tr("Clear work area"), set_work_area(self._bridge.document, None, None))
+
+    def _show_document(self) -> None:
+        """Paint anew if what is seen here changed: a drag on the picture tells many times a second."""
+        seen = _seen_of(self._bridge.document)
+        if not is_same(seen, self._seen):
+            self._seen = seen
+            self.update()
 
     def _scrub(self, event: QMouseEvent) -> None:
         frame = self._scale.frame_at(event.position().x())
@@ -247,3 +257,8 @@ class Ruler(QWidget):
 
     def _step(self, smallest_px: float) -> int:
         return next((step for step in _STEPS if step * self._scale.cell_px >= smallest_px), _STEPS[-1])
+
+
+def _seen_of(document: Document) -> tuple[object, ...]:
+    """Return what of a document is seen on the ruler; drawings, for it shows which are decoded."""
+    return (document.canvas, document.work_area, document.markers, *(layer.cels for layer in document.layers))
