@@ -16,7 +16,7 @@ from viewing import Clipboard
 
 from kagezou.io.encode import write_rgba
 from kagezou.session.staging import CharacterSource
-from kagezou.ui import loading
+from kagezou.ui import key_commands, loading
 from kagezou.ui.application import make_application
 from kagezou.ui.curves import key_table
 from kagezou.ui.desk import Desk
@@ -27,6 +27,7 @@ from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.settings import Settings
+from kagezou.ui.timeline import drawing_commands
 from kagezou.ui.viewport import reading, resolution
 
 FRAMES = 6
@@ -94,7 +95,7 @@ def present(qtbot: QtBot) -> Iterator[Callable[[], None]]:
 def clipboard(monkeypatch: pytest.MonkeyPatch) -> Clipboard:
     """The clipboard of the test alone."""
     own = Clipboard()
-    for user in (key_table, look_clipboard, row_menu):
+    for user in (drawing_commands, key_commands, key_table, look_clipboard, row_menu):
         monkeypatch.setattr(user, "QGuiApplication", SimpleNamespace(clipboard=lambda: own))
     return own
 

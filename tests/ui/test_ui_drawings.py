@@ -248,6 +248,7 @@ def test_on_twos_for_the_whole_layer_or_what_is_chosen(timeline: Timeline, sheet
     assert seen(sheet).endswith("DDDDDDDD")
 
 
+@pytest.mark.usefixtures("clipboard")
 def test_drawings_are_pasted_at_the_playhead_on_another_layer(timeline: Timeline, sheet: Desk) -> None:
     session, drawings, said = sheet.bridge.session, timeline.drawings, list[str]()
     drawings.refused.connect(said.append)
@@ -276,6 +277,7 @@ def test_the_menu_lists_the_drawings(timeline: Timeline, sheet: Desk) -> None:
     assert menu.title() == "Filled"
 
 
+@pytest.mark.usefixtures("clipboard")
 def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, walking: MainWindow) -> None:
     timeline, session, actions = walking.timeline, walking.desk.bridge.session, walking.actions_of
     layer = session.document.layers[0]

@@ -21,6 +21,7 @@ from kagezou.document.model import Canvas, Document, Marker
 from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION, OPACITY
 from kagezou.document.set_pieces import add_piece, remove_piece
 from kagezou.document.set_properties import PIECE_ANGLE
+from kagezou.geometry.box import Box
 from kagezou.io.cels import CelCache
 from kagezou.session.staging import CharacterSource
 from kagezou.ui.desk import Desk
@@ -233,6 +234,36 @@ def test_the_line_of_what_caught_is_shown(timeline: Timeline, keyed: Desk) -> No
     timeline.lanes.hand.cancel()
 
 
+@pytest.mark.usefixtures("clipboard")
+def test_keys_are_copied_from_window_to_window(keyed: Desk, cels: Path) -> None:
+    session = keyed.bridge.session
+    opacity = Address(OPACITY, session.document.layers[0].id)
+    session.select_keys(frozenset({KeyRef(LIGHT, 10), KeyRef(LIGHT, 20), KeyRef(opacity, 8)}))
+    KeyCommands(keyed.bridge).copy()
+    other = Desk()
+    commands, refused = KeyCommands(other.bridge), list[str]()
+    commands.refused.connect(refused.append)
+    other.bring((CharacterSource("Stranger", cels),)).at_once()
+    other.bridge.session.go_to(3)
+    commands.paste()
+    document = other.bridge.document
+    assert [key.frame for key in track_of(document, LIGHT).keys] == [5, 15]
+    assert track_of(document, LIGHT).keys[0].value == track_of(keyed.bridge.document, LIGHT).keys[1].value
+    assert [key.frame for key in track_of(document, Address(OPACITY, document.layers[0].id)).keys] == [3]
+    assert other.bridge.session.undo_name == "Paste keys"
+    assert refused == []
+    second = edits.add_layer(session.document, "Second", session.document.layers[0].cels, Box(0, 0, 9, 9))
+    second = edits.set_key(second, Address(OPACITY, second.layers[1].id), 4, 0.5)
+    session.edit("Second", second)
+    session.select_keys(frozenset({KeyRef(opacity, 8), KeyRef(Address(OPACITY, second.layers[1].id), 4)}))
+    KeyCommands(keyed.bridge).copy()
+    before = other.bridge.document
+    commands.paste()
+    assert other.bridge.document is before
+    assert refused == ["The copied keys belong to layers that are not in this project."]
+
+
+@pytest.mark.usefixtures("clipboard")
 def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: Desk) -> None:
     commands, session = KeyCommands(keyed.bridge), keyed.bridge.session
     refused: list[str] = []

@@ -207,13 +207,20 @@ def _track(reader: Reader, line: Property) -> Track:
     if not isinstance(reader.value, dict):
         return Track(_value(reader, line))
     found = _record(reader, fields.TRACK)
-    keys = tuple(_key(each, line) for each in found["keys"].items(fields.MAX_ROWS, least=1))
+    keys = tuple(read_key(each, line) for each in found["keys"].items(fields.MAX_ROWS, least=1))
     _check_order(found["keys"], (key.frame for key in keys), ".frame")
     constant = _value(found["constant"], line) if "constant" in found else keys[0].value
     return Track(constant, keys)
 
 
-def _key(reader: Reader, line: Property) -> Key:
+def read_key(reader: Reader, line: Property) -> Key:
+    """Return the key of a property.
+
+    Raises
+    ------
+    ProjectProblem
+        With the JSON path of the first thing that is wrong.
+    """
     found = _record(reader, fields.KEY)
     interpolation = Interpolation(found["interpolation"].word([str(each) for each in Interpolation]))
     if line.holds_only and interpolation is not Interpolation.HOLD:

@@ -75,10 +75,11 @@ def _tracks(tracks: Tracks, table: Mapping[str, Property]) -> dict[str, object]:
 def _track(track: Track) -> object:
     if not track.keys:
         return Row(track.constant)
-    return {"constant": Row(track.constant), "keys": [Row(_key(key)) for key in track.keys]}
+    return {"constant": Row(track.constant), "keys": [Row(key_tree(key)) for key in track.keys]}
 
 
-def _key(key: Key) -> dict[str, object]:
+def key_tree(key: Key) -> dict[str, object]:
+    """Return a key as JSON values."""
     row: dict[str, object] = {"frame": key.frame, "value": key.value, "interpolation": str(key.interpolation)}
     if key.ease_in:
         row["ease_in"] = _eases(key.ease_in)

@@ -1,6 +1,7 @@
 """What the commands on keys do: the keys are those selected in the session, whoever selected them."""
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
 
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation
@@ -8,7 +9,6 @@ from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.ease_edits import set_ease, set_interpolation
 from kagezou.document.edits import set_key
 from kagezou.document.key_edits import (
-    KeyClip,
     Refs,
     all_keys,
     copy_keys,
@@ -19,20 +19,19 @@ from kagezou.document.key_edits import (
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.review import set_work_area
+from kagezou.io.timeline_clips import dumps_keys, loads_keys
 from kagezou.ui.bridge import Bridge
 
 
 class KeyCommands(QObject):
     """Copying, pasting, moving, easing and setting keys, and the work area; each is one step with a name."""
 
-    copied = Signal()
     refused = Signal(str)
     """One sentence on why nothing happened."""
 
     def __init__(self, bridge: Bridge) -> None:
         super().__init__()
         self._bridge = bridge
-        self._clip: KeyClip | None = None
 
     @property
     def chosen(self) -> Refs:
@@ -40,26 +39,25 @@ class KeyCommands(QObject):
         return self._bridge.session.state.keys
 
     def copy(self) -> None:
-        """Remember the selected keys."""
+        """Put the selected keys on the clipboard, for any window of the program."""
         clip = copy_keys(self._bridge.document, self.chosen)
         if clip is None:
             self.refused.emit(self.tr("No keys are selected."))
         else:
-            self._clip = clip
-            self.copied.emit()
+            QGuiApplication.clipboard().setText(dumps_keys(self._bridge.document, clip))
 
     def cut(self) -> None:
-        """Remember the selected keys and take them away."""
+        """Put the selected keys on the clipboard and take them away."""
         if self.chosen:
             self.copy()
             self._edit(self.tr("Cut keys"), remove_keys(self._bridge.document, self.chosen), frozenset())
 
     def paste(self) -> None:
-        """Put the remembered keys down at the playhead, onto the layer worked on."""
+        """Put the copied keys down at the playhead, onto the layer worked on."""
         self._paste(self._bridge.frame)
 
     def paste_in_place(self) -> None:
-        """Put the remembered keys down where they were taken."""
+        """Put the copied keys down where they were taken."""
         self._paste(None)
 
     def delete(self) -> bool:
@@ -132,11 +130,15 @@ class KeyCommands(QObject):
         self._edit(self.tr("Set work area"), set_work_area(self._bridge.document, first, last))
 
     def _paste(self, frame: int | None) -> None:
-        if self._clip is None:
+        clip = loads_keys(QGuiApplication.clipboard().text(), self._bridge.document)
+        if clip is None:
             self.refused.emit(self.tr("No keys were copied yet."))
             return
-        document, refs = paste_keys(self._bridge.document, self._clip, frame, self._bridge.layer_id)
-        self._edit(self.tr("Paste keys"), document, refs)
+        document, refs = paste_keys(self._bridge.document, clip, frame, self._bridge.layer_id)
+        if refs:
+            self._edit(self.tr("Paste keys"), document, refs)
+        else:
+            self.refused.emit(self.tr("The copied keys belong to layers that are not in this project."))
 
     def _edit(self, name: str, document: Document, keys: Refs | None = None) -> None:
         with self._bridge.session.gesture(name) as gesture:

@@ -126,7 +126,6 @@ def connect_drawings(window: "MainWindow") -> None:
     for name, do in connected.items():
         actions.on(name, do)
 
-    keys.copied.connect(drawings.forget_copy)
     actions.on("copy_keys", lambda: drawings.copy() if drawings.are_chosen else keys.copy(), within=timeline)
     actions.on("paste_keys", lambda: drawings.paste() if drawings.has_copy else keys.paste(), within=timeline)
     drawings.refused.connect(lambda sentence: window.bar.say("drawings", sentence, Severity.NOTE))

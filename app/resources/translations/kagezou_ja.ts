@@ -1603,6 +1603,10 @@
         <source>Paste keys</source>
         <translation>キーを貼り付け</translation>
     </message>
+    <message>
+        <source>The copied keys belong to layers that are not in this project.</source>
+        <translation>コピーしたキーのレイヤーが、このプロジェクトにありません。</translation>
+    </message>
 </context>
 <context>
     <name>KeyHand</name>

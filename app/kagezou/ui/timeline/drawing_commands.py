@@ -1,10 +1,12 @@
 """What the commands on drawings do: to those chosen in the timeline, else to the one seen at the playhead."""
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
 
 from kagezou.document import exposure_edits
 from kagezou.document.exposure_edits import ExposureClip, Exposures, index_at
 from kagezou.document.model import Layer
+from kagezou.io.timeline_clips import dumps_drawings, loads_drawings
 from kagezou.ui.bridge import Bridge
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 
@@ -26,7 +28,6 @@ class DrawingCommands(QObject):
     def __init__(self, bridge: Bridge, choice: DrawingChoice) -> None:
         super().__init__()
         self._bridge, self._choice = bridge, choice
-        self._clip: ExposureClip | None = None
 
     @property
     def are_chosen(self) -> bool:
@@ -35,7 +36,7 @@ class DrawingCommands(QObject):
 
     @property
     def has_copy(self) -> bool:
-        """Whether exposures were copied."""
+        """Whether there are exposures on the clipboard."""
         return self._clip is not None
 
     @property
@@ -43,10 +44,6 @@ class DrawingCommands(QObject):
         """Whose exposures the commands are about."""
         layer_id = self._choice.layer_id or self._bridge.layer_id
         return None if layer_id is None else self._bridge.document.layer(layer_id)
-
-    def forget_copy(self) -> None:
-        """Forget what was copied, because something else is."""
-        self._clip = None
 
     def split(self) -> None:
         """Begin the drawing at the playhead anew there."""
@@ -113,14 +110,15 @@ class DrawingCommands(QObject):
             self._choice.choose(layer.id, changed[first].frame, changed[first + count].frame)
 
     def copy(self) -> None:
-        """Remember the exposures."""
+        """Put the exposures on the clipboard, for any window of the program."""
         found = self._run()
         if found is not None:
             layer, run = found
-            self._clip = exposure_edits.copy(layer.cels, *run, self._bridge.document.canvas.length_frames)
+            clip = exposure_edits.copy(layer.cels, *run, self._bridge.document.canvas.length_frames)
+            QGuiApplication.clipboard().setText(dumps_drawings(clip))
 
     def paste(self) -> None:
-        """Put the remembered exposures down at the playhead, onto the layer worked on."""
+        """Put the copied exposures down at the playhead, onto the layer worked on."""
         layer_id, clip = self._bridge.layer_id, self._clip
         if clip is None or layer_id is None:
             self.refused.emit(self.tr("No drawings were copied yet."))
@@ -134,6 +132,10 @@ class DrawingCommands(QObject):
         if missing:
             words = self.tr("%1 has no drawings of these names, and they stay empty: %2")
             self.refused.emit(words.replace("%1", layer.name).replace("%2", ", ".join(missing[:5])))
+
+    @property
+    def _clip(self) -> ExposureClip | None:
+        return loads_drawings(QGuiApplication.clipboard().text())
 
     def _run(self) -> tuple[Layer, tuple[int, int]] | None:
         """Return the layer and the indices the commands are about; None where nothing is exposed."""
