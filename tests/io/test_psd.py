@@ -100,7 +100,16 @@ def test_an_old_japanese_name_without_unicode_is_read(tmp_path: Path) -> None:
 
 @given(st.lists(st.text(max_size=4), max_size=8), st.sampled_from(["", "A", "A/B#2"]))
 def test_addresses_are_never_alike(names: list[str], parent: str) -> None:
-    assert len(set(addressed(names, parent))) == len(names)
+    assert len({*addressed(names), *addressed(names, parent)}) == 2 * len(names)
+
+
+def test_a_group_without_a_name_is_a_group(tmp_path: Path) -> None:
+    inner, outer = Leaf("1", figure(1)), Leaf("1", figure(2), (9, 3))
+    path = write_psd(tmp_path / "a.psd", [Folder("", [inner]), outer])
+    group, single = psd_tree(path).layers
+    (child,) = group.children or ()
+    for node, leaf in ((child, inner), (single, outer)):
+        assert np.array_equal(read_cel(PicturePart(path, node.address)).rgba, on_canvas(leaf))
 
 
 @pytest.mark.parametrize("mode", ["L", "LA", "RGB", "RGBA", "P", "CMYK", "1"])

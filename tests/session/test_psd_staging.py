@@ -96,6 +96,12 @@ def test_a_file_in_which_nothing_is_to_be_seen_is_a_sentence(tmp_path: Path) -> 
         new_document([CharacterSource(None, path)])
 
 
+def test_a_layer_without_a_name_is_kept_by_the_project(tmp_path: Path) -> None:
+    document = new_document([CharacterSource(None, write_psd(tmp_path / "a.psd", [Leaf("", BODY)]))]).document
+    project_file.save(document, tmp_path / "p.kage")
+    assert project_file.load(tmp_path / "p.kage").layers == document.layers
+
+
 def test_effects_that_are_not_drawn_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from kagezou.io import psd_file
 
