@@ -54,4 +54,7 @@ def test_layered_frames_are_documents_unless_told_otherwise(shell: Shell, projec
     names = [f"layered_000{number}.{suffix}" for number, suffix in ((1, "exr"), (1, "psd"), (2, "psd"), (3, "psd"))]
     assert sorted(path.name for path in folder.iterdir()) == names
     assert [layer.name for layer in PSDImage.open(folder / names[1])] == ["Hero_shadow", "Hero"]
+    assert PSDImage.open(folder / names[1]).depth == 8
+    shell.ok("render", project, "-o", tmp_path / "out", "--layered", "--depth", "16", "--frames", "1")
+    assert PSDImage.open(folder / names[1]).depth == 16
     assert "needs layered frames" in shell.fails(2, "render", project, "-o", tmp_path / "out", "--format", "psd")

@@ -13,11 +13,12 @@ from psd_tools.constants import BlendMode
 from small_cuts import HEIGHT, WIDTH, bytes_below, cut, drawings, export, with_key, with_values
 
 from kagezou.document.edits import add_layer, set_background
-from kagezou.document.model import Cels, Document, Exposure
+from kagezou.document.model import Cels, Document, Exposure, PicturePart
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.io import oiio_parts
 from kagezou.io.encode import write_rgba
+from kagezou.io.images import read_cel
 from kagezou.io.layered import LayeredImage, Part, write_layered
 
 
@@ -81,6 +82,30 @@ def test_the_layers_of_a_document_make_the_merged_picture(pair: Document, tmp_pa
     source.close()
 
 
+def test_a_document_of_16_bit_holds_what_single_pictures_of_16_bit_hold(pair: Document, tmp_path: Path) -> None:
+    document = with_values(pair, layers__主役__shadow__softness=6.0)
+    export(document, tmp_path / "out", layered=True, format="psd", depth=16, frames=(1, 3))
+    export(document, tmp_path / "alone", composite=True, depth=16, frames=(1, 3))
+    for frame in (1, 3):
+        path = tmp_path / f"out/layered/layered_{frame:04d}.psd"
+        stored: Any = PSDImage.open(path)
+        assert stored.depth == 16
+        assert [each.name for each in stored] == ["background", "主役_shadow", "相棒_shadow", "主役", "相棒"]
+        assert stored[1].opacity == 128
+        picture = read_cel(tmp_path / f"alone/composite/composite_{frame:04d}.png").rgba
+        assert len(np.unique(picture % 257)) > 9, "there is something to lose in 8 bit"
+        assert np.array_equal(read_cel(path).rgba, picture)
+        meadow = read_cel(PicturePart(path, "background")).rgba
+        assert np.array_equal(meadow[0, 0], np.array([120, 180, 90, 255]) * 257)
+        cel = read_cel(PicturePart(path, "主役")).rgba
+        assert np.array_equal(cel, read_cel(tmp_path / f"drawings/a_{frame:04d}.png").rgba.astype(np.uint16) * 257)
+        alpha = stored[1].numpy("shape")[..., 0] * 0.5 * 65535
+        left, top = stored[1].offset
+        alone = read_cel(tmp_path / f"alone/主役_shadow/主役_shadow_{frame:04d}.png").rgba[..., 3]
+        assert np.abs(alone[top : top + alpha.shape[0], left : left + alpha.shape[1]] - alpha).max() <= 1.01
+    assert stored[4].bbox == (0, 0, 0, 0), "a hidden layer is there and empty"
+
+
 def test_an_exr_has_a_part_for_every_layer(pair: Document, tmp_path: Path) -> None:
     export(pair, tmp_path / "out", layered=True, format="exr", depth=16)
     export(pair, tmp_path / "alone", format="exr", depth=16)
@@ -129,8 +154,10 @@ def test_bytes_do_not_depend_on_workers_and_held_frames_are_alike(tmp_path: Path
     for workers in (1, 3):
         for form, depth in (("psd", 8), ("exr", 16)):
             export(document, tmp_path / str(workers), layered=True, format=form, depth=depth, workers=workers)
-    made = bytes_below(tmp_path / "1")
-    assert made == bytes_below(tmp_path / "3")
+        export(document, tmp_path / str(workers) / "deep", layered=True, format="psd", depth=16, workers=workers)
+    made, others = bytes_below(tmp_path / "1"), bytes_below(tmp_path / "3")
+    assert made.keys() == others.keys()
+    assert [name for name in made if made[name] != others[name]] == []
     assert made["layered/layered_0003.psd"] == made["layered/layered_0005.psd"]
     again = export(document, tmp_path / "1", layered=True, format="exr", depth=16, skip_existing=True)
     assert (again.written, again.trusted) == (0, 5)
@@ -150,7 +177,7 @@ def test_layers_called_like_a_shadow_are_told_apart(tmp_path: Path) -> None:
         ({"layered": True, "format": "png"}, "layered frames cannot be written as 'png', only as psd or exr"),
         ({"layered": True, "format": "psd", "composite": True}, "ask for one of the two"),
         ({"format": "psd"}, "which needs layered frames"),
-        ({"layered": True, "format": "psd", "depth": 16}, "psd frames have 8 bits"),
+        ({"layered": True, "format": "psd", "depth": 32}, "psd frames have 8 or 16 bits"),
     ],
 )
 def test_what_does_not_go_together_is_refused(tmp_path: Path, wishes: dict[str, Any], words: str) -> None:

@@ -13,12 +13,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from PIL import Image, ImageChops
 from psd_tools import PSDImage
-from psd_tools.constants import BlendMode, Tag
-from psd_tools.psd.descriptor import Bool, Descriptor, DescriptorBlock2
+from psd_tools.constants import BlendMode
 
 from kagezou.document.model import PicturePart, PictureSource
 from kagezou.errors import InputProblem
-from kagezou.io import psd_file, psd_undrawn
+from kagezou.io import psd_file
 from kagezou.io.cels import CelCache
 from kagezou.io.encode import write_rgba
 from kagezou.io.images import probe, read_cel, read_matte
@@ -100,7 +99,16 @@ def test_an_old_japanese_name_without_unicode_is_read(tmp_path: Path) -> None:
 
 @given(st.lists(st.text(max_size=4), max_size=8), st.sampled_from(["", "A", "A/B#2"]))
 def test_addresses_are_never_alike(names: list[str], parent: str) -> None:
-    assert len(set(addressed(names, parent))) == len(names)
+    assert len({*addressed(names), *addressed(names, parent)}) == 2 * len(names)
+
+
+def test_a_group_without_a_name_is_a_group(tmp_path: Path) -> None:
+    inner, outer = Leaf("1", figure(1)), Leaf("1", figure(2), (9, 3))
+    path = write_psd(tmp_path / "a.psd", [Folder("", [inner]), outer])
+    group, single = psd_tree(path).layers
+    (child,) = group.children or ()
+    for node, leaf in ((child, inner), (single, outer)):
+        assert np.array_equal(read_cel(PicturePart(path, node.address)).rgba, on_canvas(leaf))
 
 
 @pytest.mark.parametrize("mode", ["L", "LA", "RGB", "RGBA", "P", "CMYK", "1"])
@@ -307,34 +315,3 @@ def test_the_real_cels(samples: Path) -> None:
         layer = read_cel(PicturePart(path, node.address)).rgba
         assert np.array_equal(layer[..., 3], drawn[..., 3])
         assert np.array_equal(layer[drawn[..., 3] > 0], drawn[drawn[..., 3] > 0])
-
-
-def _with_effects(layer: Any, *names: bytes) -> None:
-    """Give a layer effects as a drawing program stores them."""
-    block = DescriptorBlock2(version=0, data_version=16, classID=b"null")
-    block[b"masterFXSwitch"] = Bool(True)  # noqa: FBT003 - psd-tools' own order
-    for name in names:
-        effect = Descriptor(classID=name)
-        for key in (b"enab", b"present"):
-            effect[key] = Bool(True)  # noqa: FBT003 - as above
-        block[name] = effect
-    layer.tagged_blocks.set_data(Tag.OBJECT_BASED_EFFECTS_LAYER_INFO, block)
-
-
-def test_effects_that_cannot_be_drawn_are_told_and_leave_the_layer_as_it_is(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(psd_undrawn, "_is_there", lambda _package: False)
-    image = PSDImage.new("RGBA", SIZE)
-    leaf = Leaf("1", figure(1), (9, 7))
-    for name, effects in (("1", (b"FrFX",)), ("2", (b"DrSh",)), ("3", ())):
-        layer = image.create_pixel_layer(Image.fromarray(leaf.pixels, "RGBA"), name=name, left=9, top=7)
-        _with_effects(layer, *effects)
-    image.save(tmp_path / "a.psd")
-    tree = psd_tree(tmp_path / "a.psd")
-    assert [node.undrawn for node in tree.layers] == [("Stroke",), ("DropShadow",), ()]
-    for node in tree.layers:
-        drawn = read_cel(PicturePart(tmp_path / "a.psd", node.address)).rgba
-        assert np.array_equal(drawn[..., 3], on_canvas(leaf)[..., 3])
-    # What was switched off for drawing is on again.
-    assert [node.undrawn for node in psd_tree(tmp_path / "a.psd").layers] == [("Stroke",), ("DropShadow",), ()]

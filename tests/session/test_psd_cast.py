@@ -122,7 +122,7 @@ def test_hidden_and_empty_layers_are_left_out() -> None:
 _NAMES = st.sampled_from(["1", "2", "A1", "A_02", "1a", "Layer 1", "BG", "背景", "Hero", "", "x"])
 
 
-def _placed(nodes: list[PsdNode], parent: str = "") -> tuple[PsdNode, ...]:
+def _placed(nodes: list[PsdNode], parent: str | None = None) -> tuple[PsdNode, ...]:
     found = addressed([node.name for node in nodes], parent)
     return tuple(
         PsdNode(

@@ -96,13 +96,25 @@ def test_a_file_in_which_nothing_is_to_be_seen_is_a_sentence(tmp_path: Path) -> 
         new_document([CharacterSource(None, path)])
 
 
+def test_a_layer_without_a_name_is_kept_by_the_project(tmp_path: Path) -> None:
+    document = new_document([CharacterSource(None, write_psd(tmp_path / "a.psd", [Leaf("", BODY)]))]).document
+    project_file.save(document, tmp_path / "p.kage")
+    assert project_file.load(tmp_path / "p.kage").layers == document.layers
+
+
 def test_effects_that_are_not_drawn_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from kagezou.io import psd_file
 
-    monkeypatch.setattr(psd_file, "undrawn_in", lambda layer: ("DropShadow",) if layer.name == "1" else ())
-    path = write_psd(tmp_path / "a.psd", [Folder("A", cels("1", "2"))])
-    notes = new_document([CharacterSource(None, path)]).notes
-    assert "A: these are not drawn: DropShadow" in notes
+    undrawn = {"1": ("DropShadow",), "2": ("Stroke", "DropShadow"), "5": ("Curves",)}
+    monkeypatch.setattr(psd_file, "undrawn_in", lambda layer: undrawn.get(layer.name, ()))
+    path = write_psd(
+        tmp_path / "a.psd", [Folder(name, cels(*names)) for name, names in (("A", "12"), ("B", "34"), ("C", "56"))]
+    )
+    assert new_document([CharacterSource(None, path)]).notes == (
+        "A: these are not drawn: DropShadow",
+        "A: these are drawn only after pip install 'kagezou[psd]': Stroke",
+        "C: these are drawn only after pip install 'kagezou[psd]': Curves",
+    )
 
 
 def test_a_timesheet_beside_it_finds_the_groups(cut: Path) -> None:

@@ -110,10 +110,17 @@ def test_layered_frames_show_their_layers(dialog: ExportDialog) -> None:
     choose(dialog, "Layered frames")
     assert data_of(dialog.options.format_box) == ["psd", "exr"]
     assert lines(dialog) == ["layered/  6 × .psd", "    Walker", "    Walker_shadow"]
-    assert not dialog.options.depth_box.isEnabled()
-    assert dialog.options.depth_box.toolTip() == "PSD has no other depth."
+    assert dialog.options.depth_box.isEnabled()
+    assert data_of(dialog.options.depth_box) == [8, 16]
+    assert dialog.plan.depth == 8
     pick(dialog.options.format_box, "exr")
     assert lines(dialog)[0] == "layered/  6 × .exr"
+    assert dialog.plan.depth == 16
+    assert not dialog.options.depth_box.isEnabled()
+    assert dialog.options.depth_box.toolTip() == "EXR has no other depth."
+    pick(dialog.options.format_box, "psd")
+    assert dialog.plan.depth == 8, "16 was not chosen"
+    pick(dialog.options.depth_box, 16)
     assert dialog.plan.depth == 16
 
 
@@ -268,6 +275,7 @@ def test_a_plan_is_made_sound() -> None:
     assert sound(ExportPlan(chunk=0)).chunk == 1
     assert sound(ExportPlan(ExportKind.LAYERED)).format == "psd"
     assert sound(ExportPlan(ExportKind.LAYERED, format="exr")).depth == 16
+    assert sound(ExportPlan(ExportKind.LAYERED, format="psd", depth=16)).depth == 16
     assert sound(ExportPlan(ExportKind.VIDEO, format="exr", depth=16)) == ExportPlan(ExportKind.VIDEO, format="mp4")
 
 

@@ -45,11 +45,11 @@ class LayerPainter:
         is_document = job.targets[0].path.suffix == ".psd"
         merged: Steps | None = None
         if is_document:
-            self.renderer.draw_picture(job.scene, Backdrop.BACKGROUND)
+            self.renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
             merged = self.renderer.read_picture()
         parts = self._parts(job, content, depth, keeps_opacity=is_document)
         named = (replace(part, name=name) for name, part in zip(part_names(content), parts, strict=True))
-        return LayeredImage(canvas.width, canvas.height, tuple(named), merged)
+        return LayeredImage(canvas.width, canvas.height, tuple(named), merged, depth)
 
     def _parts(self, job: Job, content: LayeredContent, depth: int, *, keeps_opacity: bool) -> Iterator[Part]:
         """Yield the parts in the order of `part_names`, without their names."""

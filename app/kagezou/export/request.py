@@ -13,7 +13,7 @@ SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
 LAYERED_SUFFIXES: Final = {"psd": ".psd", "exr": ".exr"}
 """The formats of frames that hold all layers in one file, and the suffix of their files."""
 
-DEPTHS: Final = {"png": (8, 16), "tga": (8,), "tiff": (8, 16), "exr": (16,), "psd": (8,)}
+DEPTHS: Final = {"png": (8, 16), "tga": (8,), "tiff": (8, 16), "exr": (16,), "psd": (8, 16)}
 """The bits a channel that each format holds, the usual one first."""
 
 MAX_WORKERS: Final = 64

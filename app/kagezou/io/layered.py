@@ -58,18 +58,21 @@ class LayeredImage:
     parts
         The layers from the bottom; no two have one name.
     merged
-        (height_px, width_px, 4) ``uint8``, straight sRGB: all of them on each other, which a Photoshop document holds
-        for programs that know no layers.
+        (height_px, width_px, 4) ``uint8`` or ``uint16``, straight sRGB: all of them on each other, which a Photoshop
+        document holds for programs that know no layers.
+    depth
+        Bits a channel of a Photoshop document, 8 or 16; OpenEXR has halves.
     """
 
     width_px: int
     height_px: int
     parts: tuple[Part, ...]
     merged: Pixels | None = None
+    depth: int = 8
 
 
 def write_layered(path: Path, image: LayeredImage) -> None:
-    """Write ``image`` in the format of the suffix: PSD in 8 bit, OpenEXR as premultiplied halves.
+    """Write ``image`` in the format of the suffix: PSD in its depth, OpenEXR as premultiplied halves.
 
     Raises
     ------

@@ -154,7 +154,8 @@ def _cels(drawings: Reader, exposures: Reader, folder: Path) -> Cels:
 
 def _drawing(reader: Reader, folder: Path) -> Drawing:
     name, path, *part = reader.items(3, least=2)
-    address = part[0].text(MAX_PATH_CHARACTERS) if part else None
+    # A layer that nobody named has an empty address.
+    address = part[0].text(MAX_PATH_CHARACTERS, 0) if part else None
     return Drawing(name.text(MAX_PATH_CHARACTERS), _path(path, folder), address)
 
 

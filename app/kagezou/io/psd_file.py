@@ -42,7 +42,7 @@ class _Opened:
         header = psd_header(path)
         self._image = _parsed(path, size)
         try:
-            nodes = self._nodes(self._image, "", 0)
+            nodes = self._nodes(self._image, None, 0)
         except InputProblem:
             raise
         except Exception as error:  # a stranger's file may trip psd-tools in any way
@@ -65,7 +65,7 @@ class _Opened:
         except Exception as error:  # as above
             raise _damaged(self._path, error, address) from error
 
-    def _nodes(self, group: Iterable[Any], parent: str, depth: int) -> tuple[PsdNode, ...]:
+    def _nodes(self, group: Iterable[Any], parent: str | None, depth: int) -> tuple[PsdNode, ...]:
         if depth > DEEPEST:
             raise input_problem(self._path, "its groups are nested too deep")
         layers = list(group)

@@ -3,6 +3,7 @@
 # ruff: noqa: SLF001 - an effects block has no public switch
 
 import functools
+import platform
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
@@ -14,6 +15,11 @@ _ADJUSTED: Final = frozenset({"exposure", "invert", "levels", "posterize", "thre
 _ADJUSTED_BY_SCIPY: Final = frozenset({"brightnesscontrast", "curves", "huesaturation"})
 _SWITCH: Final = b"masterFXSwitch"
 
+_GRADIENT_FILL: Final = "GradientFill"
+_VECTOR_STROKE: Final = "VectorStroke"
+_BY_EXTRA: Final = _DRAWN_EFFECTS | _ADJUSTED_BY_SCIPY | {_GRADIENT_FILL.lower()}
+"""What is left out only where scipy is: an effect that needs none is left out beside one that does."""
+
 
 def undrawn_in(layer: Any) -> tuple[str, ...]:
     """Return the names of what a layer has itself and that will not be seen."""
@@ -21,6 +27,13 @@ def undrawn_in(layer: Any) -> tuple[str, ...]:
     if not _loses_effects(layer):
         names = [name for name in names if name.lower() not in _DRAWN_EFFECTS]
     return tuple(dict.fromkeys([*names, *([_unfilled(layer)] if _unfilled(layer) else [])]))
+
+
+def drawn_by_extra(names: Iterable[str]) -> tuple[str, ...]:
+    """Return those of the ``names`` of what is left out that the packages of the extra ``psd`` would draw."""
+    return tuple(
+        name for name in names if name.lower() in _BY_EXTRA or (name == _VECTOR_STROKE and _has_aggdraw_in_extra())
+    )
 
 
 @contextmanager
@@ -55,13 +68,18 @@ def _unfilled(layer: Any) -> str:
 
     has_scipy = _is_there("scipy")
     if layer.kind == "gradientfill" and not has_scipy:
-        return "GradientFill"
+        return _GRADIENT_FILL
     known = _ADJUSTED | _ADJUSTED_BY_SCIPY if has_scipy else _ADJUSTED
     if isinstance(layer, AdjustmentLayer) and layer.kind not in known:
         return type(layer).__name__
     if layer.kind == "shape" and layer.has_stroke() and layer.stroke.enabled and not _is_there("aggdraw"):
-        return "VectorStroke"
+        return _VECTOR_STROKE
     return ""
+
+
+def _has_aggdraw_in_extra() -> bool:
+    """Whether there is a built package of aggdraw for this machine; there is none for Intel Macs."""
+    return platform.system() != "Darwin" or platform.machine() == "arm64"
 
 
 @functools.cache

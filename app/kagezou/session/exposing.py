@@ -12,7 +12,7 @@ from kagezou.io.faults import shown
 from kagezou.io.images import ImageInfo, probe, read_matte
 from kagezou.io.project_paths import absolute
 from kagezou.io.psd_file import psd_tree
-from kagezou.io.psd_tree import PsdNode
+from kagezou.io.psd_undrawn import drawn_by_extra
 from kagezou.io.sequences import NumberedFile, Sequence, find_sequences
 from kagezou.io.signatures import is_psd
 from kagezou.session.psd_cast import PsdCast, PsdCel, PsdCharacter, cast_of
@@ -115,7 +115,7 @@ def _held_by_psd(source: CharacterSource, path: Path, watch: Watch) -> Held:
     if source.name and len(names) == 1:
         names = [source.name]
     layers = [_psd_cels(name, each, path, size) for name, each in zip(names, characters, strict=True)]
-    return Held(layers, _left_out_of(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
+    return Held(layers, _left_out_notes(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
 
 
 def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, int]) -> NewCels:
@@ -124,21 +124,31 @@ def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, i
     cels = Cels(drawings, tuple(Exposure(index + 1, index) for index in range(len(drawings))))
     nodes = (each for cel in character.cels for each in (cel.node, *cel.node.below()))
     undrawn = dict.fromkeys(effect for node in nodes for effect in node.undrawn)
-    notes = (f"{name}: these are not drawn: {', '.join(undrawn)}",) if undrawn else ()
-    return NewCels(name, cels, size, len(drawings), notes)
+    return NewCels(name, cels, size, len(drawings), tuple(_undrawn_notes(name, tuple(undrawn))))
+
+
+def _undrawn_notes(name: str, undrawn: tuple[str, ...]) -> list[str]:
+    by_extra = drawn_by_extra(undrawn)
+    never = [each for each in undrawn if each not in by_extra]
+    notes = []
+    if never:
+        notes.append(f"{name}: these are not drawn: {', '.join(never)}")
+    if by_extra:
+        notes.append(f"{name}: these are drawn only after pip install 'kagezou[psd]': {', '.join(by_extra)}")
+    return notes
 
 
 def _is_opaque(part: PicturePart) -> bool:
     return read_matte(part).is_full
 
 
-def _left_out_of(path: Path, cast: PsdCast) -> list[str]:
-    kinds: tuple[tuple[str, tuple[PsdNode, ...]], ...] = (("hidden", cast.hidden), ("empty", cast.empty))
-    return [
-        f"{shown(path)}: left out, as they are {kind}: {_some(node.name for node in nodes)}"
-        for kind, nodes in kinds
-        if nodes
-    ]
+def _left_out_notes(path: Path, cast: PsdCast) -> list[str]:
+    notes = []
+    if cast.hidden:
+        notes.append(f"{shown(path)}: left out, as they are hidden: {_some(node.name for node in cast.hidden)}")
+    if cast.empty:
+        notes.append(f"{shown(path)}: left out, as they are empty: {_some(node.name for node in cast.empty)}")
+    return notes
 
 
 def printable(name: str) -> str:

@@ -22,7 +22,7 @@ from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.io.video import is_there as video_is_there
 from kagezou.ui.export_options import GAP_PX, ExportOptions
-from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, preview, sound
+from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, depths_of, preview, sound
 from kagezou.ui.export_preset_row import PresetRow
 from kagezou.ui.sentences import sentence_of
 
@@ -83,10 +83,15 @@ class ExportDialog(QDialog):
         self.refresh()
 
     def change(self, **what: object) -> None:
-        """Choose something else; each kind keeps the format that was chosen for it."""
+        """Choose something else; each kind keeps the format that was chosen for it.
+
+        A depth that was the only one there was has not been chosen and is not kept.
+        """
         changed = replace(self.plan, **what)  # type: ignore[arg-type]
         if changed.kind is not self.plan.kind:
             changed = replace(changed, format=self._formats.get(changed.kind, changed.format))
+        if "depth" not in what and changed.format != self.plan.format and len(depths_of(self.plan.format)) == 1:
+            changed = replace(changed, depth=depths_of(changed.format)[0])
         self.show_plan(changed)
 
     def refresh(self) -> None:

@@ -18,7 +18,7 @@ EXAMPLES = """\
   kagezou render walk.kage -o shadows
   kagezou render walk.kage -o shadows --composite --frames 1-48
   kagezou render walk.kage -o shadows --layer Hero --format exr
-  kagezou render walk.kage -o frames --layered --format psd
+  kagezou render walk.kage -o frames --layered --depth 16
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
   kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
 """
@@ -32,7 +32,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
-    parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16)")
+    parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16, tga 8)")
     parser.add_argument(
         "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
     )
