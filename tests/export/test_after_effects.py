@@ -1,7 +1,6 @@
 """What After Effects would hold after the script: the same layers, times, values and eases as the document."""
 
 import json
-import sys
 from itertools import pairwise
 from pathlib import Path
 
@@ -321,24 +320,6 @@ def test_the_checkers_do_complain(tmp_path: Path) -> None:
 def test_a_script_with_everything_in_it_passes_the_checkers(document: Document, tmp_path: Path) -> None:
     script = _script(handed_off(document, tmp_path / "ae", mattes=("lit",), per_drawing=True))
     assert complaints(script.read_text(encoding="ascii"), checkers()) == ""
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="the model of After Effects speaks to a POSIX shell")
-def test_the_panel_goes_the_whole_round(tmp_path: Path) -> None:
-    drawings(tmp_path / 'it\'s a "cut"', 4)
-    program = tmp_path / "kage zou"
-    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m kagezou "$@"\n')
-    program.chmod(0o755)
-    saved = tmp_path / "walk cycle.kage"
-    sequence = tmp_path / 'it\'s a "cut"' / "a_0001.png"
-    panel = resource_folder() / "after_effects" / "Kagezou.jsx"
-    mode = ("panel", str(sequence), str(saved), str(program), "Hero's")
-    run = run_script(panel, tmp_path / "ae.json", mode=mode)
-    assert run.tree["alerts"] == []
-    assert saved.exists()
-    names = [layer["name"] for layer in run.item("cut", "CompItem")["layers"]]
-    assert names == ["Light", "Ground line", "over", "Hero's", "Hero's shadow", "under"]
-    assert (run.item("Hero's shadow", "FootageItem")["rate"]) == 24
 
 
 def test_what_after_effects_cannot_have_is_refused(tmp_path: Path) -> None:
