@@ -49,7 +49,8 @@ def run_edited(script: Path, out: Path, *steps: tuple[str, Path]) -> Run:
     find = (
         "var comp = (name) => app.project.all.find((each) => each.name === name && each.layers);"
         "var layerOf = (name, called) => comp(name).all.find((each) => each.name === called);"
-        "var opacityOf = (name, called) => layerOf(name, called)._groups['ADBE Transform Group'].children['ADBE Opacity'];"
+        "var transformOf = (name, called) => layerOf(name, called)._groups['ADBE Transform Group'].children;"
+        "var opacityOf = (name, called) => transformOf(name, called)['ADBE Opacity'];"
     )
     words = [each for edit, following in steps for each in (find + edit, str(following))]
     return run_script(script, out, mode=("edited", *words))

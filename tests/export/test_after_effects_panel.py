@@ -74,8 +74,10 @@ def test_the_project_has_the_timing_of_the_layers(panel: Panel, saved: Path) -> 
         var late = cut.put(file, 'late'); late.selected = true;
         late.startTime = 6 / 24; late.inPoint = 7 / 24; late.outPoint = 9 / 24;
         var held = cut.put(file, 'held'); held.selected = true; held.timeRemapEnabled = true;
-        held._groups['ADBE Time Remapping'].keys = [[0, 2.5], [8, 0.5], [16, 3.5]].map((at) => ({ time: at[0] / 24, value: at[1] / 24 }));
-        held._groups['ADBE Transform Group'].children['ADBE Opacity'].setValuesAtTimes([0, 12 / 24, 14 / 24], [100, 0, 100]);
+        held._groups['ADBE Time Remapping'].keys = [[0, 2.5], [8, 0.5], [16, 3.5]].map(
+            (at) => ({ time: at[0] / 24, value: at[1] / 24 }));
+        var opacity = held._groups['ADBE Transform Group'].children['ADBE Opacity'];
+        opacity.setValuesAtTimes([0, 12 / 24, 14 / 24], [100, 0, 100]);
         press(make);
     """)
     assert run.tree["alerts"] == []
@@ -119,7 +121,7 @@ def test_a_composition_without_a_project_asks_for_it(panel: Panel, saved: Path) 
     [
         ("app.project.activeItem = null; press(make);", "コンポジションを開いて"),
         ("newComp('cut', 4); press(make);", "選択してください"),
-        ("newComp('cut', 4).put(file, 'A').selected = true; settings.mayWrite = false; press(make);", "許可してください"),
+        ("newComp('cut', 4).put(file, 'A').selected = true; settings.mayWrite = false; press(make);", "許可して"),
         ("var cut = newComp('cut', 4); cut.put(file, 'A').selected = true; press(make);"
          "cut.selectedLayers[0].selected = false; press(bring);", "影を敷く"),
     ],

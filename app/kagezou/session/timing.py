@@ -8,6 +8,7 @@ from dataclasses import replace
 from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Drawing, Exposure, Layer
 from kagezou.io.timesheet import SheetTrack, Timesheet
+from kagezou.session.exposing import printable
 
 _NUMBERED = re.compile(r"[^0-9.]*?[_\-. ]?0*([0-9]{1,6})([a-z]{0,2})")
 _SHOWN_CELS = 5
@@ -41,7 +42,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[str]]:
 
 def _layer_for(name: str, layers: Iterable[Layer]) -> Layer | None:
     """Return the layer of that name, or else the only one whose name ends with it as a word."""
-    wanted = _plain(name)
+    wanted = _plain(printable(name)) if name else ""
     exact = [layer for layer in layers if _plain(layer.name) == wanted]
     if exact or not wanted:
         return exact[0] if exact else None
@@ -53,7 +54,8 @@ def _layer_for(name: str, layers: Iterable[Layer]) -> Layer | None:
 
 
 def _plain(name: str) -> str:
-    return unicodedata.normalize("NFC", name).strip().casefold()
+    # A sheet may have full-width letters and figures.
+    return unicodedata.normalize("NFKC", name).strip().casefold()
 
 
 def _exposed(layer: Layer, track: SheetTrack) -> tuple[tuple[Exposure, ...], list[str]]:
