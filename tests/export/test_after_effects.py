@@ -1,6 +1,7 @@
 """What After Effects would hold after the script: the same layers, times, values and eases as the document."""
 
 import json
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -22,7 +23,7 @@ from kagezou.document.key_edits import all_keys
 from kagezou.document.model import Cels, Document, Exposure, Marker
 from kagezou.document.properties import GROUNDING, LIGHT_POSITION, OPACITY
 from kagezou.document.set_pieces import add_piece
-from kagezou.errors import UsageProblem
+from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.export.after_effects.building import Written, hand_off
 from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import referenced
@@ -256,6 +257,21 @@ def test_drawings_with_gaps_are_copied_and_that_is_said(document: Document, tmp_
     assert len(list((tmp_path / "ae" / "characters" / "B").iterdir())) == 2
 
 
+def test_a_hand_off_never_replaces_the_drawings_it_is_made_of(tmp_path: Path) -> None:
+    shown = drawings(tmp_path / "ae" / "characters" / "A", 3, "A")
+    document = replace_cels(cut(tmp_path / "cut"), Cels(shown, (Exposure(1, 2), Exposure(2, 0), Exposure(3, 1))))
+    before = [drawing.path.read_bytes() for drawing in shown]
+    run = run_script(_script(handed_off(document, tmp_path / "ae")), tmp_path / "ae.json")
+    assert [drawing.path.read_bytes() for drawing in shown] == before
+    remap = property_of(run.layer("cut 12", "A"), "ADBE Time Remapping")
+    assert [int(value_at(remap, frame / 24) * 24) for frame in (0, 1, 2)] == [2, 0, 1]
+    shown[1].path.unlink()
+    document = replace_cels(document, Cels((shown[2], shown[0]), (Exposure(1, 0), Exposure(2, 1))))
+    with pytest.raises(OutputProblem, match="the drawings of 'A' lie there themselves"):
+        handed_off(document, tmp_path / "ae")
+    assert [shown[0].path.read_bytes(), shown[2].path.read_bytes()] == [before[0], before[2]]
+
+
 def test_drawings_of_different_sizes_become_as_large_as_the_canvas(tmp_path: Path) -> None:
     document = cut(tmp_path, count=2)
     small = np.zeros((20, 80, 4), np.uint8)
@@ -338,6 +354,10 @@ def test_a_channel_of_holds_is_reached_linearly(document: Document) -> None:
     held = with_key(with_key(held, "ground.roll", 1, 2.0), "ground.roll", 5, 3.0)
     keys = channel_of(held.tracks["ground.roll"], 0, held.canvas.frame_rate).keys
     assert [(key.time, key.value) for key in keys] == [(0.0, 2.0), (4 / 24, 3.0)]
+
+
+def replace_cels(document: Document, cels: Cels) -> Document:
+    return replace(document, layers=(replace(document.layers[0], cels=cels),))
 
 
 def _script(done: HandedOff) -> Path:

@@ -64,6 +64,12 @@ def referenced(layer: Layer, length: int) -> Cels | None:
     return Cels(folder / f"{prefix}{numbers[0]:0{digits}d}{suffix}", len(numbers), places)
 
 
+def are_within(layer: Layer, folder: Path) -> bool:
+    """Return whether drawings of a layer lie in ``folder`` themselves, as those of an earlier hand-off do."""
+    real = folder.resolve()
+    return any(drawing.path.parent.resolve() == real for drawing in layer.cels.drawings)
+
+
 def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) -> Cels | None:
     """Copy the drawings of a layer as ``NAME_0001.png`` and so on into ``folder``; None where none is ever seen.
 
