@@ -1,11 +1,12 @@
 """A project of a timesheet alone, and the timesheet of a project."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from kagezou.document.edits import set_exposures
+from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Exposure
 from kagezou.errors import InputProblem
 from kagezou.io.encode import write_rgba
@@ -78,6 +79,12 @@ def test_what_was_exposed_before_the_cut_is_what_it_begins_with(sheet: Path) -> 
     document = document_of_sheet(sheet).document
     early = set_exposures(document, "layer-1", (Exposure(-5, 0), Exposure(-1, 2), Exposure(9, 1)))
     assert sheet_of(early, "").tracks[0].entries == ((0, "3"), (8, "2"))
+
+
+def test_what_lies_behind_the_end_of_the_cut_is_not_in_its_sheet(sheet: Path) -> None:
+    document = document_of_sheet(sheet).document
+    short = set_canvas(document, replace(document.canvas, length_frames=12))
+    assert sheet_of(short, "").tracks[0].entries == ((0, "1"), (6, "3"))
 
 
 def cels_of(document: Document) -> list[tuple[str, list[tuple[int, str | None]]]]:

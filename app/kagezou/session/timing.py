@@ -101,14 +101,17 @@ def _number_in(name: str) -> tuple[int, str] | None:
 
 def sheet_of(document: Document, name: str) -> Timesheet:
     """Return the timesheet of a document: a column a layer, its drawings by their names."""
-    tracks = tuple(SheetTrack(layer.name, _entries(layer)) for layer in document.layers)
-    return Timesheet(name, document.canvas.length_frames, tracks)
+    length = document.canvas.length_frames
+    tracks = tuple(SheetTrack(layer.name, _entries(layer, length)) for layer in document.layers)
+    return Timesheet(name, length, tracks)
 
 
-def _entries(layer: Layer) -> tuple[tuple[int, str | None], ...]:
-    """Return the entries from frame 0 on; what was exposed before the cut began is what it begins with."""
+def _entries(layer: Layer, length: int) -> tuple[tuple[int, str | None], ...]:
+    """Return the entries within the cut; what was exposed before it began is what it begins with."""
     found: dict[int, str | None] = {}
     for exposure in layer.cels.exposures:
+        if exposure.frame > length:
+            break
         cel = None if exposure.drawing is None else layer.cels.drawings[exposure.drawing].name
         found[max(exposure.frame - 1, 0)] = cel
     return tuple(sorted(found.items()))
