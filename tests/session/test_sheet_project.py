@@ -87,6 +87,16 @@ def test_what_lies_behind_the_end_of_the_cut_is_not_in_its_sheet(sheet: Path) ->
     assert sheet_of(short, "").tracks[0].entries == ((0, "1"), (6, "3"))
 
 
+def test_numbers_that_a_sheet_does_not_ask_for_are_nothing_to_speak_of(tmp_path: Path) -> None:
+    for number in (1, 7):
+        drawing(tmp_path / "A" / f"{number}.png")
+    write_xdts(tmp_path / "c.xdts", Timesheet("c", 24, (SheetTrack("A", ((0, "7"), (4, "1"))),)))
+    assert document_of_sheet(tmp_path / "c.xdts").notes == ()
+    write_xdts(tmp_path / "c.xdts", Timesheet("c", 24, (SheetTrack("A", ((0, "7"), (4, "2"))),)))
+    (note,) = document_of_sheet(tmp_path / "c.xdts").notes
+    assert note.endswith("stay empty: 2")
+
+
 def cels_of(document: Document) -> list[tuple[str, list[tuple[int, str | None]]]]:
     """Return the layers' names, and which file is exposed from which frame on."""
     made = []

@@ -24,10 +24,14 @@ _SHOWN_NAMES = 3
 
 @dataclass(frozen=True, slots=True)
 class CharacterSource:
-    """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name."""
+    """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name.
+
+    Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of.
+    """
 
     name: str | None
     path: Path
+    is_timed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,9 +95,9 @@ def held_by(source: CharacterSource, watch: Watch = unwatched) -> Held:
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return Held([_new_cels(source.name or printable(own), only, watch)], notes)
+        return Held([_new_cels(source.name or printable(own), only, source, watch)], notes)
     head = f"{source.name} " if source.name else ""
-    return Held([_new_cels(head + printable(each.name), each, watch) for each in found.sequences], notes)
+    return Held([_new_cels(head + printable(each.name), each, source, watch) for each in found.sequences], notes)
 
 
 def _held_by_psd(source: CharacterSource, path: Path, watch: Watch) -> Held:
@@ -156,10 +160,10 @@ def _some(names: Iterable[str]) -> str:
     return ", ".join(known[:_SHOWN_NAMES]) + (", …" if len(known) > _SHOWN_NAMES else "")
 
 
-def _new_cels(name: str, sequence: Sequence, watch: Watch) -> NewCels:
+def _new_cels(name: str, sequence: Sequence, source: CharacterSource, watch: Watch) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
     size, notes = _measured(name, cels.drawings, watch)
-    if sequence.gaps:
+    if sequence.gaps and not source.is_timed:
         notes.insert(0, f"{name}: missing {format_frames(sequence.gaps)}; the drawing before is held")
     last = cels.exposures[-1].frame
     return NewCels(name, cels, size, last, tuple(notes))

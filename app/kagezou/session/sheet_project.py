@@ -91,9 +91,9 @@ def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
         seen.add(name)
         folder = folders.get(name.casefold())
         if folder is not None and any(is_picture(each) for each in _below(folder)):
-            found.append(CharacterSource(printable(name), folder))
+            found.append(CharacterSource(printable(name), folder, is_timed=True))
         elif (pattern := _pattern(name, pictures)) is not None:
-            found.append(CharacterSource(printable(name), pattern))
+            found.append(CharacterSource(printable(name), pattern, is_timed=True))
         else:
             missing.add(name.casefold())
     return (*found, *_psd_files(path, listed, missing))
