@@ -171,6 +171,20 @@ def test_a_hand_off_that_was_moved_is_taken_without_a_question(tmp_path: Path) -
     assert [each["name"] for each in run.tree["items"]].count("A shadow") == 1
 
 
+def test_drawings_that_were_left_are_found_after_a_move_of_everything_or_of_the_hand_off(tmp_path: Path) -> None:
+    document = cut(tmp_path / "job" / "50%41", count=2)
+    script = script_in(document, tmp_path / "job" / "out" / "ae", copies=False)
+    (tmp_path / "elsewhere").mkdir()
+    alone = (tmp_path / "job" / "out").rename(tmp_path / "elsewhere" / "out")
+    run = run_script(alone / "ae" / script.name, tmp_path / "ae.json")
+    assert run.tree["alerts"] == []
+    assert run.item("A", "FootageItem")["file"] == str(tmp_path / "job" / "50%41" / "drawings" / "a_0001.png")
+    (tmp_path / "job" / "50%41").rename(tmp_path / "elsewhere" / "50%41")
+    run = run_script(alone / "ae" / script.name, tmp_path / "ae.json")
+    assert run.tree["alerts"] == []
+    assert run.item("A", "FootageItem")["file"] == str(tmp_path / "elsewhere" / "50%41" / "drawings" / "a_0001.png")
+
+
 def test_drawings_lie_on_whole_pixels(tmp_path: Path) -> None:
     document = cut(tmp_path / "cut", count=1, length=2)
     write_rgba(document.layers[0].cels.drawings[0].path, np.full((HEIGHT + 3, WIDTH - 1, 4), 255, np.uint8))

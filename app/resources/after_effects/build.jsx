@@ -118,11 +118,27 @@
         return new File($.fileName).parent.fsName;
     }
 
-    function fileOf(path) {
-        var absolute = path.charAt(0) === "/" || path.charAt(1) === ":";
-        var whole = absolute ? path : hereOf() + "/" + path;
-        /* File takes what looks like an escape of a URI for one. */
-        var file = new File(whole.replace(/%(?=[0-9a-fA-F]{2})/g, "%25"));
+    /* File takes what looks like an escape of a URI for one. */
+    function fileAt(path) {
+        return new File(path.replace(/%(?=[0-9a-fA-F]{2})/g, "%25"));
+    }
+
+    function isAbsolute(path) {
+        return path.charAt(0) === "/" || path.charAt(1) === ":";
+    }
+
+    /* From the script's folder first: all of it may have been moved together. */
+    function fileOf(footage) {
+        var path = footage.path;
+        var base = hereOf();
+        while (path.indexOf("../") === 0) {
+            path = path.substring(3);
+            base = fileAt(base).parent.fsName;
+        }
+        var file = fileAt(isAbsolute(path) ? path : base + "/" + path);
+        if (!file.exists && footage.absolute !== "") {
+            file = fileAt(footage.absolute);
+        }
         if (!file.exists) {
             throw new Error(WORDS.missing + file.fsName);
         }
@@ -130,7 +146,7 @@
     }
 
     function importFootage(footage, root) {
-        var file = fileOf(footage.path);
+        var file = fileOf(footage);
         var item = /** @type {FootageItem} */ (findItem(footage.tag));
         if (item !== null) {
             if (footage.count > 1) {
