@@ -262,9 +262,14 @@ const world = {
     $: { fileName: path.resolve(scriptPath), global: {}, os: "Macintosh OS", evalFile: (file) => runFile(file.fsName) },
     system: { callSystem: (line) => { if (!settings.mayWrite) throw new Error("After Effects: scripts may not"); calls.push(line); return require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh" }); } },
     Panel: class {}, Window: class {
-        constructor() { this.buttons = []; this.layout = { layout() {}, resize() {} }; world.panel = this; }
-        add(kind, bounds, text) { const made = { text }; this.buttons.push(made); return made; }
-        center() {} show() {}
+        constructor() { this.buttons = []; this.layout = { layout() {}, resize() {} }; world.panel = world.panel || this; }
+        add(kind, bounds, text, most) {
+            const made = kind === "progressbar" ? { value: text, most } : { text };
+            this.buttons.push(made);
+            return made;
+        }
+        center() {} show() { calls.push("show"); } close() { calls.push("close"); }
+        update() { calls.push("at " + this.buttons[0].value + " of " + this.buttons[0].most); }
     }
 };
 vm.createContext(world);

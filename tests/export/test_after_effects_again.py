@@ -185,6 +185,21 @@ def test_drawings_that_were_left_are_found_after_a_move_of_everything_or_of_the_
     assert run.item("A", "FootageItem")["file"] == str(tmp_path / "elsewhere" / "50%41" / "drawings" / "a_0001.png")
 
 
+def test_many_layers_show_how_far_it_is_and_the_window_goes_whatever_happens(tmp_path: Path) -> None:
+    document = cut(tmp_path / "cut", count=1)
+    few = run_script(script_in(document, tmp_path / "few"), tmp_path / "ae.json")
+    assert "show" not in few.tree["calls"]
+    for number in range(2, 8):
+        document = add_layer(document, f"L{number}", document.layers[0].cels, document.layers[0].figure)
+    script = script_in(document, tmp_path / "ae")
+    calls = [each for each in run_script(script, tmp_path / "ae.json").tree["calls"] if each != "importFile"]
+    assert calls == ["show", *(f"at {done} of 28" for done in range(1, 29)), "close"]
+    (tmp_path / "ae" / "characters" / "L4" / "L4_0001.png").unlink()
+    run = run_script(script, tmp_path / "ae.json")
+    assert len(run.tree["alerts"]) == 1
+    assert run.tree["calls"][-1] == "close"
+
+
 def test_drawings_lie_on_whole_pixels(tmp_path: Path) -> None:
     document = cut(tmp_path / "cut", count=1, length=2)
     write_rgba(document.layers[0].cels.drawings[0].path, np.full((HEIGHT + 3, WIDTH - 1, 4), 255, np.uint8))

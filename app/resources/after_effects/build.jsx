@@ -22,6 +22,32 @@
     var kept = [];
     var gone = [];
 
+    /* Importing takes a while; few items are there before a window would be. */
+    var FEW = 20;
+    var progress = null;
+
+    function showProgress(whole) {
+        if (whole > FEW) {
+            var palette = new Window("palette", "Kagezou");
+            progress = { palette: palette, bar: palette.add("progressbar", [0, 0, 320, 12], 0, whole) };
+            palette.show();
+        }
+    }
+
+    function step() {
+        if (progress !== null) {
+            progress.bar.value += 1;
+            progress.palette.update();
+        }
+    }
+
+    function endProgress() {
+        if (progress !== null) {
+            progress.palette.close();
+            progress = null;
+        }
+    }
+
     /* Items and layers are known by what is written in their comments: names are the user's to change. */
     function tagOf(tag) {
         return "kagezou:" + identity + ":" + tag;
@@ -360,6 +386,7 @@
             layer.property("ADBE Effect Parade").addProperty("ADBE Invert");
         }
         remember(layer, wanted.tag, memory);
+        step();
         return { layer: layer, isNew: isNew };
     }
 
@@ -527,8 +554,14 @@
         var root = folderOf(title, app.project.rootFolder);
         var items = {};
         var comp = null;
+        var whole = HAND_OFF.footage.length;
         var i;
+        for (i = 0; i < HAND_OFF.comps.length; i++) {
+            whole += HAND_OFF.comps[i].layers.length;
+        }
+        showProgress(whole);
         for (i = 0; i < HAND_OFF.footage.length; i++) {
+            step();
             if (isNeeded(HAND_OFF.footage[i], target)) {
                 items[HAND_OFF.footage[i].tag] = importFootage(HAND_OFF.footage[i], root);
             }
@@ -562,8 +595,10 @@
         if (made !== null) {
             made.openInViewer();
         }
+        endProgress();
         report();
     } catch (problem) {
+        endProgress();
         alert(WORDS.failed + (problem.message || problem));
     } finally {
         app.endUndoGroup();
