@@ -87,6 +87,23 @@ def test_the_project_has_the_timing_of_the_layers(panel: Panel, saved: Path) -> 
     assert shown(document, 1) == [(1, "3"), (9, "1"), (13, None), (15, "1"), (17, "4")]
 
 
+def test_what_characters_cast_on_each_other_comes_back_over_them(panel: Panel, saved: Path) -> None:
+    run = panel("""
+        var cut = newComp('cut', 4);
+        ['under', 'A', 'B', 'over'].forEach((name) => { cut.put(file, name).selected = name.length < 2; });
+        press(make); press(bring);
+        system.callSystem("'" + app.settings.kept.program + "' set '" + settings.saveTo + "' layers.A.receives=true");
+        press(bring); press(bring);
+    """)
+    assert run.tree["alerts"] == []
+    names = [layer["name"] for layer in run.item("cut", "CompItem")["layers"]]
+    assert names == [
+        "Light", "Ground line", "over", "B", "A received", "A", "B shadow", "A shadow", "under"
+    ]  # fmt: skip
+    assert run.item("A received", "FootageItem")["frames"] == 4
+    assert saved.exists()
+
+
 def test_each_composition_has_its_own_project(panel: Panel, tmp_path: Path, saved: Path) -> None:
     other = tmp_path / "b" / saved.name
     other.parent.mkdir()

@@ -448,31 +448,50 @@
         }
     }
 
+    /* The character of what others cast on it, by its name, for its layer is the user's own. */
+    function characterOf(target, received) {
+        var name = received.name.replace(/ received$/, "");
+        for (var i = 1; i <= target.comp.numLayers; i++) {
+            if (target.comp.layer(i).name === name) {
+                return target.comp.layer(i);
+            }
+        }
+        return target.below;
+    }
+
     /* From the panel: shadows and guides into a composition that is there, under its character. */
     function fillComp(target, wanted, items) {
         var shadows = [];
         var i;
         for (i = 0; i < wanted.layers.length; i++) {
-            if (wanted.layers[i].tag.indexOf("shadow:") === 0) {
+            if (isOfShadow(wanted.layers[i].tag)) {
                 shadows.push(wanted.layers[i]);
             }
         }
-        /* Each goes right under the character, so over those before it. */
+        /* Each goes right under the character, so over those before it; what is cast on a character right over it. */
         for (i = 0; i < shadows.length; i++) {
+            var isReceived = shadows[i].tag.indexOf("received:") === 0;
+            var beside = isReceived ? characterOf(target, shadows[i]) : target.below;
             var put = putLayer(target.comp, shadows[i], items);
-            if (put.isNew && target.below) {
-                put.layer.moveAfter(target.below);
+            if (put.isNew && beside && isReceived) {
+                put.layer.moveBefore(beside);
+            } else if (put.isNew && beside) {
+                put.layer.moveAfter(beside);
             }
         }
         for (i = 0; i < wanted.nulls.length; i++) {
             putNull(target.comp, wanted.nulls[i]);
         }
-        switchOff(target.comp, shadows, "|shadow|");
+        switchOff(target.comp, shadows, "|shadow|received|");
         return target.comp;
     }
 
+    function isOfShadow(tag) {
+        return tag.indexOf("shadow:") === 0 || tag.indexOf("received:") === 0;
+    }
+
     function isNeeded(footage, target) {
-        return !target || footage.tag.indexOf("shadow:") === 0;
+        return !target || isOfShadow(footage.tag);
     }
 
     function buildComp(wanted, items, root) {
