@@ -12,7 +12,6 @@ from kagezou.io.faults import shown
 from kagezou.io.images import ImageInfo, probe, read_matte
 from kagezou.io.project_paths import absolute
 from kagezou.io.psd_file import psd_tree
-from kagezou.io.psd_tree import PsdNode
 from kagezou.io.sequences import NumberedFile, Sequence, find_sequences
 from kagezou.io.signatures import is_psd
 from kagezou.session.psd_cast import PsdCast, PsdCel, PsdCharacter, cast_of
@@ -91,7 +90,7 @@ def held_by(source: CharacterSource, watch: Watch = unwatched) -> Held:
     if is_psd(path) and path.is_file():
         return _held_by_psd(source, path, watch)
     found = find_sequences(path)
-    notes = [_left_out(path, found.left_out)] if found.left_out else []
+    notes = [_left_out(path, (shown(Path(each.name)) for each in found.left_out))] if found.left_out else []
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
@@ -137,12 +136,14 @@ def _is_opaque(part: PicturePart) -> bool:
 
 
 def _left_out_of(path: Path, cast: PsdCast) -> list[str]:
-    kinds: tuple[tuple[str, tuple[PsdNode, ...]], ...] = (("hidden", cast.hidden), ("empty", cast.empty))
-    return [
-        f"{shown(path)}: left out, as they are {kind}: {_some(node.name for node in nodes)}"
-        for kind, nodes in kinds
-        if nodes
-    ]
+    notes = []
+    if cast.hidden:
+        notes.append(f"{shown(path)}: left out, as they are hidden: {_some(node.name for node in cast.hidden)}")
+    if cast.empty:
+        notes.append(f"{shown(path)}: left out, as they are empty: {_some(node.name for node in cast.empty)}")
+    if cast.unnumbered:
+        notes.append(_left_out(path, (node.name for node in cast.unnumbered)))
+    return notes
 
 
 def printable(name: str) -> str:
@@ -151,8 +152,8 @@ def printable(name: str) -> str:
     return text[:MAX_NAME_CHARACTERS] or "Character"
 
 
-def _left_out(path: Path, pictures: Iterable[Path]) -> str:
-    return f"{shown(path)}: left out, as they have no number: {_some(shown(Path(each.name)) for each in pictures)}"
+def _left_out(path: Path, names: Iterable[str]) -> str:
+    return f"{shown(path)}: left out, as they have no number: {_some(names)}"
 
 
 def _some(names: Iterable[str]) -> str:
