@@ -172,10 +172,11 @@ class FootageItem extends Item {
         const item = this;
         this.mainSource = {
             isStill: still, hasAlpha: true, file, alphaMode: null, premulColor: null, rate: 30,
-            get conformFrameRate() { return this.rate; },
+            get conformFrameRate() { return this.isConformed ? this.rate : 0; },
+            get displayFrameRate() { return this.rate; },
             set conformFrameRate(rate) {
                 if (still) throw new Error("After Effects: a still has no frame rate");
-                this.rate = rate; item.duration = frames / rate;
+                this.rate = rate; this.isConformed = true; item.duration = frames / rate;
             }
         };
         this.duration = frames / 30;

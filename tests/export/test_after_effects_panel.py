@@ -87,6 +87,17 @@ def test_the_project_has_the_timing_of_the_layers(panel: Panel, saved: Path) -> 
     assert shown(document, 1) == [(1, "3"), (9, "1"), (13, None), (15, "1"), (17, "4")]
 
 
+def test_footage_of_another_rate_is_timed_as_it_is_seen(panel: Panel, saved: Path) -> None:
+    run = panel("""
+        var cut = newComp('cut', 24); var layer = cut.put(file, 'A'); layer.selected = true;
+        layer.source._take(layer.source.mainSource.file, true);
+        layer.source.mainSource.rate = 6; layer.source.duration = 4 / 6; layer.outPoint = 4 / 6;
+        press(make);
+    """)
+    assert run.tree["alerts"] == []
+    assert shown(load(saved)) == [(1, "1"), (5, "2"), (9, "3"), (13, "4"), (17, None)]
+
+
 def test_what_characters_cast_on_each_other_comes_back_over_them(panel: Panel, saved: Path) -> None:
     run = panel("""
         var cut = newComp('cut', 4);

@@ -159,9 +159,11 @@
         var shown = layer.timeRemapEnabled
             ? layer.property("ADBE Time Remapping").valueAtTime(time, false)
             : (time - layer.startTime) * 100 / layer.stretch;
-        var last = Math.round(layer.source.duration * source.conformFrameRate) - 1;
+        /* That to conform to is 0 where none was set. */
+        var rate = source.displayFrameRate;
+        var last = Math.round(layer.source.duration * rate) - 1;
         var parts = numbered(source.file);
-        return String((parts ? Number(parts[2]) : 0) + Math.max(0, Math.min(last, Math.floor(shown * source.conformFrameRate + 0.001))));
+        return String((parts ? Number(parts[2]) : 0) + Math.max(0, Math.min(last, Math.floor(shown * rate + 0.001))));
     }
 
     function textOf(text) {
