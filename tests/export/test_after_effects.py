@@ -96,7 +96,7 @@ def test_footage_is_gap_free_with_its_rate_and_alpha(document: Document, tmp_pat
     assert (shadow["frames"], shadow["rate"], shadow["alpha"], shadow["folder"]) == (24, 24, "STRAIGHT", "Shadows")
     assert (run.item("B", "FootageItem")["frames"], run.item("B", "FootageItem")["folder"]) == (2, "Characters")
     background = run.item("background", "FootageItem")
-    assert (background["alpha"], background["folder"]) == ("IGNORE", "Background")
+    assert (background["alpha"], background["folder"]) == ("STRAIGHT", "Background"), "it may have holes"
     assert all(Path(each["file"]).is_relative_to(tmp_path / "ae") for each in run.tree["items"] if each["file"])
 
 
@@ -246,6 +246,18 @@ def test_drawings_can_stay_where_they_are(document: Document, tmp_path: Path) ->
     assert item["file"] == str(tmp_path / "more" / "b_0001.png")
     remap = property_of(run.layer("cut 12", "B"), "ADBE Time Remapping")
     assert int(value_at(remap, 4 / 24) * 24) == 2, "the third file, though the second is never seen"
+
+
+def test_exr_drawings_that_stay_where_they_are_are_premultiplied(tmp_path: Path) -> None:
+    document = cut(tmp_path, count=2)
+    shown = tuple(replace(each, path=each.path.with_suffix(".exr")) for each in document.layers[0].cels.drawings)
+    for old, new in zip(document.layers[0].cels.drawings, shown, strict=True):
+        write_rgba(new.path, read_cel(old.path).rgba)
+    document = replace_cels(document, replace(document.layers[0].cels, drawings=shown))
+    run = run_script(_script(handed_off(document, tmp_path / "ae", copies=False)), tmp_path / "ae.json")
+    assert Path(run.item("A", "FootageItem")["file"]).suffix == ".exr"
+    assert run.item("A", "FootageItem")["alpha"] == "PREMULTIPLIED"
+    assert run.item("A shadow", "FootageItem")["alpha"] == "STRAIGHT"
 
 
 def test_drawings_with_gaps_are_copied_and_that_is_said(document: Document, tmp_path: Path) -> None:

@@ -83,26 +83,16 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
     made = []
     if written.background is not None:
         path = written.background
-        made.append(_item("background", path.stem, path, written.folder, count=1, alpha="IGNORE", into="Background"))
+        made.append(_item("background", path.stem, path, written.folder, count=1, into="Background"))
     for layer_id, cels in written.cels.items():
-        made.append(
-            _item(
-                f"cels:{layer_id}",
-                names[layer_id],
-                cels.first,
-                written.folder,
-                count=cels.count,
-                alpha="STRAIGHT",
-                into="Characters",
-            )
-        )
+        tag, title = f"cels:{layer_id}", names[layer_id]
+        made.append(_item(tag, title, cels.first, written.folder, count=cels.count, into="Characters"))
     for (kind, layer_id), (first, count, _) in written.shadows.items():
-        alpha = "PREMULTIPLIED" if first.suffix == ".exr" else "STRAIGHT"
         is_matte = kind.startswith("matte:")
         what = "" if kind == "matte:receivers" else f" {kind.removeprefix('matte:')}"
         title = f"{names[layer_id]}{what}{' matte' if is_matte else ''}"
         into = "Mattes" if is_matte else "Shadows"
-        made.append(_item(f"{kind}:{layer_id}", title, first, written.folder, count=count, alpha=alpha, into=into))
+        made.append(_item(f"{kind}:{layer_id}", title, first, written.folder, count=count, into=into))
     return tuple(made)
 
 
@@ -251,8 +241,9 @@ def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) 
     return ae.Marker(seconds(frame, rate), comment, float(duration_frames / rate))
 
 
-def _item(tag: str, title: str, path: Path, folder: Path, *, count: int, alpha: str, into: str) -> ae.Footage:
+def _item(tag: str, title: str, path: Path, folder: Path, *, count: int, into: str) -> ae.Footage:
     """Return footage; what lies outside the script's folder has two paths, as either may be what stays true."""
+    alpha = "PREMULTIPLIED" if path.suffix.lower() == ".exr" else "STRAIGHT"
     if path.is_relative_to(folder):
         return ae.Footage(tag, title, path.relative_to(folder).as_posix(), count, alpha, into)
     try:

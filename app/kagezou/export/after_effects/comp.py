@@ -50,7 +50,7 @@ class Footage:
     count
         How many numbered files follow one another; 1 for a still.
     alpha
-        "STRAIGHT", "PREMULTIPLIED" or "IGNORE".
+        "STRAIGHT" or "PREMULTIPLIED", where there is alpha.
     folder
         The folder of the project panel it goes into.
     absolute
