@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from PIL import Image
 from small_cuts import HEIGHT, WIDTH, cut, drawings, with_key, with_values
 
 from documents import names as layer_names
@@ -258,6 +259,19 @@ def test_exr_drawings_that_stay_where_they_are_are_premultiplied(tmp_path: Path)
     assert Path(run.item("A", "FootageItem")["file"]).suffix == ".exr"
     assert run.item("A", "FootageItem")["alpha"] == "PREMULTIPLIED"
     assert run.item("A shadow", "FootageItem")["alpha"] == "STRAIGHT"
+
+
+def test_drawings_whose_white_is_clear_are_copied_with_alpha(tmp_path: Path) -> None:
+    document = cut(tmp_path, count=2)
+    for drawing in document.layers[0].cels.drawings:
+        rgba = read_cel(drawing.path).rgba
+        paper = np.where(rgba[..., 3:] > 0, rgba[..., :3], 255).astype(np.uint8)
+        Image.fromarray(paper).save(drawing.path)
+    done = handed_off(document, tmp_path / "ae", copies=False)
+    assert done.notes == ("the drawings of 'A' have no alpha, so they were copied with it",)
+    copy = Image.open(tmp_path / "ae" / "characters" / "A" / "A_0001.png")
+    assert copy.mode == "RGBA"
+    assert copy.getpixel((0, 0))[3] == 0
 
 
 def test_drawings_with_gaps_are_copied_and_that_is_said(document: Document, tmp_path: Path) -> None:

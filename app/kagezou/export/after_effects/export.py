@@ -9,7 +9,7 @@ from typing import Final
 from kagezou.document.model import Document, Layer
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.export.after_effects.building import SET, Written, hand_off
-from kagezou.export.after_effects.drawings import Cels, are_within, copied, referenced, remove_beyond
+from kagezou.export.after_effects.drawings import Cels, are_within, copied, have_alpha, referenced, remove_beyond
 from kagezou.export.after_effects.mattes import MATTES, at_full_opacity, matte_document
 from kagezou.export.after_effects.script import script_of
 from kagezou.export.frames import export_frames
@@ -199,7 +199,9 @@ class _Run:
             stays = not request.copies or are_within(layer, folder)
             cels = referenced(layer, canvas.length_frames) if stays else None
             if cels is None:
-                if stays:
+                if stays and not have_alpha(layer, canvas.length_frames):
+                    self.notes.append(f"the drawings of {layer.name!r} have no alpha, so they were copied with it")
+                elif stays:
                     self.notes.append(f"the drawings of {layer.name!r} are no gap-free sequence, so they were copied")
                 cels = copied(layer, folder.name, _made(folder), canvas, request.workers)
             if cels is not None:
