@@ -41,6 +41,21 @@ def run_script(script: Path, out: Path, times: int = 1, mode: tuple[str, ...] = 
     return Run(json.loads(out.read_text(encoding="utf-8")))
 
 
+def run_edited(script: Path, out: Path, *steps: tuple[str, Path]) -> Run:
+    """Run a script, and then what a user does meanwhile and another script, in turns, all in one After Effects.
+
+    What a user does is JavaScript over ``app`` and ``comp(name)``.
+    """
+    find = (
+        "var comp = (name) => app.project.all.find((each) => each.name === name && each.layers);"
+        "var layerOf = (name, called) => comp(name).all.find((each) => each.name === called);"
+        "var transformOf = (name, called) => layerOf(name, called)._groups['ADBE Transform Group'].children;"
+        "var opacityOf = (name, called) => transformOf(name, called)['ADBE Opacity'];"
+    )
+    words = [each for edit, following in steps for each in (find + edit, str(following))]
+    return run_script(script, out, mode=("edited", *words))
+
+
 def property_of(layer: dict[str, Any], *names: str) -> dict[str, Any]:
     found = layer["groups"][names[0]]
     for name in names[1:]:

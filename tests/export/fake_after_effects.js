@@ -1,5 +1,6 @@
 /* As much of After Effects' object model as the scripts use, with its rules: keys on whole comp times, one blend mode a
-   layer, comments, folders. node fake.js OUT TIMES SCRIPT runs SCRIPT so many times and writes what is there as JSON. */
+   layer, comments, folders. node fake.js OUT TIMES SCRIPT runs SCRIPT so many times and writes what is there as JSON;
+   with "edited" and then pairs EDIT SCRIPT it runs what a user does in between and then each further SCRIPT. */
 "use strict";
 const fs = require("fs");
 const path = require("path");
@@ -18,6 +19,7 @@ class Property {
     get numKeys() { return this.keys.length; }
     setValue(value) {
         if (this.keys.length) throw new Error("After Effects: a value is set although there are keys: " + this.matchName);
+        for (const part of [].concat(value)) if (typeof part === "number" && !Number.isFinite(part)) throw new Error("After Effects: a value is no number");
         this.value = value;
     }
     setValueAtTime(time, value) { this.setValuesAtTimes([time], [value]); }
@@ -25,6 +27,7 @@ class Property {
         if (list.length !== values.length) throw new Error("After Effects: times and values differ in number");
         list.forEach((time, i) => {
             if (!Number.isFinite(time)) throw new Error("After Effects: a time is no number");
+            if (typeof values[i] === "number" && !Number.isFinite(values[i])) throw new Error("After Effects: a value is no number");
             const old = this.keys.find((key) => Math.abs(key.time - time) < 1e-9);
             if (old) old.value = values[i];
             else this.keys.push({ time, value: values[i], into: "LINEAR", out: "LINEAR", ease_in: null, ease_out: null });
@@ -32,6 +35,16 @@ class Property {
         this.keys.sort((a, b) => a.time - b.time);
     }
     keyTime(index) { return this._key(index).time; }
+    keyValue(index) { const value = this._key(index).value; return value !== null && typeof value === "object" ? Object.assign({}, value) : value; }
+    keyInInterpolationType(index) { return this._key(index).into; }
+    keyOutInterpolationType(index) { return this._key(index).out; }
+    keyInTemporalEase(index) { return [this._key(index).ease_in || { speed: 0, influence: 16.666666667 }]; }
+    keyOutTemporalEase(index) { return [this._key(index).ease_out || { speed: 0, influence: 16.666666667 }]; }
+    valueAtTime(time) {
+        let found = this.keys.length ? this.keys[0].value : this.value;
+        for (const key of this.keys) if (key.time <= time) found = key.value;
+        return found;
+    }
     removeKey(index) {
         this._key(index);
         if (this.matchName === "ADBE Time Remapping" && this.keys.length === 1) throw new Error("After Effects: the last key of time remapping");
@@ -85,7 +98,7 @@ class Effects extends Property {
 class Layer {
     constructor(comp, source, duration) {
         this.comp = comp; this.source = source; this.name = source ? source.name : "Null"; this.comment = "";
-        this.blendingMode = BlendingMode.NORMAL; this.enabled = true; this.selected = false;
+        this.blendingMode = BlendingMode.NORMAL; this.enabled = true; this.stretch = 100; this.selected = false;
         this.startTime = 5; this.inPoint = 0; this.outPoint = duration; this._remap = false;
         this._groups = {
             "ADBE Transform Group": new Property("ADBE Transform Group"),
@@ -94,9 +107,9 @@ class Layer {
             "ADBE Time Remapping": new Property("ADBE Time Remapping", 0)
         };
         const transform = this._groups["ADBE Transform Group"];
-        for (const [name, value] of [["ADBE Opacity", 100], ["ADBE Anchor Point", [0, 0]], ["ADBE Rotate Z", 0], ["ADBE Position_0", 0], ["ADBE Position_1", 0]])
+        for (const [name, value] of [["ADBE Opacity", 100], ["ADBE Anchor Point", source && source.width ? [source.width / 2, source.height / 2] : [0, 0]], ["ADBE Scale", [100, 100]], ["ADBE Rotate Z", 0], ["ADBE Position_0", 0], ["ADBE Position_1", 0]])
             transform.children[name] = new Property(name, value);
-        const position = new Property("ADBE Position", [0, 0]);
+        const position = new Property("ADBE Position", [comp.width / 2, comp.height / 2]);
         position.dimensionsSeparated = false;
         transform.children["ADBE Position"] = position;
     }
@@ -111,10 +124,14 @@ class Layer {
         if (!(name in this._groups)) throw new Error("After Effects: no property " + name);
         return this._groups[name];
     }
-    moveAfter(other) {
+    _move(other, by) {
+        if (!(other instanceof Layer) || other === this || other.comp !== this.comp) throw new Error("After Effects: a layer is moved to no other of its comp");
         this.comp.all.splice(this.comp.all.indexOf(this), 1);
-        this.comp.all.splice(this.comp.all.indexOf(other) + 1, 0, this);
+        this.comp.all.splice(this.comp.all.indexOf(other) + by, 0, this);
     }
+    moveAfter(other) { this._move(other, 1); }
+    moveBefore(other) { this._move(other, 0); }
+    moveToEnd() { this.comp.all.splice(this.comp.all.indexOf(this), 1); this.comp.all.push(this); }
     dump() {
         const groups = {};
         for (const [name, group] of Object.entries(this._groups)) groups[name] = group.dump();
@@ -132,6 +149,11 @@ class FolderItem extends Item {}
 class FootageItem extends Item {
     constructor(file, sequence) { super(file.name); this._take(file, sequence); }
     _take(file, sequence) {
+        if (!file.exists) throw new Error("After Effects: no such file: " + file.fsName);
+        const head = Buffer.alloc(24);
+        const opened = fs.openSync(file.fsName, "r"); fs.readSync(opened, head, 0, 24, 0); fs.closeSync(opened);
+        const isPng = head.toString("latin1", 1, 4) === "PNG";
+        this.width = isPng ? head.readUInt32BE(16) : 4; this.height = isPng ? head.readUInt32BE(20) : 4;
         const still = !sequence;
         let frames = 1;
         if (sequence) {
@@ -150,10 +172,11 @@ class FootageItem extends Item {
         const item = this;
         this.mainSource = {
             isStill: still, hasAlpha: true, file, alphaMode: null, premulColor: null, rate: 30,
-            get conformFrameRate() { return this.rate; },
+            get conformFrameRate() { return this.isConformed ? this.rate : 0; },
+            get displayFrameRate() { return this.rate; },
             set conformFrameRate(rate) {
                 if (still) throw new Error("After Effects: a still has no frame rate");
-                this.rate = rate; item.duration = frames / rate;
+                this.rate = rate; this.isConformed = true; item.duration = frames / rate;
             }
         };
         this.duration = frames / 30;
@@ -177,15 +200,24 @@ class CompItem extends Item {
             }
         };
     }
-    set workAreaStart(value) { this._start = value; }
-    set workAreaDuration(value) { this._length = value; }
+    set workAreaStart(value) {
+        if (!(value >= 0 && value < this.duration)) throw new Error("After Effects: impossible work area start " + value);
+        this._start = value;
+    }
+    set workAreaDuration(value) {
+        if (!(value > 0 && this._start + value <= this.duration + 1e-9)) throw new Error("After Effects: impossible work area " + value);
+        this._length = value;
+    }
     get numLayers() { return this.all.length; }
-    layer(index) { return this.all[index - 1]; }
+    layer(index) {
+        if (!(index >= 1 && index <= this.all.length)) throw new Error("After Effects: no layer " + index);
+        return this.all[index - 1];
+    }
     get selectedLayers() { return this.all.filter((layer) => layer.selected); }
     openInViewer() { this.viewed += 1; }
 }
 
-const project = { all: [], rootFolder: { name: "root" }, activeItem: null };
+const project = { all: [], rootFolder: { name: "root" }, activeItem: null, file: null };
 Object.assign(project, {
     get numItems() { return project.all.length; },
     item(index) { return project.all[index - 1]; },
@@ -195,13 +227,22 @@ Object.assign(project, {
 Object.defineProperty(project, "numItems", { get: () => project.all.length });
 
 class File {
-    constructor(name) { this.fsName = path.resolve(name); this.name = path.basename(name); this.displayName = this.name; }
+    constructor(written) {
+        /* A path may be written as a URI. */
+        const name = written.replace(/(%[0-9a-fA-F]{2})+/g, (escape) => decodeURIComponent(escape));
+        this.fsName = path.resolve(name); this.name = path.basename(name); this.displayName = this.name;
+    }
     get exists() { return fs.existsSync(this.fsName); }
     get parent() { return { fsName: path.dirname(this.fsName) }; }
+    open(mode) { this.text = ""; return mode === "w" && settings.mayWrite; }
+    write(text) { this.text += text; }
+    close() { fs.writeFileSync(this.fsName, this.text); }
+    remove() { fs.unlinkSync(this.fsName); }
 }
 File.saveDialog = () => new File(settings.saveTo);
-File.openDialog = () => null;
-const settings = { saveTo: "" };
+File.openDialog = () => (settings.openFile ? new File(settings.openFile) : null);
+const settings = { saveTo: "", openFile: "", mayWrite: true };
+const asked = [];
 const BlendingMode = { NORMAL: "NORMAL", MULTIPLY: "MULTIPLY" };
 
 const world = {
@@ -209,7 +250,7 @@ const world = {
         isoLanguage: "ja_JP", project, newProject() {}, beginUndoGroup() { undo.open += 1; undo.groups += 1; }, endUndoGroup() { undo.open -= 1; },
         settings: { kept: {}, haveSetting(s, n) { return n in this.kept; }, getSetting(s, n) { return this.kept[n]; }, saveSetting(s, n, v) { this.kept[n] = v; } }
     },
-    File, CompItem, BlendingMode, ImportAsType: { FOOTAGE: "FOOTAGE" }, alert: (words) => alerts.push(words),
+    File, Folder: { temp: { fsName: require("os").tmpdir() } }, CompItem, BlendingMode, ImportAsType: { FOOTAGE: "FOOTAGE" }, alert: (words) => alerts.push(words),
     AlphaMode: { STRAIGHT: "STRAIGHT", PREMULTIPLIED: "PREMULTIPLIED", IGNORE: "IGNORE" },
     KeyframeInterpolationType: { HOLD: "HOLD", LINEAR: "LINEAR", BEZIER: "BEZIER" },
     ImportOptions: function (file) { this.file = file; this.canImportAs = () => true; },
@@ -217,13 +258,19 @@ const world = {
         if (!(influence >= 0.1 && influence <= 100)) throw new Error("After Effects: an influence of " + influence);
         this.speed = speed; this.influence = influence;
     },
-    MarkerValue: function (comment) { this.comment = comment; this.duration = 0; },
+    MarkerValue: function (comment) { this.comment = comment; this.duration = 0; this.cuePointName = ""; },
+    asked, settings, disk: fs, answer: true, confirm(words) { asked.push(words); return world.answer; },
     $: { fileName: path.resolve(scriptPath), global: {}, os: "Macintosh OS", evalFile: (file) => runFile(file.fsName) },
-    system: { callSystem: (line) => { calls.push(line); return require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh" }); } },
+    system: { callSystem: (line) => { if (!settings.mayWrite) throw new Error("After Effects: scripts may not"); calls.push(line); return require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh" }); } },
     Panel: class {}, Window: class {
-        constructor() { this.buttons = []; this.layout = { layout() {}, resize() {} }; world.panel = this; }
-        add(kind, bounds, text) { const made = { text }; this.buttons.push(made); return made; }
-        center() {} show() {}
+        constructor() { this.buttons = []; this.layout = { layout() {}, resize() {} }; world.panel = world.panel || this; }
+        add(kind, bounds, text, most) {
+            const made = kind === "progressbar" ? { value: text, most } : { text };
+            this.buttons.push(made);
+            return made;
+        }
+        center() {} show() { calls.push("show"); } close() { calls.push("close"); }
+        update() { calls.push("at " + this.buttons[0].value + " of " + this.buttons[0].most); }
     }
 };
 vm.createContext(world);
@@ -235,25 +282,36 @@ function runFile(file) {
 }
 
 if (mode === "panel") {
-    /* A comp with one selected layer of a sequence; make a project, then bring its shadows back, twice. */
-    const [, , , , , , sequence, saveTo, program, name] = process.argv;
+    /* The panel beside a comp "cut"; what a user does with it is told in JavaScript. */
+    const [, , , , , , saveTo, program, script] = process.argv;
     settings.saveTo = saveTo;
     world.app.settings.kept.program = program;
-    const comp = new CompItem("cut", 320, 240, 1, 1, 24);
-    const below = comp.layers.add(new FootageItem(new File(sequence), true)); below.name = "under";
-    const layer = comp.layers.add(new FootageItem(new File(sequence), true)); layer.name = name; layer.selected = true;
-    comp.layers.add(new FootageItem(new File(sequence), true)).name = "over";
-    project.activeItem = comp;
+    world.newComp = (name, frames) => {
+        const comp = new CompItem(name, 320, 240, 1, frames / 24, 24);
+        comp.put = (file, called) => {
+            const layer = comp.layers.add(new FootageItem(new File(file), true));
+            layer.name = called; layer.source.mainSource.conformFrameRate = 24; layer.startTime = 0;
+            return layer;
+        };
+        project.activeItem = comp;
+        return comp;
+    };
     runFile(scriptPath);
-    world.panel.buttons[0].onClick();
-    world.panel.buttons[2].onClick();
-    world.panel.buttons[2].onClick();
+    world.press = (index) => world.panel.buttons[index].onClick();
+    vm.runInContext(script, world);
+} else if (mode === "edited") {
+    const steps = process.argv.slice(6);
+    runFile(scriptPath);
+    for (let i = 0; i < steps.length; i += 2) {
+        vm.runInContext(steps[i], world);
+        runFile(steps[i + 1]);
+    }
 } else {
     for (let i = 0; i < Number(times); i++) runFile(scriptPath);
 }
 
 fs.writeFileSync(outPath, JSON.stringify({
-    alerts, calls, undo,
+    alerts, calls, undo, asked,
     items: project.all.map((item) => ({
         kind: item.constructor.name, name: item.name, comment: item.comment, folder: item.parentFolder ? item.parentFolder.name : null,
         file: item.mainSource && item.mainSource.file ? item.mainSource.file.fsName : null, frames: item.frames,

@@ -114,6 +114,13 @@ def test_a_numbered_file_by_name_is_a_still(tmp_path: Path) -> None:
     assert told(find_sequences(tmp_path / "A0002.png")) == [("A0002", [(None, "", "A0002.png")])]
 
 
+def test_pattern_with_letters(tmp_path: Path) -> None:
+    touch(tmp_path, "walk_0001.png", "walk_0002a.png", "walk_0002abc.png", "walk_b.png")
+    assert told(find_sequences(tmp_path / "walk_#*.png")) == [
+        ("walk", [(1, "", "walk_0001.png"), (2, "a", "walk_0002a.png")])
+    ]
+
+
 @pytest.mark.parametrize("pattern", ["walk_#.png", "walk_####.PNG"])
 def test_pattern(tmp_path: Path, pattern: str) -> None:
     touch(tmp_path, "walk_0003.png", "walk_0001.png", "walk_0002a.png", "walk_0002.tga", "run_0001.png", "walk_.png")

@@ -159,6 +159,12 @@ _TREES = st.lists(
 ).map(_placed)
 
 
+def test_what_lies_in_a_group_without_a_name_is_not_what_lies_beside_it() -> None:
+    layers = _placed([leaf("1"), group("", leaf("1"), leaf("2")), group("", leaf("1"))])
+    addresses = [node.address for top in layers for node in (top, *top.below())]
+    assert len(set(addresses)) == len(addresses) == 6
+
+
 @given(_TREES)
 def test_nothing_is_taken_twice_and_every_cel_is_in_the_file(layers: tuple[PsdNode, ...]) -> None:
     found = cast(*layers)

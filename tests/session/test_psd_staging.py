@@ -38,6 +38,19 @@ def cut(tmp_path: Path) -> Path:
     )
 
 
+def test_what_lies_among_cels_and_is_none_is_told(tmp_path: Path) -> None:
+    file = write_psd(
+        tmp_path / "c.psd",
+        [
+            Folder("A", [*cels("1", "2"), Leaf("memo", BODY), Leaf("old", BODY, is_visible=False)]),
+            Folder("B", cels("1")),
+        ],
+    )
+    staged = new_document([CharacterSource(None, file)])
+    assert [(layer.name, len(layer.cels.drawings)) for layer in staged.document.layers] == [("A", 2), ("B", 1)]
+    assert staged.notes == (f"{file}: left out, as they have no number: memo",)
+
+
 def test_a_cut_comes_with_characters_background_and_length(cut: Path) -> None:
     staged = new_document([CharacterSource(None, cut)])
     document = staged.document

@@ -64,10 +64,17 @@ def test_the_preview_follows_every_choice(dialog: ExportDialog) -> None:
     tick(dialog, "near the feet")
     assert lines(dialog) == [
         "walk.jsx",
-        "shadows/Walker_shadow/  .exr",
-        "matte_core/  .exr",
-        "characters/",
-        "background/",
+        "shadows/Walker_shadow/  6 × .exr",
+        "matte_core/Walker_shadow/  6 × .exr",
+        "characters/Walker/  6 × .png",
+    ]
+    tick(dialog, "every set piece")
+    tick(dialog, "Copy characters")
+    tick(dialog, "Each different shadow once")
+    assert lines(dialog)[1:] == [
+        "shadows/Walker_shadow/  6 × .exr",
+        "matte_core/Walker_shadow/  .exr",
+        "matte_receivers/ground_matte/  .exr",
     ]
     choose(dialog, "Render farm job")
     assert lines(dialog)[:4] == ["template.json", "parameter_values.json", "asset_references.json", "1 × 10"]

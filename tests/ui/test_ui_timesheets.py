@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from kagezou.io.timesheet import SheetTrack, Timesheet
@@ -92,3 +93,26 @@ def test_the_window_asks_for_sheets_and_writes_them(
 def test_sheets_are_known_by_their_names(tmp_path: Path, name: str) -> None:
     assert arrivals_of([tmp_path / name]).timesheet == tmp_path / name
     assert not arrivals_of([tmp_path / name]).is_empty
+
+
+def test_a_name_that_gets_its_suffix_replaces_nothing_unasked(
+    plain: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialogs = plain.project.dialogs
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_words: (str(tmp_path / "c012"), ""))
+    assert dialogs.timesheet_to_save("c012.xdts") == tmp_path / "c012.xdts"
+    (tmp_path / "c012.xdts").write_text("mine")
+    (tmp_path / "c012.kage").write_text("mine")
+    asked: list[str] = []
+
+    def answer(box: QMessageBox) -> int:
+        asked.append(box.text())
+        buttons = QMessageBox.StandardButton
+        return (buttons.Cancel if len(asked) < 3 else buttons.Yes).value
+
+    monkeypatch.setattr(QMessageBox, "exec", answer)
+    assert dialogs.timesheet_to_save("c012.xdts") is None
+    assert dialogs.project_to_save("c012.kage") is None
+    assert dialogs.timesheet_to_save("c012.xdts") == tmp_path / "c012.xdts"
+    assert ["c012.xdts" in words for words in asked] == [True, False, True]
+    plain.close_unasked()

@@ -119,13 +119,14 @@ def addressed(names: Sequence[str], parent: str | None = None) -> tuple[str, ...
     """Return the addresses of layers that lie beside each other, from the lowest up, in a group or in the file itself.
 
     An address is the names that lead to a layer, with slashes between them; of layers with one name, the second from
-    below has ``#2`` behind it. So a drawing is found again when its file was saved anew, whatever came or went.
+    below has ``#2`` behind it, and one without a name is ``%``, which no name is. So a drawing is found again when its
+    file was saved anew, whatever came or went.
     """
     seen: Counter[str] = Counter()
     found = []
     for name in names:
         seen[name] += 1
-        plain = name.replace("%", "%25").replace("/", "%2F").replace("#", "%23")
+        plain = name.replace("%", "%25").replace("/", "%2F").replace("#", "%23") or "%"
         again = f"#{seen[name]}" if seen[name] > 1 else ""
         found.append(f"{plain}{again}" if parent is None else f"{parent}/{plain}{again}")
     return tuple(found)

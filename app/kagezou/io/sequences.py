@@ -4,7 +4,7 @@ import itertools
 import os
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -17,6 +17,7 @@ from kagezou.io.signatures import is_picture
 _NUMBERED: Final = re.compile(r"(?P<prefix>.*?)(?<![0-9])(?P<number>[0-9]{1,6})(?P<suffix>[A-Za-z]{0,2})", re.DOTALL)
 _PATTERN: Final = re.compile(r"(?P<prefix>[^#]*)#+(?P<rest>[^#]*)", re.DOTALL)
 _LAST_WORD: Final = re.compile(r"(?P<rest>.*[^_\-. ])[_\-. ]+[^_\-. ]+", re.DOTALL)
+_LETTERS: Final = "*"
 _BETWEEN: Final = "_-. "
 _DIGITS: Final = re.compile(r"([0-9]+)")
 
@@ -62,8 +63,9 @@ def find_sequences(source: Path) -> Found:
     source
         A folder of numbered pictures; a folder whose sub-folders hold them, each named after its folder where it is
         the only one in it; one picture, a still; or a pattern ``FOLDER/walk_#.png`` whose run of ``#`` stands for the
-        number. Un-numbered pictures count only where nothing is numbered: as stills, or, where only the last word of
-        their names differs (``girl smile``, ``girl cry``), as drawings of one character.
+        number, ``walk_#*.png`` with the letters of inserted drawings and retakes. Un-numbered pictures count only where
+        nothing is numbered: as stills, or, where only the last word of their names differs (``girl smile``,
+        ``girl cry``), as drawings of one character.
 
     Raises
     ------
@@ -139,12 +141,13 @@ def _by_pattern(pattern: Path) -> Found:
     if not pattern.parent.is_dir():
         raise input_problem(pattern, "its folder does not exist")
     rest = parts["rest"].removesuffix(pattern.suffix)
-    number = re.compile(re.escape(parts["prefix"]) + "([0-9]{1,6})" + re.escape(rest))
+    behind = "[A-Za-z]{0,2}" if rest == _LETTERS else re.escape(rest)
+    number = re.compile(re.escape(parts["prefix"]) + f"([0-9]{{1,6}})({behind})")
     files = []
     for path in _listed(pattern.parent)[0]:
         match = number.fullmatch(path.stem)
         if match and path.suffix.lower() == pattern.suffix.lower():
-            files.append(NumberedFile(int(match[1]), rest if rest.isalpha() else "", path))
+            files.append(NumberedFile(int(match[1]), match[2] if match[2].isalpha() else "", path))
     if not files:
         raise input_problem(pattern, "no file has such a name")
     return Found((_sequence(parts["prefix"], pattern.parent, files),), ())
@@ -171,7 +174,21 @@ def _grouped(pictures: Iterable[Path], folder: Path) -> tuple[tuple[Sequence, ..
         key = unicodedata.normalize("NFC", match["prefix"]), path.suffix.lower()
         group = groups.setdefault(key, (match["prefix"], []))
         group[1].append(NumberedFile(int(match["number"]), match["suffix"], path))
-    return _sorted(_sequence(prefix, folder, files) for prefix, files in groups.values()), tuple(loose)
+    return _sorted(_sequence(prefix, folder, files) for prefix, files in _joined(groups)), tuple(loose)
+
+
+def _joined(
+    groups: Mapping[tuple[str, str], tuple[str, list[NumberedFile]]],
+) -> Iterable[tuple[str, list[NumberedFile]]]:
+    """Return the groups, one of those whose names differ in case and separators alone and that share no number."""
+    joined: dict[tuple[str, str], tuple[str, list[NumberedFile]]] = {}
+    for (prefix, suffix), (name, files) in groups.items():
+        key = prefix.rstrip(_BETWEEN).casefold(), suffix
+        taken = {(file.number, file.suffix) for file in joined[key][1]} if key in joined else set()
+        if any((file.number, file.suffix) in taken for file in files):
+            key = prefix, suffix
+        joined.setdefault(key, (name, []))[1].extend(files)
+    return joined.values()
 
 
 def _sequence(prefix: str, folder: Path, files: list[NumberedFile]) -> Sequence:

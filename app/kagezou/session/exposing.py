@@ -24,10 +24,14 @@ _SHOWN_NAMES = 3
 
 @dataclass(frozen=True, slots=True)
 class CharacterSource:
-    """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name."""
+    """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name.
+
+    Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of.
+    """
 
     name: str | None
     path: Path
+    is_timed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,13 +91,13 @@ def held_by(source: CharacterSource, watch: Watch = unwatched) -> Held:
     if is_psd(path) and path.is_file():
         return _held_by_psd(source, path, watch)
     found = find_sequences(path)
-    notes = [_left_out(path, found.left_out)] if found.left_out else []
+    notes = [_left_out(path, (shown(Path(each.name)) for each in found.left_out))] if found.left_out else []
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return Held([_new_cels(source.name or printable(own), only, watch)], notes)
+        return Held([_new_cels(source.name or printable(own), only, source, watch)], notes)
     head = f"{source.name} " if source.name else ""
-    return Held([_new_cels(head + printable(each.name), each, watch) for each in found.sequences], notes)
+    return Held([_new_cels(head + printable(each.name), each, source, watch) for each in found.sequences], notes)
 
 
 def _held_by_psd(source: CharacterSource, path: Path, watch: Watch) -> Held:
@@ -115,7 +119,7 @@ def _held_by_psd(source: CharacterSource, path: Path, watch: Watch) -> Held:
     if source.name and len(names) == 1:
         names = [source.name]
     layers = [_psd_cels(name, each, path, size) for name, each in zip(names, characters, strict=True)]
-    return Held(layers, _left_out_notes(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
+    return Held(layers, _left_out_of(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
 
 
 def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, int]) -> NewCels:
@@ -142,12 +146,14 @@ def _is_opaque(part: PicturePart) -> bool:
     return read_matte(part).is_full
 
 
-def _left_out_notes(path: Path, cast: PsdCast) -> list[str]:
+def _left_out_of(path: Path, cast: PsdCast) -> list[str]:
     notes = []
     if cast.hidden:
         notes.append(f"{shown(path)}: left out, as they are hidden: {_some(node.name for node in cast.hidden)}")
     if cast.empty:
         notes.append(f"{shown(path)}: left out, as they are empty: {_some(node.name for node in cast.empty)}")
+    if cast.unnumbered:
+        notes.append(_left_out(path, (node.name for node in cast.unnumbered)))
     return notes
 
 
@@ -157,8 +163,8 @@ def printable(name: str) -> str:
     return text[:MAX_NAME_CHARACTERS] or "Character"
 
 
-def _left_out(path: Path, pictures: Iterable[Path]) -> str:
-    return f"{shown(path)}: left out, as they have no number: {_some(shown(Path(each.name)) for each in pictures)}"
+def _left_out(path: Path, names: Iterable[str]) -> str:
+    return f"{shown(path)}: left out, as they have no number: {_some(names)}"
 
 
 def _some(names: Iterable[str]) -> str:
@@ -166,10 +172,10 @@ def _some(names: Iterable[str]) -> str:
     return ", ".join(known[:_SHOWN_NAMES]) + (", …" if len(known) > _SHOWN_NAMES else "")
 
 
-def _new_cels(name: str, sequence: Sequence, watch: Watch) -> NewCels:
+def _new_cels(name: str, sequence: Sequence, source: CharacterSource, watch: Watch) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
     size, notes = _measured(name, cels.drawings, watch)
-    if sequence.gaps:
+    if sequence.gaps and not source.is_timed:
         notes.insert(0, f"{name}: missing {format_frames(sequence.gaps)}; the drawing before is held")
     last = cels.exposures[-1].frame
     return NewCels(name, cels, size, last, tuple(notes))

@@ -52,12 +52,15 @@ class PsdCast:
         Layers that are named like a background, from the lowest up; a background is opaque as well.
     hidden, empty
         What is left out.
+    unnumbered
+        What is left out as it lies among cels and is none.
     """
 
     characters: tuple[PsdCharacter, ...] = ()
     backgrounds: tuple[PsdNode, ...] = ()
     hidden: tuple[PsdNode, ...] = ()
     empty: tuple[PsdNode, ...] = ()
+    unnumbered: tuple[PsdNode, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +83,13 @@ def cast_of(tree: PsdTree, name: str) -> PsdCast:
     """
     sorting = _Sorting()
     sorting.sort(tree.layers, name)
-    return PsdCast(tuple(sorting.characters), tuple(sorting.backgrounds), tuple(sorting.hidden), tuple(sorting.empty))
+    return PsdCast(
+        tuple(sorting.characters),
+        tuple(sorting.backgrounds),
+        tuple(sorting.hidden),
+        tuple(sorting.empty),
+        tuple(sorting.unnumbered),
+    )
 
 
 @dataclass(slots=True)
@@ -89,6 +98,7 @@ class _Sorting:
     backgrounds: list[PsdNode] = field(default_factory=list)
     hidden: list[PsdNode] = field(default_factory=list)
     empty: list[PsdNode] = field(default_factory=list)
+    unnumbered: list[PsdNode] = field(default_factory=list)
 
     def sort(self, nodes: Sequence[PsdNode], owner: str) -> None:
         """Take in what lies beside each other, within ``owner``."""
@@ -112,6 +122,7 @@ class _Sorting:
             self.backgrounds.append(node)
         elif cels:
             self.characters.append(_character(node.name, cels))
+            self.unnumbered += filter(_shows, _beside(cels, node))
         elif _holds_sheaf(node):
             self.sort(node.children or (), node.name)
         elif _shows(node):
@@ -134,11 +145,15 @@ def _cels_in(group: PsdNode) -> list[tuple[_Number, PsdNode]]:
     prefixes = {number.prefix for number, _ in members}
     if len(prefixes) != 1 or _is_one_picture(members):
         return []
-    cels = {id(node) for _, node in members}
-    others = [node for node in group.children or () if id(node) not in cels and not node.is_clipped]
     # "arm1, arm2, body" is a figure in parts; "1, 2, frame" and "A1, A2, frame" in a group A are cels and a frame.
     is_plain = prefixes <= {"", _plain(group.name)}
-    return [] if any(map(_shows, others)) and not is_plain else members
+    return [] if any(map(_shows, _beside(members, group))) and not is_plain else members
+
+
+def _beside(cels: Iterable[tuple[_Number, PsdNode]], group: PsdNode) -> list[PsdNode]:
+    """Return what lies in a group beside its cels."""
+    known = {id(node) for _, node in cels}
+    return [node for node in group.children or () if id(node) not in known and not node.is_clipped]
 
 
 def _numbered(nodes: Iterable[PsdNode]) -> list[tuple[_Number, PsdNode]]:

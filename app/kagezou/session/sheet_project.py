@@ -13,13 +13,16 @@ from kagezou.io.psd_file import psd_tree
 from kagezou.io.signatures import is_picture, is_psd
 from kagezou.io.timesheet import Timesheet
 from kagezou.io.xdts import read_timesheet
-from kagezou.session.exposing import CharacterSource
+from kagezou.session.exposing import CharacterSource, printable
 from kagezou.session.psd_cast import cast_of
 from kagezou.session.staging import Staged, new_document
 from kagezou.session.timing import timed
 from kagezou.session.watching import Watch, unwatched
 
 TIMESHEET_SUFFIXES = (".xdts", ".tdts", ".sts")
+_CELS = "_Cell"
+"""Where AniLaPaint puts the folders of a cut."""
+
 _RATE = Fraction(24)
 """Sheets say nothing of it; all of them count 24 frames a second."""
 
@@ -28,7 +31,8 @@ def document_of_sheet(path: Path, watch: Watch = unwatched) -> Staged:
     """Return a new document of a timesheet and the drawings beside it.
 
     For a column A these are the pictures in a folder A (in whatever case), else ``A_0001.png``, ``A1.png``,
-    ``A-01a.png`` and the like in the timesheet's own folder, else the cels of a group A in a PSD file there.
+    ``A-01a.png`` and the like in the timesheet's own folder, else the cels of a group A in a PSD file there. A folder
+    may also lie in one called ``_Cell``. Columns of one name are layers of the same drawings.
 
     Raises
     ------
@@ -75,19 +79,32 @@ def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
         listed = sorted(path.parent.iterdir())
     except OSError as error:
         raise InputProblem(f"{shown(path.parent)}: {cause_of(error)}") from error
-    folders = {entry.name.casefold(): entry for entry in listed if entry.is_dir()}
+    folders = {entry.name.casefold(): entry for entry in (*_below(path.parent / _CELS), *listed) if entry.is_dir()}
     pictures = [entry for entry in listed if entry.is_file() and is_picture(entry) and not is_psd(entry)]
     found: list[CharacterSource] = []
     missing: set[str] = set()
-    for name in dict.fromkeys(track.name for track in sheet.tracks if track.name):
+    seen: set[str] = set()
+    for track in sheet.tracks:
+        name = track.name
+        if not name or (name in seen and not track.entries):
+            continue
+        seen.add(name)
         folder = folders.get(name.casefold())
-        if folder is not None and any(is_picture(each) for each in folder.iterdir()):
-            found.append(CharacterSource(name, folder))
+        if folder is not None and any(is_picture(each) for each in _below(folder)):
+            found.append(CharacterSource(printable(name), folder, is_timed=True))
         elif (pattern := _pattern(name, pictures)) is not None:
-            found.append(CharacterSource(name, pattern))
+            found.append(CharacterSource(printable(name), pattern, is_timed=True))
         else:
             missing.add(name.casefold())
     return (*found, *_psd_files(path, listed, missing))
+
+
+def _below(folder: Path) -> list[Path]:
+    """Return what lies in a folder; nothing where it is none or cannot be looked into."""
+    try:
+        return list(folder.iterdir())
+    except OSError:
+        return []
 
 
 def _psd_files(path: Path, listed: list[Path], missing: set[str]) -> Iterator[CharacterSource]:
@@ -105,9 +122,9 @@ def _psd_files(path: Path, listed: list[Path], missing: set[str]) -> Iterator[Ch
 
 
 def _pattern(name: str, pictures: list[Path]) -> Path | None:
-    """Return the pattern of a column's pictures in one folder, such as ``A_#.png``."""
+    """Return the pattern of a column's pictures in one folder, such as ``A_#*.png``."""
     numbered = re.compile(rf"({re.escape(name)}[_\-. ]?)[0-9]{{1,6}}[a-z]{{0,2}}", re.IGNORECASE)
     for picture in pictures:
         if match := numbered.fullmatch(picture.stem):
-            return picture.with_name(f"{match[1]}#{picture.suffix}")
+            return picture.with_name(f"{match[1]}#*{picture.suffix}")
     return None

@@ -8,6 +8,7 @@ from dataclasses import replace
 from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Drawing, Exposure, Layer
 from kagezou.io.timesheet import SheetTrack, Timesheet
+from kagezou.session.exposing import printable
 
 _NUMBERED = re.compile(r"[^0-9.]*?[_\-. ]?0*([0-9]{1,6})([a-z]{0,2})")
 _SHOWN_CELS = 5
@@ -41,7 +42,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[str]]:
 
 def _layer_for(name: str, layers: Iterable[Layer]) -> Layer | None:
     """Return the layer of that name, or else the only one whose name ends with it as a word."""
-    wanted = _plain(name)
+    wanted = _plain(printable(name)) if name else ""
     exact = [layer for layer in layers if _plain(layer.name) == wanted]
     if exact or not wanted:
         return exact[0] if exact else None
@@ -53,7 +54,8 @@ def _layer_for(name: str, layers: Iterable[Layer]) -> Layer | None:
 
 
 def _plain(name: str) -> str:
-    return unicodedata.normalize("NFC", name).strip().casefold()
+    # A sheet may have full-width letters and figures.
+    return unicodedata.normalize("NFKC", name).strip().casefold()
 
 
 def _exposed(layer: Layer, track: SheetTrack) -> tuple[tuple[Exposure, ...], list[str]]:
@@ -99,14 +101,17 @@ def _number_in(name: str) -> tuple[int, str] | None:
 
 def sheet_of(document: Document, name: str) -> Timesheet:
     """Return the timesheet of a document: a column a layer, its drawings by their names."""
-    tracks = tuple(SheetTrack(layer.name, _entries(layer)) for layer in document.layers)
-    return Timesheet(name, document.canvas.length_frames, tracks)
+    length = document.canvas.length_frames
+    tracks = tuple(SheetTrack(layer.name, _entries(layer, length)) for layer in document.layers)
+    return Timesheet(name, length, tracks)
 
 
-def _entries(layer: Layer) -> tuple[tuple[int, str | None], ...]:
-    """Return the entries from frame 0 on; what was exposed before the cut began is what it begins with."""
+def _entries(layer: Layer, length: int) -> tuple[tuple[int, str | None], ...]:
+    """Return the entries within the cut; what was exposed before it began is what it begins with."""
     found: dict[int, str | None] = {}
     for exposure in layer.cels.exposures:
+        if exposure.frame > length:
+            break
         cel = None if exposure.drawing is None else layer.cels.drawings[exposure.drawing].name
         found[max(exposure.frame - 1, 0)] = cel
     return tuple(sorted(found.items()))

@@ -50,7 +50,7 @@ class Dialogs:
         title = QCoreApplication.translate("Dialogs", "Save Project As")
         start = str(Path(self._folder("project")) / suggested)
         chosen, _ = QFileDialog.getSaveFileName(self._parent, title, start, self._project_filter())
-        return self._remembered("project", chosen)
+        return self._remembered("project", self._whole(chosen, PROJECT_SUFFIX))
 
     def folder_of_cels(self) -> Path | None:
         """Ask for a folder of drawings."""
@@ -90,7 +90,7 @@ class Dialogs:
         start = str(Path(self._folder("timesheet")) / suggested)
         words = QCoreApplication.translate("Dialogs", "Timesheets") + " (*.xdts)"
         chosen, _ = QFileDialog.getSaveFileName(self._parent, title, start, words)
-        return self._remembered("timesheet", chosen)
+        return self._remembered("timesheet", self._whole(chosen, ".xdts"))
 
     def unsaved(self, name: str) -> Answer:
         """Ask what to do with unsaved work."""
@@ -121,6 +121,19 @@ class Dialogs:
         question = QCoreApplication.translate("Dialogs", "“%1” was changed outside this window. Save over it?")
         note = QCoreApplication.translate("Dialogs", "What was changed there is kept only as its backup copy (NAME~).")
         return self._agrees(question.replace("%1", name), note, QCoreApplication.translate("Dialogs", "Save Anyway"))
+
+    def _whole(self, chosen: str, suffix: str) -> str:
+        """Return a chosen name with its suffix, or nothing; the system asked only about the name as typed."""
+        if not chosen or chosen.lower().endswith(suffix):
+            return chosen
+        whole = chosen + suffix
+        if not Path(whole).exists():
+            return whole
+        question = QCoreApplication.translate("Dialogs", "“%1” is there already. Replace it?")
+        agrees = self._agrees(
+            question.replace("%1", Path(whole).name), "", QCoreApplication.translate("Dialogs", "Replace")
+        )
+        return whole if agrees else ""
 
     def _agrees(self, question: str, note: str, yes: str) -> bool:
         box, buttons = self._box(question, note), QMessageBox.StandardButton

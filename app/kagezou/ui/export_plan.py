@@ -1,6 +1,7 @@
 """What an export from the window is to make, as a value that can be remembered and previewed."""
 
 import json
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, fields, replace
 from enum import StrEnum
 from pathlib import Path
@@ -8,12 +9,14 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.export.after_effects.mattes import MATTES
+from kagezou.export.after_effects.drawings import exposed
+from kagezou.export.after_effects.mattes import MATTES, at_full_opacity
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE
-from kagezou.export.jobs import LayeredContent, planned
+from kagezou.export.jobs import LayeredContent, Plan, pictures_of, planned
 from kagezou.export.layered import part_names
 from kagezou.export.names import safe_names
-from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
+from kagezou.export.receivers import receivers_of
+from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, RECEIVERS, SUFFIXES, ExportRequest
 from kagezou.export.video import VideoRequest, video_jobs
 
 
@@ -149,6 +152,9 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
     """
     if plan.kind is ExportKind.VIDEO:
         return _video_preview(document, plan, place)
+    if plan.kind is ExportKind.AFTER_EFFECTS:
+        # There opacity is a property of the layers.
+        document = at_full_opacity(document)
     made = planned(document, frames_request(document, plan, place.folder, workers=1))
     length = len(made.jobs) and made.files // max(len(made.folders), 1)
     suffix = (LAYERED_SUFFIXES if plan.is_layered else SUFFIXES)[plan.format]
@@ -162,15 +168,39 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
             return (f"{made.folders[0].name}/  {length} × {suffix}", *(f"    {name}" for name in reversed(names)))
         case ExportKind.AFTER_EFFECTS:
             script = f"{safe_names([place.name])[place.name]}.jsx"
-            lines = [f"shadows/{folder.name}/  {suffix}" for folder in made.folders]
-            lines += [f"matte_{'shadow' if matte == 'lit' else matte}/  {suffix}" for matte in plan.mattes]
-            return (script, *dict.fromkeys(lines), *(("characters/", "background/") if plan.copies else ()))
+            return (script, *_shadow_lines(document, plan, made, suffix), *_copy_lines(document, plan))
         case ExportKind.FARM:
             if place.project is None:
                 raise UsageProblem("a farm renders a saved project; save this one first")
             tasks = -(-length // plan.chunk)
             files = (TEMPLATE, PARAMETERS, ASSETS, f"{tasks} × {plan.chunk}")
             return (*files, *(f"    {folder.name}/  {length} × {suffix}" for folder in made.folders))
+
+
+def _shadow_lines(document: Document, plan: ExportPlan, made: Plan, suffix: str) -> Iterator[str]:
+    """Yield the folders of a hand-off's shadows and mattes, with how many files each gets where that is known."""
+    length = document.canvas.length_frames
+    for folder in made.folders:
+        count = max(pictures_of(made, folder)) + 1 if plan.per_drawing else length
+        yield f"shadows/{folder.name}/  {count} × {suffix}"
+    each = suffix if plan.per_drawing else f"{length} × {suffix}"
+    shadows = [folder.name for folder in made.folders if not folder.name.endswith("_received")]
+    asked = dict.fromkeys("shadow" if matte == "lit" else matte for matte in plan.mattes)
+    for matte in asked:
+        labels = [receiver.label for receiver in receivers_of(document)] if matte == RECEIVERS else shadows
+        yield from (f"matte_{matte}/{label}/  {each}" for label in labels)
+
+
+def _copy_lines(document: Document, plan: ExportPlan) -> Iterator[str]:
+    """Yield what a hand-off copies."""
+    if not plan.copies:
+        return
+    names = safe_names(layer.name for layer in document.layers)
+    for layer in document.layers:
+        if count := len(exposed(layer, document.canvas.length_frames)):
+            yield f"characters/{names[layer.name]}/  {count} × .png"
+    if document.background is not None:
+        yield "background/background.png"
 
 
 def _video_preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ...]:

@@ -64,9 +64,10 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
     path: Path = options.project
     if path.exists() and not options.force:
         raise OutputProblem(f"{shown(path)}: it is there already; --force replaces it")
-    sources = [CharacterSource(name, source) for name, source in options.character]
+    is_timed = options.timesheet is not None
+    sources = [CharacterSource(name, source, is_timed) for name, source in options.character]
     sources += [CharacterSource(None, source) for source in options.psd]
-    if options.timesheet is not None and not sources:
+    if is_timed and not sources:
         from kagezou.io.xdts import read_timesheet
         from kagezou.session.sheet_project import sources_beside
 

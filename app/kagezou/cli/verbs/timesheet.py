@@ -9,7 +9,8 @@ from kagezou.cli.terminal import give
 
 DESCRIPTION = """\
 Write when which drawing is exposed as a digital timesheet (XDTS), a column for each layer, for Clip Studio Paint,
-OpenToonz and others. Prints the file."""
+OpenToonz and others. A file that is there stays unless --force replaces it: it may hold dialogue and camera work, which
+a project does not. Prints the file."""
 EXAMPLES = """\
   kagezou timesheet cut12.kage -o cut12.xdts
 """
@@ -19,16 +20,23 @@ def add_arguments(parser: Parser) -> None:
     """Say what can be typed."""
     parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="FILE.xdts", help="the timesheet")
+    parser.add_argument("--force", action="store_true", help="replace a timesheet that is there")
 
 
 def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
     """Write the timesheet."""
+    from kagezou.errors import OutputProblem, UsageProblem
     from kagezou.io.faults import shown
     from kagezou.io.project_file import load
     from kagezou.io.xdts import write_xdts
     from kagezou.session.timing import sheet_of
 
     project: Path = options.project
-    write_xdts(options.output, sheet_of(load(project), project.stem))
-    give(shown(options.output))
+    output: Path = options.output
+    if output.suffix.lower() != ".xdts":
+        raise UsageProblem(f"{shown(output)}: a timesheet is written as .xdts")
+    if output.exists() and not options.force:
+        raise OutputProblem(f"{shown(output)}: it is there already; --force replaces it")
+    write_xdts(output, sheet_of(load(project), project.stem))
+    give(shown(output))
     return 0

@@ -1,5 +1,6 @@
 """From the document and what was written to the composition."""
 
+import os
 from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -81,18 +82,17 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
     names |= {piece.id: piece.name for piece in document.pieces}
     made = []
     if written.background is not None:
-        path = _path(written.background, written.folder)
-        made.append(ae.Footage("background", written.background.stem, path, 1, "IGNORE", "Background"))
+        path = written.background
+        made.append(_item("background", path.stem, path, written.folder, count=1, into="Background"))
     for layer_id, cels in written.cels.items():
-        path = _path(cels.first, written.folder)
-        made.append(ae.Footage(f"cels:{layer_id}", names[layer_id], path, cels.count, "STRAIGHT", "Characters"))
+        tag, title = f"cels:{layer_id}", names[layer_id]
+        made.append(_item(tag, title, cels.first, written.folder, count=cels.count, into="Characters"))
     for (kind, layer_id), (first, count, _) in written.shadows.items():
-        alpha = "PREMULTIPLIED" if first.suffix == ".exr" else "STRAIGHT"
         is_matte = kind.startswith("matte:")
-        folder = "Mattes" if is_matte else "Shadows"
         what = "" if kind == "matte:receivers" else f" {kind.removeprefix('matte:')}"
         title = f"{names[layer_id]}{what}{' matte' if is_matte else ''}"
-        made.append(ae.Footage(f"{kind}:{layer_id}", title, _path(first, written.folder), count, alpha, folder))
+        into = "Mattes" if is_matte else "Shadows"
+        made.append(_item(f"{kind}:{layer_id}", title, first, written.folder, count=count, into=into))
     return tuple(made)
 
 
@@ -241,5 +241,13 @@ def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) 
     return ae.Marker(seconds(frame, rate), comment, float(duration_frames / rate))
 
 
-def _path(path: Path, folder: Path) -> str:
-    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
+def _item(tag: str, title: str, path: Path, folder: Path, *, count: int, into: str) -> ae.Footage:
+    """Return footage; what lies outside the script's folder has two paths, as either may be what stays true."""
+    alpha = "PREMULTIPLIED" if path.suffix.lower() == ".exr" else "STRAIGHT"
+    if path.is_relative_to(folder):
+        return ae.Footage(tag, title, path.relative_to(folder).as_posix(), count, alpha, into)
+    try:
+        way = Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:  # another drive
+        way = path.as_posix()
+    return ae.Footage(tag, title, way, count, alpha, into, path.as_posix())

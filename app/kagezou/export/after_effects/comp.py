@@ -46,13 +46,15 @@ class Footage:
     name
         What the item is called.
     path
-        The first file, from the script's folder, with forward slashes; absolute for footage left where it was.
+        The first file, from the script's folder, with forward slashes; absolute where there is no way from there.
     count
         How many numbered files follow one another; 1 for a still.
     alpha
-        "STRAIGHT", "PREMULTIPLIED" or "IGNORE".
+        "STRAIGHT" or "PREMULTIPLIED", where there is alpha.
     folder
         The folder of the project panel it goes into.
+    absolute
+        Where footage that was left in its place lay; empty for what is in the script's folder.
     """
 
     tag: str
@@ -61,6 +63,7 @@ class Footage:
     count: int
     alpha: str
     folder: str
+    absolute: str = ""
 
 
 @dataclass(frozen=True, slots=True)

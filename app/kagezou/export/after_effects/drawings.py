@@ -59,9 +59,20 @@ def referenced(layer: Layer, length: int) -> Cels | None:
     if not numbers or numbers != list(range(numbers[0], numbers[0] + len(numbers))):
         return None
     places = {index: int(each[2]) - numbers[0] for index, each in zip(indices, found, strict=True) if each is not None}
-    if len({(info.width_px, info.height_px) for info in map(probe, paths)}) != 1:
+    if len({(info.width_px, info.height_px) for info in map(probe, paths)}) != 1 or not have_alpha(layer, length):
         return None
     return Cels(folder / f"{prefix}{numbers[0]:0{digits}d}{suffix}", len(numbers), places)
+
+
+def have_alpha(layer: Layer, length: int) -> bool:
+    """Return whether all drawings that are seen have alpha; of others After Effects would show the white as well."""
+    return all(probe(layer.cels.drawings[index].source).has_alpha for index in exposed(layer, length))
+
+
+def are_within(layer: Layer, folder: Path) -> bool:
+    """Return whether drawings of a layer lie in ``folder`` themselves, as those of an earlier hand-off do."""
+    real = folder.resolve()
+    return any(drawing.path.parent.resolve() == real for drawing in layer.cels.drawings)
 
 
 def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) -> Cels | None:

@@ -6,10 +6,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Final
 
-from kagezou.document.model import Document
-from kagezou.errors import UsageProblem
+from kagezou.document.model import Document, Layer
+from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.export.after_effects.building import SET, Written, hand_off
-from kagezou.export.after_effects.drawings import Cels, copied, referenced, remove_beyond
+from kagezou.export.after_effects.drawings import Cels, are_within, copied, have_alpha, referenced, remove_beyond
 from kagezou.export.after_effects.mattes import MATTES, at_full_opacity, matte_document
 from kagezou.export.after_effects.script import script_of
 from kagezou.export.frames import export_frames
@@ -28,7 +28,7 @@ from kagezou.export.request import (
 )
 from kagezou.io.atomic import write_bytes
 from kagezou.io.encode import write_rgba
-from kagezou.io.faults import output_problem
+from kagezou.io.faults import output_problem, shown
 from kagezou.io.images import read_cel
 from kagezou.io.signatures import is_psd
 from kagezou.render.context import OpenContext
@@ -118,6 +118,7 @@ def export_to_after_effects(
     _check(document)
     request = replace(request, folder=request.folder.absolute())
     run = _Run(document, request, progress, cancelled)
+    run.check_places()
     summaries = [run.export(kind, each, open_context) for kind, each in run.documents().items()]
     if any(summary.cancelled for summary in summaries):
         return HandedOff(None, tuple(summaries), (), time.monotonic() - started)
@@ -179,17 +180,30 @@ class _Run:
             self._note_folders(kind, document, request)
         return summary
 
+    def check_places(self) -> None:
+        """Raise OutputProblem where copies would take the place of the drawings they are made of."""
+        for layer in self._document.layers:
+            folder = self._copies_of(layer)
+            if are_within(layer, folder) and referenced(layer, self._document.canvas.length_frames) is None:
+                raise OutputProblem(
+                    f"{shown(folder)}: the drawings of {layer.name!r} lie there themselves and would be replaced by "
+                    "their copies; please choose another folder"
+                )
+
     def cels(self) -> dict[str, Cels]:
         """Copy or find the drawings of the layers."""
         found: dict[str, Cels] = {}
         canvas, request = self._document.canvas, self._request
         for layer in self._document.layers:
-            cels = None if request.copies else referenced(layer, canvas.length_frames)
+            folder = self._copies_of(layer)
+            stays = not request.copies or are_within(layer, folder)
+            cels = referenced(layer, canvas.length_frames) if stays else None
             if cels is None:
-                if not request.copies:
+                if stays and not have_alpha(layer, canvas.length_frames):
+                    self.notes.append(f"the drawings of {layer.name!r} have no alpha, so they were copied with it")
+                elif stays:
                     self.notes.append(f"the drawings of {layer.name!r} are no gap-free sequence, so they were copied")
-                name = self._names[layer.name]
-                cels = copied(layer, name, _made(request.folder / "characters" / name), canvas, request.workers)
+                cels = copied(layer, folder.name, _made(folder), canvas, request.workers)
             if cels is not None:
                 found[layer.id] = cels
         return found
@@ -202,6 +216,9 @@ class _Run:
         target = _made(self._request.folder / "background") / "background.png"
         write_rgba(target, read_cel(source, white_is_clear=False).rgba)
         return target
+
+    def _copies_of(self, layer: Layer) -> Path:
+        return self._request.folder / "characters" / self._names[layer.name]
 
     def _frames_of(self, kind: str) -> ExportRequest:
         request = self._request
