@@ -926,6 +926,14 @@
         <translation>それでも保存</translation>
     </message>
     <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>「%1」はすでにあります。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
+    </message>
+    <message>
         <source>Kagezou projects</source>
         <translation>Kagezou プロジェクト</translation>
     </message>
