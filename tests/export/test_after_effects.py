@@ -271,7 +271,7 @@ def test_drawings_whose_white_is_clear_are_copied_with_alpha(tmp_path: Path) -> 
     assert done.notes == ("the drawings of 'A' have no alpha, so they were copied with it",)
     copy = Image.open(tmp_path / "ae" / "characters" / "A" / "A_0001.png")
     assert copy.mode == "RGBA"
-    assert copy.getpixel((0, 0))[3] == 0
+    assert np.asarray(copy)[0, 0, 3] == 0
 
 
 def test_drawings_with_gaps_are_copied_and_that_is_said(document: Document, tmp_path: Path) -> None:

@@ -8,12 +8,14 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QRadioButton
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import review
+from kagezou.document.edits import set_exposures
 from kagezou.errors import UsageProblem
 from kagezou.ui import export_dialog
 from kagezou.ui.desk import Desk
 from kagezou.ui.export_dialog import ExportDialog
 from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, dumps_plan, loads_plan, preview, sound
 from kagezou.ui.export_presets import presets_in, rename_preset, save_preset
+from kagezou.ui.export_work import work_of
 from kagezou.ui.main_window import MainWindow
 
 
@@ -312,3 +314,21 @@ def test_the_window_exports_each_kind_beside_itself(
     assert "Exported" in walking.bar.text
     assert json.loads(walking.settings.word("export_plan", ""))["kind"] == kind
     assert not list((tmp_path / "walk_export").rglob("*.part*"))
+
+
+def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot: QtBot, place: Place) -> None:
+    plan = ExportPlan(ExportKind.AFTER_EFFECTS, copies=False)
+    shown = walking.desk.bridge.document.layers[0].cels.drawings
+    middle = shown[2].path
+    middle.rename(middle.with_name("aside.png"))
+    document = walking.desk.bridge.document
+    layer = document.layers[0]
+    kept = tuple(each for each in layer.cels.exposures if each.drawing != 2)
+    walking.desk.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
+    walking.exporting.start(work_of(walking.desk.bridge.document, plan, place))
+    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
+    assert walking.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
+    middle.with_name("aside.png").rename(middle)
+    walking.exporting.start(work_of(walking.desk.bridge.document, plan, place))
+    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
+    assert "Exported" in walking.bar.text

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kagezou.document.model import Document
@@ -19,13 +19,14 @@ from kagezou.ui.export_plan import ExportKind, ExportPlan, Place, frames_request
 
 @dataclass(frozen=True, slots=True)
 class ExportOutcome:
-    """What came of it: files asked for and new, whether it was stopped, the first problem, and where to look."""
+    """What came of it: files asked for and new, whether it was stopped, the first problem, where to look, and notes."""
 
     files: int
     written: int
     cancelled: bool
     problem: str
     where: Path
+    notes: tuple[str, ...] = ()
 
 
 Work = Callable[[OpenContext, Progress, Cancelled], ExportOutcome]
@@ -43,7 +44,7 @@ def work_of(document: Document, plan: ExportPlan, place: Place) -> Work:
                 return _film(document, plan, place)(open_context, progress, cancelled)
             case ExportKind.AFTER_EFFECTS:
                 done = export_to_after_effects(document, _hand_off(plan, place), open_context, progress, cancelled)
-                return _outcome(done.exports, done.script or place.folder)
+                return replace(_outcome(done.exports, done.script or place.folder), notes=done.notes)
             case ExportKind.FARM:
                 files = write_bundle(document, _farm(document, plan, place), place.folder)
                 return ExportOutcome(len(files), len(files), cancelled=False, problem="", where=place.folder)

@@ -14,6 +14,7 @@ from kagezou.ui.offscreen_context import OffscreenSurface
 from kagezou.ui.sentences import sentence_of, spoken
 
 _KEY = "export"
+_NOTES = "export notes"
 
 
 class ExportJob(QThread):
@@ -127,6 +128,10 @@ class Exporting(QWidget):
             self._words.setText(words)
 
     def _say_done(self, outcome: ExportOutcome) -> None:
+        if outcome.notes:
+            self._bar.say(_NOTES, "\n".join(map(spoken, outcome.notes)), Severity.WARNING)
+        else:
+            self._bar.withdraw(_NOTES)
         if outcome.problem:
             self._bar.say(_KEY, spoken(outcome.problem))
         elif outcome.cancelled:

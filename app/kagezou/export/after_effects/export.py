@@ -199,10 +199,8 @@ class _Run:
             stays = not request.copies or are_within(layer, folder)
             cels = referenced(layer, canvas.length_frames) if stays else None
             if cels is None:
-                if stays and not have_alpha(layer, canvas.length_frames):
-                    self.notes.append(f"the drawings of {layer.name!r} have no alpha, so they were copied with it")
-                elif stays:
-                    self.notes.append(f"the drawings of {layer.name!r} are no gap-free sequence, so they were copied")
+                if stays:
+                    self.notes.append(_note_of_copies(layer, canvas.length_frames))
                 cels = copied(layer, folder.name, _made(folder), canvas, request.workers)
             if cels is not None:
                 found[layer.id] = cels
@@ -252,6 +250,13 @@ class _Run:
             first = folder / f"{folder.name}_{1:0{digits}d}{SUFFIXES[request.format]}"
             remove_beyond(folder, folder.name, digits, count)
             self.shadows[kind, layer_id] = (first, count, pictures)
+
+
+def _note_of_copies(layer: Layer, length: int) -> str:
+    """Return why drawings that were to stay where they lie were copied."""
+    if not have_alpha(layer, length):
+        return f"the drawings of {layer.name!r} have no alpha, so they were copied with it"
+    return f"the drawings of {layer.name!r} are no gap-free sequence, so they were copied"
 
 
 def _made(folder: Path) -> Path:
