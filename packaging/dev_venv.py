@@ -104,7 +104,7 @@ class Environment:
             self._rebuild(say)
         self.stamp_file.unlink(missing_ok=True)
         self.unfinished_mark.touch()
-        say("Installing the Python packages into .venv (the first time, about 150 MB come over the network) ...")
+        say("Installing the Python packages into .venv (the first time, about 190 MB come over the network) ...")
         target = f"{self.root}[{extra}]" if extra else str(self.root)
         command = [str(self.python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
         run_quietly([*command, "--editable", target], "Installing the Python packages failed")
