@@ -95,8 +95,11 @@ def test_a_ball_takes_the_round_shape(mesh_renderer: Renderer, figure: Path) -> 
     assert np.abs(filtered - plain)[on_ball > 0.5].sum() > 100
 
 
-def test_what_is_higher_than_the_lamp_is_cast_as_it_is(mesh_renderer: Renderer, meshes: Meshes, figure: Path) -> None:
-    low = {"light.position": [350.0, 650.0, 500.0]}
+@pytest.mark.parametrize("height", [650.0, 456.0], ids=["lower than the head", "a little higher"])
+def test_what_is_as_high_as_the_lamp_is_cast_as_it_is(
+    mesh_renderer: Renderer, meshes: Meshes, figure: Path, height: float
+) -> None:
+    low = {"light.position": [350.0, height, 500.0]}
     scene = scene_of(figure, low | {SHADOW + "simplify": 30.0})
     plain = scene_of(figure, low)
     assert np.array_equal(

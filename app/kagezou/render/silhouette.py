@@ -16,7 +16,7 @@ from kagezou.render.boxes import Boxes
 from kagezou.render.mattes import MatteOnCard, PlacedMatte, drawn_from
 from kagezou.render.occupancy import Occupancy
 from kagezou.render.program import Program
-from kagezou.render.shape_job import Job, View
+from kagezou.render.shape_job import LARGEST_PLANE_PX, Job, View
 from kagezou.render.shape_pass import Blurred, ShapePass
 from kagezou.render.targets import Format, Target
 from kagezou.scene.scene import ShadowCast
@@ -59,8 +59,8 @@ class SilhouettePass:
     def drawn(self, blurred: Blurred, canvas: Box) -> Silhouette | None:
         """Return the silhouette of a filtered shadow; None where it has none.
 
-        Several lights have no common one, and what is higher than the lamp casts no shadow on the ground that could be
-        filtered.
+        Several lights have no common one. What is about as high as the lamp or higher casts no shadow on the ground
+        that could be filtered, or one that runs out so far that it is cut off: its silhouette would be headless.
         """
         job = blurred.job
         views = list(_views(job, canvas)) if len(job.cast.lights) == 1 else []
@@ -116,7 +116,8 @@ def _views(job: Job, canvas: Box) -> Iterator[View]:
         cast.card.pieces, cast_card(cast.camera, cast.receivers[0], cast.card, cast.lights[0]), strict=False
     ):
         blurred_from_art = np.linalg.inv(_art_from_blurred(found, job))
-        if (blurred_from_art[2] @ corners <= 1e-6 * np.abs(blurred_from_art[2] @ corners).max()).any():
+        u, v, w = blurred_from_art @ corners
+        if (w <= 1e-6 * np.abs(w).max()).any() or (np.maximum(np.abs(u), np.abs(v)) > LARGEST_PLANE_PX * w).any():
             return
         left = max(piece.left, float(canvas.left - _AROUND_PX)) + _AROUND_PX
         right = min(piece.right, float(canvas.right + _AROUND_PX)) + _AROUND_PX
