@@ -118,7 +118,7 @@ class Mattes:
         # In strips, so that what is joined and handed over stays in the processor's cache.
         step = max(_STRIP_BYTES // padded[0].nbytes, 1)
         for top in range(0, height, step):
-            texture.upload_rows(_with_neighbours(padded[top : top + step + 1]), top)
+            texture.upload(_with_neighbours(padded[top : top + step + 1]), top)
         return MatteOnCard(texture, Occupancy(texels, 0))
 
     def _smoothed(self, alpha: Steps) -> Texture:

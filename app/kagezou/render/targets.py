@@ -86,9 +86,14 @@ class Texture:
         GL.glActiveTexture(GL.GL_TEXTURE0 + unit)
         GL.glBindTexture(GL.GL_TEXTURE_2D, self.id)
 
-    def upload(self, pixels: Steps | NDArray[np.float32]) -> None:
-        """Fill the texture with C-contiguous pixels (H, W) or (H, W, 4) of the format's type."""
-        self.upload_part(pixels, Box(0, 0, self.width_px, self.height_px))
+    def upload(self, pixels: Steps | NDArray[np.float32], top: int = 0) -> None:
+        """Fill the rows from ``top`` with C-contiguous pixels (H, W) or (H, W, 4) of the format's type."""
+        _, order, component = self.form.value
+        self.bind(0)
+        GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
+        start = c_void_p(pixels.ctypes.data)
+        GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, top, self.width_px, len(pixels), order, component, start)
+        self.has_mipmaps = False
 
     def upload_part(self, pixels: Steps | NDArray[np.float32], box: Box) -> None:
         """Fill the texture with a box of its size out of C-contiguous pixels (H, W) or (H, W, 4)."""
@@ -100,15 +105,6 @@ class Texture:
         start = c_void_p(corner.ctypes.data)
         GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, box.width, box.height, order, component, start)
         GL.glPixelStorei(GL.GL_UNPACK_ROW_LENGTH, 0)
-        self.has_mipmaps = False
-
-    def upload_rows(self, pixels: Steps, top: int) -> None:
-        """Fill the rows from ``top`` with C-contiguous pixels (H, W) or (H, W, 4) of the format's type."""
-        _, order, component = self.form.value
-        self.bind(0)
-        GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
-        start = c_void_p(pixels.ctypes.data)
-        GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, top, self.width_px, len(pixels), order, component, start)
         self.has_mipmaps = False
 
     def make_mipmaps(self) -> None:

@@ -4,7 +4,6 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from kagezou.geometry.box import Box
 from kagezou.geometry.vectors import Matrix
 from kagezou.geometry.veils import Cone, Veil
 from kagezou.render.program import Uniform
@@ -50,7 +49,7 @@ class VeilTables:
         texture = self._texture(rows)
         padded = np.zeros((rows * _ROW_TEXELS, 4), np.float32)
         padded[: len(table)] = table
-        texture.upload_part(padded.reshape(rows, _ROW_TEXELS, 4), Box(0, 0, _ROW_TEXELS, rows))
+        texture.upload(padded.reshape(rows, _ROW_TEXELS, 4))
         texture.bind(TABLE_UNIT)
         return {"u_table": TABLE_UNIT, "u_region_count": count}
 

@@ -18,7 +18,6 @@ EXAMPLES = """\
   openjd run job/template.json --step Render -p ProjectFile=$PWD/walk.kage -p OutputDir=$PWD/shadows
   deadline bundle submit job
 """
-_DEFAULT_DEPTH = {"exr": 16}
 
 
 def add_arguments(parser: Parser) -> None:
@@ -30,7 +29,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
-    parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16)")
+    parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16, tga 8)")
     parser.add_argument("--composite", action="store_true", help="also background, shadows and characters in one")
     parser.add_argument("--receivers", action="store_true", help="also mattes of the ground and every set piece")
     parser.add_argument("--layered", action="store_true", help="each frame one psd or exr with all layers instead")
@@ -41,7 +40,7 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
     """Write the bundle."""
     from kagezou.animation.frames import parse_frames
     from kagezou.export.farm import TEMPLATE, FarmRequest, write_bundle
-    from kagezou.export.request import ExportRequest
+    from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.faults import shown
     from kagezou.io.project_file import load
 
@@ -53,7 +52,7 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
         frames=None if options.frames is None else parse_frames(options.frames),
         layers=None if options.layer is None else tuple(options.layer),
         format=form,
-        depth=options.depth or _DEFAULT_DEPTH.get(form, 8),
+        depth=options.depth or DEPTHS[form][0],
         composite=options.composite,
         receivers=options.receivers,
         layered=options.layered,

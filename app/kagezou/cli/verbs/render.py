@@ -22,7 +22,6 @@ EXAMPLES = """\
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
   kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
 """
-_DEFAULT_DEPTH = {"exr": 16}
 
 
 def add_arguments(parser: Parser) -> None:
@@ -64,7 +63,7 @@ def run(options: Namespace, doors: Doors) -> int:
     """Render what is asked for."""
     from kagezou.animation.frames import parse_frames
     from kagezou.export.frames import export_frames
-    from kagezou.export.request import ExportRequest
+    from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.path_mapping import read_rules, with_mapped_paths
     from kagezou.io.project_file import load
 
@@ -74,7 +73,7 @@ def run(options: Namespace, doors: Doors) -> int:
         frames=None if options.frames is None else parse_frames(options.frames),
         layers=None if options.layer is None else tuple(options.layer),
         format=form,
-        depth=options.depth or _DEFAULT_DEPTH.get(form, 8),
+        depth=options.depth or DEPTHS[form][0],
         composite=options.composite,
         layered=options.layered,
         receivers=options.receivers,
