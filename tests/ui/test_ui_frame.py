@@ -107,6 +107,7 @@ class TestTime:
 class TestSearch:
     def test_it_opens_finds_and_runs(self, qtbot: QtBot, active: MainWindow) -> None:
         active.viewport.setFocus()
+        qtbot.waitUntil(active.viewport.hasFocus)
         QTest.keyClick(active, Qt.Key.Key_P, CTRL_SHIFT)
         search = search_of(active)
         qtbot.waitUntil(search.field.hasFocus)
@@ -116,7 +117,7 @@ class TestSearch:
         QTest.keyClick(search.field, Qt.Key.Key_Return)
         qtbot.waitUntil(lambda: active.desk.bridge.frame == 6)
         assert not search.isVisible()
-        assert active.viewport.hasFocus()
+        qtbot.waitUntil(active.viewport.hasFocus)
 
     def test_both_languages_are_found_in_both(self, qtbot: QtBot, active: MainWindow, english: Language) -> None:
         search = search_of(active)
