@@ -30,13 +30,10 @@ OLDEST, NEWEST = (3, 11), (3, 13)
 PROCESSES = min(os.cpu_count() or 1, 3)
 """Of the tests: the windows among them share one screen and so one process, which takes about as long as all others."""
 VERBS = ("demo", "app", "test", "lint", "setup")
-FIXTURES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("tests/*/conftest.py"))
 CHECKS = (
     ("ruff check", ("-m", "ruff", "check", ".")),
     ("ruff format", ("-m", "ruff", "format", "--check", ".")),
     ("mypy", ("-m", "mypy")),
-    # One by one, as mypy takes no two modules of one name (see pyproject.toml).
-    *((f"mypy {fixtures}", ("-m", "mypy", fixtures)) for fixtures in FIXTURES),
     ("lint-imports", ("-c", "from importlinter.cli import lint_imports_command as run; run()")),
 )
 

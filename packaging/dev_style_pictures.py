@@ -19,13 +19,13 @@ from numpy.typing import NDArray
 
 from kagezou.cli.demo.stage import make_demo
 from kagezou.document.style import apply_style
-from kagezou.io.cels import CelCache
-from kagezou.io.encode import write_rgba
-from kagezou.io.project_file import load
-from kagezou.io.style_files import bundled_styles
+from kagezou.io.clips.style_files import bundled_styles
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.writing import write_rgba
+from kagezou.io.project.file import load
 from kagezou.locations import resource_folder
-from kagezou.render.backdrop import Backdrop
-from kagezou.render.context import open_headless_context
+from kagezou.render.gpu.context import open_headless_context
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 

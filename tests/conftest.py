@@ -11,7 +11,8 @@ import pytest
 if TYPE_CHECKING:
     from kagezou.render.renderer import Renderer
 
-SAMPLES = Path(__file__).resolve().parents[1].parent / "shared" / "samples"
+TESTS = Path(__file__).resolve().parent
+SAMPLES = TESTS.parents[1] / "shared" / "samples"
 
 # A busy machine is slow now and then; that says nothing about the program.
 hypothesis.settings.register_profile("kagezou", deadline=None)
@@ -24,8 +25,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     What a file sets up, such as the renderer, is then set up once; two windows never fight for the keyboard.
     """
     for item in items:
-        folder = item.path.parent.name
-        item.add_marker(pytest.mark.xdist_group("screen" if folder == "ui" else item.path.stem))
+        file = item.path.relative_to(TESTS)
+        item.add_marker(pytest.mark.xdist_group("screen" if file.parts[0] == "ui" else file.as_posix()))
 
 
 @pytest.fixture(autouse=True)
@@ -46,7 +47,7 @@ def samples() -> Path:
 @pytest.fixture(scope="session")
 def figure(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A file with an anti-aliased figure, 1000×1000."""
-    from figures import figure_alpha, write_figure
+    from tests.render.reference.figures import figure_alpha, write_figure
 
     return write_figure(tmp_path_factory.mktemp("figure") / "figure.png", figure_alpha())
 
@@ -55,8 +56,8 @@ def figure(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def renderer() -> "Iterator[Renderer]":
     """The real renderer on a context without a display; it lives for one module of tests."""
     # The pure tiers must not need OpenGL, so it is asked for only here.
-    from kagezou.io.cels import CelCache
-    from kagezou.render.context import open_headless_context
+    from kagezou.io.images.cel_cache import CelCache
+    from kagezou.render.gpu.context import open_headless_context
     from kagezou.render.renderer import Renderer
 
     with open_headless_context():

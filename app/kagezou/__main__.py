@@ -12,13 +12,13 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from kagezou.cli import main as command_line
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import PROGRAM, speak_plainly, tell
 from kagezou.errors import GraphicsProblem
 
 if TYPE_CHECKING:
-    from kagezou.render.context import GraphicsContext
-    from kagezou.render.info import GraphicsInfo
+    from kagezou.render.gpu.context import GraphicsContext
+    from kagezou.render.gpu.info import GraphicsInfo
 
 PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb")
 """What the window opens: projects, and the timesheets and PSD files that drawing programs hand over."""
@@ -32,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return open_window(None)
     if len(words) == 1 and words[0].lower().endswith(PROJECT_SUFFIXES):
         return open_window(Path(words[0]))
-    return command_line.run(words, Doors(open_context, open_window, has_display()))
+    return command_line.run(words, EntryPoints(open_context, open_window, has_display()))
 
 
 def has_display() -> bool:
@@ -71,7 +71,7 @@ def open_context() -> "GraphicsContext":
     GraphicsProblem
         Neither is to be had.
     """
-    from kagezou.render.context import open_headless_context
+    from kagezou.render.gpu.context import open_headless_context
 
     try:
         return open_headless_context()
@@ -88,7 +88,7 @@ class _WindowSystemContext:
         try:
             from PySide6.QtGui import QGuiApplication
 
-            from kagezou.ui.offscreen_context import OffscreenSurface
+            from kagezou.ui.system.offscreen_context import OffscreenSurface
         except ImportError as error:
             raise GraphicsProblem(
                 f"no OpenGL is to be had: the window's libraries cannot be loaded: {error}"

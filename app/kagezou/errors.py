@@ -1,6 +1,6 @@
 """What goes wrong outside the program, as one sentence and one exit code.
 
-A ``Problem`` is meant for the person at the desk: its text names the file and the cause and needs no traceback.
+A ``Problem`` is meant for the person at the open_project: its text names the file and the cause and needs no traceback.
 Anything else that escapes is a defect of ours.
 """
 

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kagezou.animation.curve import (
-    Handle,
+    EaseHandle,
     component_count,
     ease_toward,
     handles_of,
@@ -77,16 +77,16 @@ def test_no_handle_where_there_is_no_bezier() -> None:
     track = Track(0.0, (Key(1, 0.0, LINEAR), Key(5, 4.0, BEZIER), Key(9, 0.0, HOLD), Key(12, 1.0, BEZIER)))
     assert handles_of(track, 0, 0) == (None, None)
     assert handles_of(track, 1, 0)[0] is None
-    assert handles_of(track, 1, 0)[1] == Handle(5 + 4 / 3, 4.0)
-    assert handles_of(track, 2, 0) == (Handle(9 - 4 / 3, 0.0), None)
+    assert handles_of(track, 1, 0)[1] == EaseHandle(5 + 4 / 3, 4.0)
+    assert handles_of(track, 2, 0) == (EaseHandle(9 - 4 / 3, 0.0), None)
     assert handles_of(track, 3, 0) == (None, None)
 
 
 def test_a_handle_stays_between_its_key_and_the_next() -> None:
     track = Track(0.0, (Key(1, 0.0, BEZIER), Key(5, 4.0, BEZIER), Key(9, 0.0)))
-    assert ease_toward(track, 1, 0, Handle(40.0, 4.0)) == Ease(0.0, 1.0)
-    assert ease_toward(track, 1, 0, Handle(5.0, 8.0)).influence == 0.001
-    assert ease_toward(track, 1, 0, Handle(3.0, 2.0)) == Ease(1.0, 0.5)
+    assert ease_toward(track, 1, 0, EaseHandle(40.0, 4.0)) == Ease(0.0, 1.0)
+    assert ease_toward(track, 1, 0, EaseHandle(5.0, 8.0)).influence == 0.001
+    assert ease_toward(track, 1, 0, EaseHandle(3.0, 2.0)) == Ease(1.0, 0.5)
 
 
 def test_a_constant_is_a_level_line() -> None:

@@ -3,7 +3,8 @@
 from pathlib import Path
 
 import pytest
-from projects import Shell, make_drawings
+
+from tests.cli.projects import Shell, make_drawings
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from kagezou.__main__ import main
-from kagezou.io.encode import write_rgba
+from kagezou.io.images.writing import write_rgba
 
 
 def make_drawings(folder: Path, count: int = 3, size: tuple[int, int] = (64, 48)) -> Path:

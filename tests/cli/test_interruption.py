@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from kagezou.cli.interruption import Stopped, stopping_at_once, stopping_gently
+from kagezou.cli.interruption import Interrupted, stopping_at_once, stopping_gently
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
 
@@ -17,13 +17,13 @@ def test_the_first_signal_asks_and_the_second_ends(number: signal.Signals, code:
         os.kill(os.getpid(), number)
         assert interruption.is_set()
         assert interruption.exit_code == code
-        with pytest.raises(Stopped) as stopped:
+        with pytest.raises(Interrupted) as stopped:
             os.kill(os.getpid(), number)
     assert stopped.value.exit_code == code
 
 
 def test_elsewhere_the_first_signal_ends() -> None:
-    with stopping_at_once(), pytest.raises(Stopped) as stopped:
+    with stopping_at_once(), pytest.raises(Interrupted) as stopped:
         os.kill(os.getpid(), signal.SIGTERM)
     assert stopped.value.exit_code == 143
 

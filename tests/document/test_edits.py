@@ -6,7 +6,6 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from documents import documents
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document import edits, invariants
@@ -23,6 +22,7 @@ from kagezou.document.properties import (
 )
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
+from tests.documents import documents
 
 CELS = Cels((Drawing("1", Path("/c/1.png")), Drawing("2", Path("/c/2.png"))), (Exposure(1, 0), Exposure(5, None)))
 FIGURE = Box(10, 10, 50, 90)

@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from documents import documents
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document import ease_edits, edits, invariants, key_edits
@@ -15,6 +14,7 @@ from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import COLOR, LIGHT_POSITION, OPACITY, VISIBLE
 from kagezou.geometry.box import Box
+from tests.documents import documents
 
 LINEAR, HOLD, BEZIER = Interpolation.LINEAR, Interpolation.HOLD, Interpolation.BEZIER
 LIGHT = Address(LIGHT_POSITION)

@@ -4,7 +4,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from documents import documents
 from kagezou.animation.track import Key, Track
 from kagezou.document import edits, invariants, key_edits, linking
 from kagezou.document.address import Address, addresses, track_of
@@ -13,6 +12,7 @@ from kagezou.document.model import Canvas, Cels, Document
 from kagezou.document.properties import GROUNDING, OPACITY, SIMPLIFY
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
+from tests.documents import documents
 
 A, B = Address(OPACITY, "layer-1"), Address(OPACITY, "layer-2")
 

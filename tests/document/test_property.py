@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from documents import values
 from kagezou.animation.track import components_of
 from kagezou.document.properties import (
     COLOR,
@@ -25,6 +24,7 @@ from kagezou.document.properties import (
 )
 from kagezou.document.property import Kind, Property
 from kagezou.errors import UsageProblem
+from tests.documents import values
 
 lines = pytest.mark.parametrize("line", TABLE, ids=lambda line: line.name)
 

@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from documents import documents
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document import edits, invariants, key_edits
@@ -15,6 +14,7 @@ from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Canvas, Document
 from kagezou.document.properties import COLOR, GROUND_ROLL, LIGHT_POSITION
 from kagezou.document.scale_edits import Scaling, landed, scale_keys
+from tests.documents import documents
 
 ROLL, LIGHT = Address(GROUND_ROLL), Address(LIGHT_POSITION)
 

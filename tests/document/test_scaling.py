@@ -3,12 +3,12 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from documents import documents
 from kagezou.animation.track import Value, components_of
 from kagezou.document.model import Canvas, Document, Tracks
 from kagezou.document.properties import TABLE
 from kagezou.document.property import Property, Scope
 from kagezou.document.scaling import scaled, usable_divisor
+from tests.documents import documents
 
 
 def value(tracks: Tracks, line: Property, frame: float) -> Value:

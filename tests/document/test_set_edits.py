@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from documents import documents
 from kagezou.animation.track import Interpolation, Track
 from kagezou.document.address import Address, path_of, resolve, track_of, value_of
 from kagezou.document.edits import remove_key, set_constant, set_key
@@ -18,6 +17,7 @@ from kagezou.document.properties import GROUND_POSITION, OF_PIECE
 from kagezou.document.set_pieces import MAX_PIECES, add_piece, copy_piece, kind_of, remove_piece, rename_piece
 from kagezou.document.set_properties import GROUND_RECEIVES, KINDS
 from kagezou.errors import ProjectProblem, UsageProblem
+from tests.documents import documents
 
 EMPTY = set_constant(Document(Canvas(1000, 800)), Address(GROUND_POSITION), [500, 700])
 

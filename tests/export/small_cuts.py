@@ -11,8 +11,8 @@ from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.export.frames import export_frames
 from kagezou.export.request import ExportRequest, Summary
 from kagezou.geometry.box import Box
-from kagezou.io.encode import write_rgba
-from kagezou.render.context import OpenContext, open_headless_context
+from kagezou.io.images.writing import write_rgba
+from kagezou.render.gpu.context import OpenContext, open_headless_context
 
 WIDTH, HEIGHT = 64, 48
 

@@ -10,7 +10,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from small_cuts import bytes_below, cut, export, with_key
 
 from kagezou.document.edits import rename_layer, set_background
 from kagezou.document.model import Document
@@ -20,9 +19,10 @@ from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, template, write_bundle
 from kagezou.export.frames import export_frames
 from kagezou.export.request import ExportRequest
-from kagezou.io.path_mapping import Rule, mapped, read_rules, with_mapped_paths
-from kagezou.io.project_file import save
-from kagezou.render.context import open_headless_context
+from kagezou.io.project.file import save
+from kagezou.io.project.path_mapping import Rule, mapped, read_rules, with_mapped_paths
+from kagezou.render.gpu.context import open_headless_context
+from tests.export.small_cuts import bytes_below, cut, export, with_key
 
 posix = pytest.mark.skipif(os.name != "posix", reason="the worker is called through a shell script")
 

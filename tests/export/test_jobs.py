@@ -1,7 +1,6 @@
 from pathlib import Path
 
 import pytest
-from small_cuts import cut, with_key, with_values
 
 from kagezou.document.edits import add_layer, set_exposures
 from kagezou.document.model import Cels, Document, Exposure
@@ -9,6 +8,7 @@ from kagezou.errors import UsageProblem
 from kagezou.export.jobs import planned
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.box import Box
+from tests.export.small_cuts import cut, with_key, with_values
 
 
 def names_of(document: Document, request: ExportRequest) -> list[str]:

@@ -10,16 +10,16 @@ import pytest
 from numpy.typing import NDArray
 from psd_tools import PSDImage
 from psd_tools.constants import BlendMode
-from small_cuts import HEIGHT, WIDTH, bytes_below, cut, drawings, export, with_key, with_values
 
 from kagezou.document.edits import add_layer, set_background
 from kagezou.document.model import Cels, Document, Exposure, PicturePart
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.geometry.box import Box
-from kagezou.io import oiio_parts
-from kagezou.io.encode import write_rgba
-from kagezou.io.images import read_cel
-from kagezou.io.layered import LayeredImage, Part, write_layered
+from kagezou.io.images import oiio_parts
+from kagezou.io.images.layered import LayeredImage, LayerPart, write_layered
+from kagezou.io.images.reading import read_cel
+from kagezou.io.images.writing import write_rgba
+from tests.export.small_cuts import HEIGHT, WIDTH, bytes_below, cut, drawings, export, with_key, with_values
 
 
 @pytest.fixture
@@ -188,7 +188,7 @@ def test_what_does_not_go_together_is_refused(tmp_path: Path, wishes: dict[str, 
 def test_a_writer_that_lies_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "a.exr"
     path.write_bytes(b"old")
-    image = LayeredImage(4, 3, (Part("a", np.full((3, 4, 4), 99, np.uint8), Box(0, 0, 4, 3)),))
+    image = LayeredImage(4, 3, (LayerPart("a", np.full((3, 4, 4), 99, np.uint8), Box(0, 0, 4, 3)),))
     real = oiio_parts._written
 
     def lying(temp: Path, specs: Any, parts: Any) -> str:

@@ -6,45 +6,47 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from small_cuts import cut
 
 from kagezou.errors import DiskFullProblem, InputProblem
-from kagezou.export.jobs import Job, planned
-from kagezou.export.pipeline import Draw, Image, Stages, flow, window_for
+from kagezou.export.jobs import FrameJob, planned
+from kagezou.export.pipeline import Draw, Image, PipelineSteps, flow, window_for
 from kagezou.export.request import ExportRequest
+from tests.export.small_cuts import cut
 
 
 @pytest.fixture
-def jobs(tmp_path: Path) -> tuple[Job, ...]:
+def jobs(tmp_path: Path) -> tuple[FrameJob, ...]:
     return planned(cut(tmp_path, count=20), ExportRequest(tmp_path)).jobs
 
 
-def nothing(_job: Job) -> None:
+def nothing(_job: FrameJob) -> None:
     """Decode nothing."""
 
 
-def picture(_job: Job) -> Image:
+def picture(_job: FrameJob) -> Image:
     return np.zeros((1, 1, 4), np.uint8)
 
 
-def number(job: Job) -> int:
+def number(job: FrameJob) -> int:
     return job.targets[0].frame
 
 
-def written(job: Job, _image: Image) -> str:
+def written(job: FrameJob, _image: Image) -> str:
     return str(number(job))
 
 
-def stages(decode: Callable[[Job], None], draw: Draw, write: Callable[[Job, Image], str]) -> Stages[str]:
-    return Stages(decode, lambda: nullcontext(draw), write)
+def stages(
+    decode: Callable[[FrameJob], None], draw: Draw, write: Callable[[FrameJob, Image], str]
+) -> PipelineSteps[str]:
+    return PipelineSteps(decode, lambda: nullcontext(draw), write)
 
 
 def never() -> bool:
     return False
 
 
-def test_outcomes_come_in_order_whatever_the_workers_do(jobs: tuple[Job, ...]) -> None:
-    def slow(job: Job, image: Image) -> str:
+def test_outcomes_come_in_order_whatever_the_workers_do(jobs: tuple[FrameJob, ...]) -> None:
+    def slow(job: FrameJob, image: Image) -> str:
         time.sleep(0.002 * (number(job) % 3))
         return written(job, image)
 
@@ -52,7 +54,7 @@ def test_outcomes_come_in_order_whatever_the_workers_do(jobs: tuple[Job, ...]) -
     assert [outcome.written for outcome in outcomes] == [str(n) for n in range(1, 21)]
 
 
-def test_no_more_is_decoded_or_waits_than_the_window_holds(jobs: tuple[Job, ...]) -> None:
+def test_no_more_is_decoded_or_waits_than_the_window_holds(jobs: tuple[FrameJob, ...]) -> None:
     lock = threading.Lock()
     alive = {"decoded": 0, "drawn": 0}
     most = dict(alive)
@@ -62,12 +64,12 @@ def test_no_more_is_decoded_or_waits_than_the_window_holds(jobs: tuple[Job, ...]
             alive[name] += step
             most[name] = max(most[name], alive[name])
 
-    def draw(job: Job) -> Image:
+    def draw(job: FrameJob) -> Image:
         count("decoded", -1)
         count("drawn", 1)
         return picture(job)
 
-    def write(job: Job, image: Image) -> str:
+    def write(job: FrameJob, image: Image) -> str:
         time.sleep(0.003)
         count("drawn", -1)
         return written(job, image)
@@ -77,7 +79,7 @@ def test_no_more_is_decoded_or_waits_than_the_window_holds(jobs: tuple[Job, ...]
     assert most["drawn"] <= 4
 
 
-def test_the_first_drawings_are_decoded_while_drawing_is_set_up(jobs: tuple[Job, ...]) -> None:
+def test_the_first_drawings_are_decoded_while_drawing_is_set_up(jobs: tuple[FrameJob, ...]) -> None:
     decoded: list[int] = []
 
     @contextmanager
@@ -86,14 +88,14 @@ def test_the_first_drawings_are_decoded_while_drawing_is_set_up(jobs: tuple[Job,
             time.sleep(0.001)
         yield picture
 
-    several = Stages(lambda job: decoded.append(number(job)), drawing, written)
+    several = PipelineSteps(lambda job: decoded.append(number(job)), drawing, written)
     assert len(list(flow(jobs, several, 2, 3, never))) == 20
 
 
-def test_drawing_happens_on_the_calling_thread(jobs: tuple[Job, ...]) -> None:
+def test_drawing_happens_on_the_calling_thread(jobs: tuple[FrameJob, ...]) -> None:
     threads: set[str] = set()
 
-    def draw(job: Job) -> Image:
+    def draw(job: FrameJob) -> Image:
         threads.add(threading.current_thread().name)
         return picture(job)
 
@@ -101,23 +103,23 @@ def test_drawing_happens_on_the_calling_thread(jobs: tuple[Job, ...]) -> None:
     assert threads == {threading.current_thread().name}
 
 
-def failing_on(frame: int, problem: Exception) -> Callable[[Job], None]:
-    def decode(job: Job) -> None:
+def failing_on(frame: int, problem: Exception) -> Callable[[FrameJob], None]:
+    def decode(job: FrameJob) -> None:
         if number(job) == frame:
             raise problem
 
     return decode
 
 
-def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[Job, ...]) -> None:
+def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[FrameJob, ...]) -> None:
     failing = stages(failing_on(7, InputProblem("broken")), picture, written)
     outcomes = list(flow(jobs, failing, 2, 4, never))
     assert [number(outcome.job) for outcome in outcomes if outcome.problem] == [7]
     assert len(outcomes) == 20
 
 
-def test_a_full_disk_ends_everything_and_leaves_no_worker(jobs: tuple[Job, ...]) -> None:
-    def write(job: Job, image: Image) -> str:
+def test_a_full_disk_ends_everything_and_leaves_no_worker(jobs: tuple[FrameJob, ...]) -> None:
+    def write(job: FrameJob, image: Image) -> str:
         if number(job) == 5:
             raise DiskFullProblem("full")
         return written(job, image)
@@ -127,10 +129,10 @@ def test_a_full_disk_ends_everything_and_leaves_no_worker(jobs: tuple[Job, ...])
     assert not [thread for thread in threading.enumerate() if thread.name.startswith("frames")]
 
 
-def test_when_asked_to_stop_what_is_drawn_is_still_written(jobs: tuple[Job, ...]) -> None:
+def test_when_asked_to_stop_what_is_drawn_is_still_written(jobs: tuple[FrameJob, ...]) -> None:
     drawn: list[int] = []
 
-    def draw(job: Job) -> Image:
+    def draw(job: FrameJob) -> Image:
         drawn.append(number(job))
         return picture(job)
 
@@ -138,7 +140,7 @@ def test_when_asked_to_stop_what_is_drawn_is_still_written(jobs: tuple[Job, ...]
     assert [number(outcome.job) for outcome in outcomes] == drawn == [1, 2, 3, 4, 5, 6]
 
 
-def test_an_iterator_that_is_left_leaves_no_worker(jobs: tuple[Job, ...]) -> None:
+def test_an_iterator_that_is_left_leaves_no_worker(jobs: tuple[FrameJob, ...]) -> None:
     outcomes = flow(jobs, stages(nothing, picture, written), 2, 4, never)
     next(outcomes)
     outcomes.close()

@@ -6,15 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from small_cuts import cut, with_key, with_values
 
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
 from kagezou.export.frames import export_frames
 from kagezou.export.receivers import receivers_of
 from kagezou.export.request import RECEIVERS, ExportRequest
-from kagezou.io.images import read_cel
-from kagezou.render.context import open_headless_context
+from kagezou.io.images.reading import read_cel
+from kagezou.render.gpu.context import open_headless_context
+from tests.export.small_cuts import cut, with_key, with_values
 
 SIZE = (320, 240)
 

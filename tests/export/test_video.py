@@ -10,16 +10,16 @@ import av
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from small_cuts import HEIGHT, WIDTH, cut, with_key, with_values
 
 from kagezou.document.edits import set_background, set_canvas
 from kagezou.document.model import Canvas, Document
 from kagezou.errors import InputProblem, OutputProblem, UsageProblem
 from kagezou.export import video as video_export
 from kagezou.export.video import VideoRequest, VideoSummary, export_video, video_jobs
-from kagezou.io import video
-from kagezou.io.encode import write_rgba
-from kagezou.render.context import open_headless_context
+from kagezou.io.images import video
+from kagezou.io.images.writing import write_rgba
+from kagezou.render.gpu.context import open_headless_context
+from tests.export.small_cuts import HEIGHT, WIDTH, cut, with_key, with_values
 
 MEADOW = (60, 160, 90)
 

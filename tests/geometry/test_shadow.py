@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from single_rays import Wall, World, shading_points, walls_through
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera, project
@@ -16,6 +15,7 @@ from kagezou.geometry.light import is_over, lamp, sun
 from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.shadow import Cast, cast_card, cast_on
 from kagezou.geometry.vectors import Matrix, Point2, Vector4, height_over
+from tests.geometry.single_rays import Wall, World, shading_points, walls_through
 
 FIGURE_HEIGHT = 300.0
 

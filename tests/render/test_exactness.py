@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import raycast
-from figures import figure_alpha, standing, with_values, write_figure
 from numpy.typing import NDArray
 
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from tests.render.reference import raycast
+from tests.render.reference.figures import figure_alpha, standing, with_values, write_figure
 
 MIN_IOU = 0.998
 MAX_MEAN_ERROR = 0.002

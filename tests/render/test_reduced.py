@@ -6,18 +6,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from figures import standing, with_values
 from numpy.typing import NDArray
 
 from kagezou.document.scaling import scaled
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
-from kagezou.io.encode import write_rgba
-from kagezou.io.images import Cel, matte_of, read_cel
-from kagezou.io.smaller_cels import SmallerCels, reduced
-from kagezou.render.backdrop import Backdrop
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.reading import Cel, matte_of, read_cel
+from kagezou.io.images.smaller_cels import SmallerCels, reduced
+from kagezou.io.images.writing import write_rgba
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from tests.render.reference.figures import standing, with_values
 
 LOOKS: dict[str, dict[str, object]] = {
     "plain": {},

@@ -7,17 +7,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from figures import figure_alpha, standing, with_values, write_figure
 from numpy.typing import NDArray
 
 from kagezou.document import edits
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.errors import GraphicsProblem, InputProblem
-from kagezou.io.encode import write_rgba
-from kagezou.render.backdrop import Backdrop
-from kagezou.render.gl import GL
+from kagezou.io.images.writing import write_rgba
+from kagezou.render.gpu.gl import GL
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from tests.render.reference.figures import figure_alpha, standing, with_values, write_figure
 
 
 def coverage(renderer: Renderer, document: Document) -> NDArray[Any]:

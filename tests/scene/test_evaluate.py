@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from documents import documents
 from kagezou.document import edits
 from kagezou.document.address import Address
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, PicturePart
@@ -18,6 +17,7 @@ from kagezou.geometry.light import sun
 from kagezou.scene.evaluate import card_at, contact_of, evaluate, light_at
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import ShadowLook
+from tests.documents import documents
 
 CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0), Exposure(9, None)))
 

@@ -6,7 +6,6 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
-from documents import FOLDER
 from kagezou.animation.track import Interpolation
 from kagezou.document import edits, invariants
 from kagezou.document.address import Address, addresses
@@ -14,9 +13,10 @@ from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, GROUNDING, OPACITY
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
-from kagezou.io.project_file import dumps, loads
+from kagezou.io.project.file import dumps, loads
 from kagezou.scene.evaluate import evaluate
 from kagezou.session.session import Gesture, Session
+from tests.documents import FOLDER
 
 CELS = Cels((Drawing("1", FOLDER / "A/1.png"), Drawing("2", FOLDER / "A/2.png")), (Exposure(1, 0), Exposure(4, 1)))
 

@@ -16,14 +16,14 @@ from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.handles import drag_of, handles_of
 from kagezou.tools.pointer import Modifiers, Pointer
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 FIGURE = Box(400, 200, 600, 900)
 LAYER = "layer-1"
 PIECE = "piece-1"
 """Handles of a set piece are those of this one."""
 FREE = Modifiers(snap=False)
-UNZOOMED = View()
+UNZOOMED = CanvasView()
 
 
 def document_with(*settings: tuple[Property, object]) -> Document:
@@ -49,10 +49,10 @@ def with_piece(document: Document, kind: str, **values: object) -> Document:
     return document
 
 
-def handles(document: Document, view: View | None = None, frame: int = 1, *, of_piece: bool = False) -> HandleSet:
+def handles(document: Document, view: CanvasView | None = None, frame: int = 1, *, of_piece: bool = False) -> HandleSet:
     """Return what is seen while the layer or the piece is worked on."""
     worked_on = (None, PIECE) if of_piece else (LAYER, None)
-    return handles_of(document, frame, worked_on[0], view or View(), worked_on[1])
+    return handles_of(document, frame, worked_on[0], view or CanvasView(), worked_on[1])
 
 
 def value(document: Document, line: Property, frame: int = 1) -> object:
@@ -71,7 +71,7 @@ def place(document: Document, line: Property = properties.LIGHT_POSITION) -> tup
     return tuple(part for part in found if isinstance(part, float))
 
 
-def handle(document: Document, handle_id: str, view: View | None = None, frame: int = 1) -> Handle:
+def handle(document: Document, handle_id: str, view: CanvasView | None = None, frame: int = 1) -> Handle:
     found = handles(document, view, frame, of_piece=handle_id.startswith("piece.")).find(handle_id)
     assert found is not None, handle_id
     return found
@@ -83,7 +83,7 @@ class Hand:
 
     document: Document
     handle_id: str
-    view: View = UNZOOMED
+    view: CanvasView = UNZOOMED
     grab_offset: Point2 = (0.0, 0.0)
     frame: int = 1
 

@@ -12,23 +12,24 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QGuiApplication, QOpenGLContext
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
-from viewing import Clipboard
 
-from kagezou.io.encode import write_rgba
-from kagezou.session.staging import CharacterSource
-from kagezou.ui import key_commands, loading
+from kagezou.importing.staging import CharacterSource
+from kagezou.io.images.writing import write_rgba
 from kagezou.ui.application import make_application
 from kagezou.ui.curves import key_table
-from kagezou.ui.desk import Desk
-from kagezou.ui.language import Language
-from kagezou.ui.main_window import MainWindow
 from kagezou.ui.panels import look_clipboard, row_menu
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.thumbnails import Thumbnails
-from kagezou.ui.settings import Settings
+from kagezou.ui.project import loading
+from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.language import Language
+from kagezou.ui.system.settings import Settings
+from kagezou.ui.time import key_commands
 from kagezou.ui.timeline import drawing_commands
 from kagezou.ui.viewport import reading, resolution
+from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import Clipboard
 
 FRAMES = 6
 
@@ -117,24 +118,24 @@ def cels(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def desk(qapp: QApplication) -> Desk:  # noqa: ARG001 - Qt objects need the application
-    return Desk()
+def open_project(qapp: QApplication) -> OpenProject:  # noqa: ARG001 - Qt objects need the application
+    return OpenProject()
 
 
 @pytest.fixture
-def filled(desk: Desk, cels: Path) -> Desk:
-    """A desk with one character, taken for saved."""
-    desk.bring((CharacterSource("Walker", cels),)).at_once()
-    desk.bridge.session.mark_saved()
-    return desk
+def filled(open_project: OpenProject, cels: Path) -> OpenProject:
+    """An open project with one character, taken for saved."""
+    open_project.bring((CharacterSource("Walker", cels),)).at_once()
+    open_project.bridge.session.mark_saved()
+    return open_project
 
 
 @pytest.fixture
-def window(qtbot: QtBot, desk: Desk, settings: Settings) -> Iterator[MainWindow]:
+def window(qtbot: QtBot, open_project: OpenProject, settings: Settings) -> Iterator[MainWindow]:
     """The whole window on a screen that can show OpenGL."""
     if QGuiApplication.platformName() == "offscreen":
         pytest.skip("no display that can show OpenGL; run under Xvfb")
-    made = MainWindow(desk, settings)
+    made = MainWindow(open_project, settings)
     made.resize(1100, 760)
     made.show()
     qtbot.waitExposed(made)
@@ -148,7 +149,7 @@ def window(qtbot: QtBot, desk: Desk, settings: Settings) -> Iterator[MainWindow]
 def walking(qtbot: QtBot, window: MainWindow, cels: Path) -> MainWindow:
     """The window with one character, its first picture on screen."""
     window.project.bring([cels])
-    window.desk.bridge.session.mark_saved()
+    window.open_project.bridge.session.mark_saved()
     qtbot.waitUntil(lambda: window.viewport.stage is not None and window.viewport.stage.pictures_drawn > 0)
     return window
 
@@ -179,7 +180,7 @@ def active(qtbot: QtBot, walking: MainWindow, present: Callable[[], None]) -> Ma
 
 
 @pytest.fixture
-def inspector(qtbot: QtBot, filled: Desk) -> Inspector:
+def inspector(qtbot: QtBot, filled: OpenProject) -> Inspector:
     """The panel of properties, shown."""
     made = Inspector(filled.bridge)
     qtbot.addWidget(made)
@@ -189,7 +190,7 @@ def inspector(qtbot: QtBot, filled: Desk) -> Inspector:
 
 
 @pytest.fixture
-def layers(qtbot: QtBot, filled: Desk) -> LayerList:
+def layers(qtbot: QtBot, filled: OpenProject) -> LayerList:
     """The list of layers, shown."""
     thumbnails = Thumbnails()
     made = LayerList(filled.bridge, thumbnails)

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.tools.handle import place_in_view
-from kagezou.ui.main_window import MainWindow
 from kagezou.ui.viewport.viewport import Viewport
+from kagezou.ui.window.main_window import MainWindow
 
 
 class Clipboard:

@@ -23,7 +23,7 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
-class Handle:
+class EaseHandle:
     """Where the end of an ease's handle lies: a frame, which may lie between whole ones, and a value."""
 
     frame: float
@@ -79,21 +79,21 @@ def speeds_at(track: Track, index: int, component: int) -> tuple[float, float]:
     return before, after
 
 
-def handles_of(track: Track, index: int, component: int) -> tuple[Handle | None, Handle | None]:
+def handles_of(track: Track, index: int, component: int) -> tuple[EaseHandle | None, EaseHandle | None]:
     """Return the ends of a key's handles before and after it; None on a side without a bezier."""
     key = track.keys[index]
     level = _number(key, component)
     left = right = None
     if index and track.keys[index - 1].interpolation is Interpolation.BEZIER:
         ease, span = _ease(key.ease_in, component), key.frame - track.keys[index - 1].frame
-        left = Handle(key.frame - _reach(ease) * span, level - ease.speed * _reach(ease) * span)
+        left = EaseHandle(key.frame - _reach(ease) * span, level - ease.speed * _reach(ease) * span)
     if index + 1 < len(track.keys) and key.interpolation is Interpolation.BEZIER:
         ease, span = _ease(key.ease_out, component), track.keys[index + 1].frame - key.frame
-        right = Handle(key.frame + _reach(ease) * span, level + ease.speed * _reach(ease) * span)
+        right = EaseHandle(key.frame + _reach(ease) * span, level + ease.speed * _reach(ease) * span)
     return left, right
 
 
-def ease_toward(track: Track, index: int, component: int, place: Handle) -> Ease:
+def ease_toward(track: Track, index: int, component: int, place: EaseHandle) -> Ease:
     """Return the ease whose handle ends at a place; on which side of the key that lies says which ease it is.
 
     A handle never reaches beyond the neighbouring key, nor back over its own.

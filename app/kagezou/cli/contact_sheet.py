@@ -13,10 +13,10 @@ from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.property import Property
-from kagezou.render.backdrop import Backdrop
+from kagezou.importing.staging import CharacterSource, Imported, new_document
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
-from kagezou.session.staging import CharacterSource, Staged, new_document
 
 CELL_PX: Final = 320
 _GAP_PX: Final = 6
@@ -27,7 +27,7 @@ Picture = NDArray[np.uint8]
 Adjust = Callable[[Document], Document]
 
 
-def roomy(sources: Sequence[CharacterSource]) -> Staged:
+def roomy(sources: Sequence[CharacterSource]) -> Imported:
     """Return a new cut with room around the drawings for their shadows."""
     drawn = new_document(sources).document.canvas
     side = ceil(_ROOM * max(drawn.width_px, drawn.height_px))

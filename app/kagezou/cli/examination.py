@@ -166,8 +166,8 @@ def _missing(libraries: Mapping[str, str]) -> list[Json]:
 def _round_trip(path: Path) -> Json:
     import numpy as np
 
-    from kagezou.io.encode import write_rgba
-    from kagezou.io.images import read_matte
+    from kagezou.io.images.reading import read_matte
+    from kagezou.io.images.writing import write_rgba
 
     pixels = np.zeros((4, 4, 4), np.uint8)
     pixels[1:3, 1:3] = (32, 64, 128, 255)

@@ -11,7 +11,7 @@ _Handler = Callable[[int, FrameType | None], None]
 _SIGNALS: Final = (signal.SIGINT, signal.SIGTERM)
 
 
-class Stopped(BaseException):
+class Interrupted(BaseException):
     """The program was told to end; ``exit_code`` is 128 and the number of the signal, as shells have it."""
 
     def __init__(self, number: int) -> None:
@@ -42,16 +42,16 @@ class Interruption:
     def take(self, number: int, _frame: FrameType | None) -> None:
         """Take in a signal; the second one ends the program."""
         if self._number is not None:
-            raise Stopped(number)
+            raise Interrupted(number)
         self._number = number
 
 
 @contextmanager
 def stopping_at_once() -> Iterator[None]:
-    """Turn SIGINT and SIGTERM into `Stopped` within the block."""
+    """Turn SIGINT and SIGTERM into `Interrupted` within the block."""
 
     def stop(number: int, _frame: FrameType | None) -> None:
-        raise Stopped(number)
+        raise Interrupted(number)
 
     with _handled_by(stop):
         yield

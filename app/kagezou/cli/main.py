@@ -10,8 +10,8 @@ from typing import Final, Protocol
 
 from kagezou.cli import crash_log
 from kagezou.cli.arguments import Parser, did_you_mean
-from kagezou.cli.doors import Doors
-from kagezou.cli.interruption import Stopped, stopping_at_once
+from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.interruption import Interrupted, stopping_at_once
 from kagezou.cli.terminal import PROGRAM, give, tell
 from kagezou.errors import Problem, UsageProblem
 
@@ -65,10 +65,10 @@ class _Verb(Protocol):
 
     def add_arguments(self, parser: Parser) -> None: ...
 
-    def run(self, options: Namespace, doors: Doors) -> int: ...
+    def run(self, options: Namespace, doors: EntryPoints) -> int: ...
 
 
-def run(arguments: Sequence[str], doors: Doors) -> int:
+def run(arguments: Sequence[str], doors: EntryPoints) -> int:
     """Do what a command line says and return the exit code; whatever goes wrong is one line on stderr."""
     try:
         with stopping_at_once():
@@ -77,7 +77,7 @@ def run(arguments: Sequence[str], doors: Doors) -> int:
     except Problem as problem:
         tell(str(problem))
         return problem.exit_code
-    except Stopped as stop:
+    except Interrupted as stop:
         return stop.exit_code
     except BrokenPipeError:
         return _broken_pipe()
@@ -91,7 +91,7 @@ def run(arguments: Sequence[str], doors: Doors) -> int:
     return code
 
 
-def _dispatched(arguments: Sequence[str], doors: Doors) -> int:
+def _dispatched(arguments: Sequence[str], doors: EntryPoints) -> int:
     verb, *rest = arguments or ["--help"]
     if verb in ("-h", "--help", "help"):
         give(_HELP.format(verbs="\n".join(f"  {name:<9} {words}" for name, words in VERBS.items())).rstrip())
@@ -129,7 +129,7 @@ def _stdout_refused(error: OSError, arguments: Sequence[str]) -> int:
     """Rooms below turn refusals of files into problems; what is left is the output itself, or a defect."""
     if error.filename is not None:
         return _defect(error, arguments)
-    from kagezou.io.faults import cause_of, is_full
+    from kagezou.io.files.faults import cause_of, is_full
 
     _broken_pipe()
     tell(f"the output cannot be written: {cause_of(error)}")

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 def report(summary: "Summary", *, as_json: bool) -> None:
     """Print the folders, or one object; notes about names go to stderr."""
-    from kagezou.io.faults import shown
+    from kagezou.io.files.faults import shown
 
     for layer, name in summary.names.items():
         if layer != name and not as_json:

@@ -41,7 +41,7 @@ class PicturePart:
     path
         The file.
     address
-        The names that lead to it, as :func:`kagezou.io.psd_tree.addressed` joins them.
+        The names that lead to it, as :func:`kagezou.io.psd.tree.addressed` joins them.
     """
 
     path: Path

@@ -7,12 +7,12 @@ from typing import Final
 
 from kagezou.document.model import PicturePart
 from kagezou.errors import DiskFullProblem, InputProblem
-from kagezou.export.jobs import CompositeContent, Job, Plan
+from kagezou.export.jobs import CompositeContent, FrameJob, Plan
 from kagezou.export.request import ExportRequest
-from kagezou.io.atomic import write_bytes
-from kagezou.io.faults import output_problem, shown
-from kagezou.io.meshes import is_mesh
-from kagezou.io.psd_file import has_part
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import output_problem, shown
+from kagezou.io.psd.file import has_part
+from kagezou.io.sets.mesh_cache import is_mesh
 
 LISTED: Final = 50
 """So many missing files are named in full; of more, the number is."""
@@ -22,13 +22,13 @@ _PAINTED_PART: Final = 50
 """No encoder makes a picture smaller than this part of its pixels: a shadow, a composite."""
 
 
-def missing_files(jobs: Iterable[Job]) -> tuple[Path, ...]:
+def missing_files(jobs: Iterable[FrameJob]) -> tuple[Path, ...]:
     """Return the drawings, backgrounds and sets that are needed and are not there, each once, in order of need."""
     needed = dict.fromkeys(path for job in jobs for path in job.sources)
     return tuple(path for path in needed if not _is_file(path))
 
 
-def missing_parts(jobs: Iterable[Job]) -> tuple[PicturePart, ...]:
+def missing_parts(jobs: Iterable[FrameJob]) -> tuple[PicturePart, ...]:
     """Return the layers of files that are needed and are not in them, each once, in order of need.
 
     Raises
@@ -40,7 +40,7 @@ def missing_parts(jobs: Iterable[Job]) -> tuple[PicturePart, ...]:
     return tuple(part for part in needed if not has_part(part))
 
 
-def check_sources(jobs: Collection[Job]) -> None:
+def check_sources(jobs: Collection[FrameJob]) -> None:
     """Raise InputProblem that names every missing file, or every layer missing in one, in one sentence."""
     missing = [shown(path) for path in missing_files(jobs)]
     missing = missing or [f"{shown(part.path)} ({part.address})" for part in missing_parts(jobs)]
@@ -78,7 +78,7 @@ def prepare_folders(request: ExportRequest, plan: Plan) -> None:
         )
 
 
-def _least_bytes(job: Job, request: ExportRequest) -> int:
+def _least_bytes(job: FrameJob, request: ExportRequest) -> int:
     canvas = job.scene.canvas
     part = _PAINTED_PART if isinstance(job.content, CompositeContent) else _EMPTY_PART
     return len(job.targets) * canvas.width * canvas.height * 4 * request.depth // 8 // part

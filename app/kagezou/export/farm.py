@@ -14,9 +14,9 @@ from kagezou.document.model import Document, file_of
 from kagezou.errors import UsageProblem
 from kagezou.export.jobs import planned
 from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
-from kagezou.io.atomic import write_bytes
-from kagezou.io.faults import output_problem
-from kagezou.io.gltf import files_beside
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import output_problem
+from kagezou.io.sets.gltf import files_beside
 
 TEMPLATE: Final = "template.json"
 PARAMETERS: Final = "parameter_values.json"

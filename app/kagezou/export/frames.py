@@ -9,17 +9,17 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
-from kagezou.export.jobs import CompositeContent, Content, Job, LayeredContent, Plan, ReceivedContent, planned
+from kagezou.export.jobs import CompositeContent, Content, FrameJob, LayeredContent, Plan, ReceivedContent, planned
 from kagezou.export.layered import LayerPainter
 from kagezou.export.ledger import Ledger, fingerprint
-from kagezou.export.pipeline import Draw, Image, Outcome, Stages, flow, window_for
+from kagezou.export.pipeline import Draw, Image, Outcome, PipelineSteps, flow, window_for
 from kagezou.export.receivers import ReceiverContent
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
 from kagezou.export.writing import blank_image, write_all
-from kagezou.io.atomic import sweep_stale
-from kagezou.io.cels import CelCache
-from kagezou.render.backdrop import Backdrop
-from kagezou.render.context import OpenContext
+from kagezou.io.files.atomic import sweep_stale
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.render.gpu.context import OpenContext
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.pieces import SetCast
 
@@ -59,12 +59,14 @@ def export_frames(
     return run.summary(time.monotonic() - started)
 
 
-def _make(run: "_Run", jobs: list[Job], document: Document, open_context: OpenContext, cancelled: Cancelled) -> None:
+def _make(
+    run: "_Run", jobs: list[FrameJob], document: Document, open_context: OpenContext, cancelled: Cancelled
+) -> None:
     """Make the outstanding files."""
     request, canvas = run.request, document.canvas
     cels = CelCache(CEL_BUDGET_BYTES)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
-    stages = Stages(
+    stages = PipelineSteps(
         decode=partial(decode, cels, in_color=request.composite or request.layered),
         drawing=partial(drawing, cels, request.depth, open_context),
         write=write_all,
@@ -85,7 +87,7 @@ def drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[D
             renderer.close()
 
 
-def decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
+def decode(cels: CelCache, job: FrameJob, *, in_color: bool) -> None:
     """Bring the drawings of a job into memory; in colour at once where a composite will want them so."""
     for source in job.cels:
         cels.cel(source)
@@ -96,7 +98,7 @@ def decode(cels: CelCache, job: Job, *, in_color: bool) -> None:
             cels.matte(source)
 
 
-def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: Job) -> Image:
+def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: FrameJob) -> Image:
     if isinstance(job.content, LayeredContent):
         return layers.draw(job, job.content, depth)
     if isinstance(job.content, CompositeContent):
@@ -128,9 +130,9 @@ class _Run:
     failures: list[Failure] = field(default_factory=list)
     fingerprints: dict[Content, str] = field(default_factory=dict)
 
-    def outstanding(self) -> list[Job]:
+    def outstanding(self) -> list[FrameJob]:
         """Return the jobs with the files that are still to be made."""
-        jobs: list[Job] = []
+        jobs: list[FrameJob] = []
         for job in self.plan.jobs:
             made_of = self.fingerprints[job.content] = fingerprint(job, self.request)
             targets = job.targets

@@ -86,7 +86,7 @@ _UNSEEN = ShadowContent(None, ShadowLook((255, 255, 255), 0.0, multiply=True))
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class OutputFile:
     """One file of an export."""
 
     frame: int
@@ -94,7 +94,7 @@ class Target:
 
 
 @dataclass(frozen=True, slots=True)
-class Job:
+class FrameJob:
     """One picture and the files it goes into.
 
     Parameters
@@ -111,7 +111,7 @@ class Job:
     content: Content
     scene: Scene
     layer: LayerScene | None
-    targets: tuple[Target, ...]
+    targets: tuple[OutputFile, ...]
 
     @property
     def mattes(self) -> tuple[PictureSource, ...]:
@@ -151,7 +151,7 @@ class Job:
             return ()
         return tuple(dict.fromkeys(piece.mesh.path for piece in self.scene.pieces if piece.mesh is not None))
 
-    def only(self, targets: tuple[Target, ...]) -> "Job":
+    def only(self, targets: tuple[OutputFile, ...]) -> "FrameJob":
         """Return the job with some of its targets."""
         return replace(self, targets=targets)
 
@@ -167,7 +167,7 @@ class Job:
 class Plan:
     """Everything an export is to make: the pictures in the order of their first frames, folders and names."""
 
-    jobs: tuple[Job, ...]
+    jobs: tuple[FrameJob, ...]
     folders: tuple[Path, ...]
     names: dict[str, str]
 
@@ -205,8 +205,8 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     if not folders:
         raise UsageProblem("there is nothing to render: the project has no visible character layer")
     digits = digits_for(document.canvas.length_frames)
-    first: dict[Content, Job] = {}
-    targets: dict[Content, list[Target]] = {}
+    first: dict[Content, FrameJob] = {}
+    targets: dict[Content, list[OutputFile]] = {}
     for frame in frames:
         scene = evaluate(document, frame)
         pictures: list[_Picture] = []
@@ -221,8 +221,8 @@ def planned(document: Document, request: ExportRequest) -> Plan:
             pictures.append((COMPOSITE, _composite(scene), None))
         for label, content, layer_scene in pictures:
             path = request.folder / label / f"{label}_{frame:0{digits}d}{request.suffix}"
-            first.setdefault(content, Job(content, scene, layer_scene, ()))
-            targets.setdefault(content, []).append(Target(frame, path))
+            first.setdefault(content, FrameJob(content, scene, layer_scene, ()))
+            targets.setdefault(content, []).append(OutputFile(frame, path))
     jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
     if request.once:
         jobs = tuple(_each_once(jobs, digits))
@@ -240,8 +240,8 @@ def _layered_plan(document: Document, request: ExportRequest) -> Plan:
     has_set = is_all and _set_ever_casts(document)
     receiving = frozenset(layer.id for layer in layers if ever_receives(layer))
     folder, digits = request.folder / LAYERED, digits_for(document.canvas.length_frames)
-    first: dict[Content, Job] = {}
-    targets: dict[Content, list[Target]] = {}
+    first: dict[Content, FrameJob] = {}
+    targets: dict[Content, list[OutputFile]] = {}
     for frame in chosen_frames(document, request):
         scene = evaluate(document, frame)
         if not is_all:
@@ -249,8 +249,8 @@ def _layered_plan(document: Document, request: ExportRequest) -> Plan:
             scene = replace(scene, background=None, layers=chosen, set_shadow=None)
         content = LayeredContent(_composite(scene), names, has_set, receiving)
         path = folder / f"{LAYERED}_{frame:0{digits}d}{request.suffix}"
-        first.setdefault(content, Job(content, scene, None, ()))
-        targets.setdefault(content, []).append(Target(frame, path))
+        first.setdefault(content, FrameJob(content, scene, None, ()))
+        targets.setdefault(content, []).append(OutputFile(frame, path))
     jobs = tuple(job.only(tuple(targets[content])) for content, job in first.items())
     return Plan(jobs, (folder,), {})
 
@@ -266,7 +266,7 @@ def pictures_of(plan: Plan, folder: Path) -> tuple[int, ...]:
     return tuple(shown[frame] for frame in sorted(shown))
 
 
-def _each_once(jobs: tuple[Job, ...], digits: int) -> Iterator[Job]:
+def _each_once(jobs: tuple[FrameJob, ...], digits: int) -> Iterator[FrameJob]:
     """Yield the jobs with one target in each folder they go to, numbered from 1."""
     numbers: dict[Path, int] = {}
     for job in jobs:
@@ -275,7 +275,7 @@ def _each_once(jobs: tuple[Job, ...], digits: int) -> Iterator[Job]:
             numbers[folder] = numbers.get(folder, 0) + 1
             first = next(target for target in job.targets if target.path.parent == folder)
             name = f"{folder.name}_{numbers[folder]:0{digits}d}{first.path.suffix}"
-            targets.append(Target(first.frame, folder / name))
+            targets.append(OutputFile(first.frame, folder / name))
         yield job.only(tuple(targets))
 
 

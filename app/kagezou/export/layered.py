@@ -8,13 +8,13 @@ from typing import Final
 import numpy as np
 
 from kagezou.document.model import PictureSource
-from kagezou.export.jobs import Job, LayeredContent
+from kagezou.export.jobs import FrameJob, LayeredContent
 from kagezou.geometry.box import Box, centred_offset
-from kagezou.io.cels import CelCache
-from kagezou.io.encode import ShadowImage
-from kagezou.io.images import Cel, Steps, read_cel
-from kagezou.io.layered import LayeredImage, Part
-from kagezou.render.backdrop import Backdrop
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.layered import LayeredImage, LayerPart
+from kagezou.io.images.reading import Cel, Steps, read_cel
+from kagezou.io.images.writing import ShadowImage
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
 
@@ -39,7 +39,7 @@ class LayerPainter:
     cels: CelCache
     _background: tuple[PictureSource, Cel] | None = None
 
-    def draw(self, job: Job, content: LayeredContent, depth: int) -> LayeredImage:
+    def draw(self, job: FrameJob, content: LayeredContent, depth: int) -> LayeredImage:
         """Return a frame as layers; with their opacity beside them, and merged too, where it becomes a PSD."""
         canvas = job.scene.canvas
         is_document = job.targets[0].path.suffix == ".psd"
@@ -51,7 +51,7 @@ class LayerPainter:
         named = (replace(part, name=name) for name, part in zip(part_names(content), parts, strict=True))
         return LayeredImage(canvas.width, canvas.height, tuple(named), merged, depth)
 
-    def _parts(self, job: Job, content: LayeredContent, depth: int, *, keeps_opacity: bool) -> Iterator[Part]:
+    def _parts(self, job: FrameJob, content: LayeredContent, depth: int, *, keeps_opacity: bool) -> Iterator[LayerPart]:
         """Yield the parts in the order of `part_names`, without their names."""
         scene = job.scene
         seen = {layer.id: layer for layer in scene.layers}
@@ -78,7 +78,7 @@ class LayerPainter:
             if layer_id in content.receiving:
                 yield _empty_part(depth) if layer is None else self._received_part(scene, layer, depth)
 
-    def _received_part(self, scene: Scene, layer: LayerScene, depth: int) -> Part:
+    def _received_part(self, scene: Scene, layer: LayerScene, depth: int) -> LayerPart:
         """Return what others cast on a layer, at the opacity of those who cast."""
         first = layer.received.shades[0].look if layer.received and layer.received.shades else layer.look
         return _shadow_part(lambda _look: self.renderer.received(scene, layer, depth), first, keeps_opacity=False)
@@ -114,26 +114,26 @@ def part_names(content: LayeredContent) -> tuple[str, ...]:
     return tuple(unlike)
 
 
-def _empty_part(depth: int) -> Part:
-    return Part("", np.zeros((0, 0, 4), np.uint8 if depth == 8 else np.uint16), _NOTHING)
+def _empty_part(depth: int) -> LayerPart:
+    return LayerPart("", np.zeros((0, 0, 4), np.uint8 if depth == 8 else np.uint16), _NOTHING)
 
 
-def _shadow_part(draw: Callable[[ShadowLook], ShadowImage], look: ShadowLook, *, keeps_opacity: bool) -> Part:
+def _shadow_part(draw: Callable[[ShadowLook], ShadowImage], look: ShadowLook, *, keeps_opacity: bool) -> LayerPart:
     """Return a shadow; drawn in full where its opacity is kept beside it."""
     opacity = look.opacity if keeps_opacity else 1.0
     drawn = draw(replace(look, opacity=1.0) if keeps_opacity else look)
     if drawn.box.is_empty:
-        return Part("", np.zeros((0, 0, 4), drawn.alpha.dtype), _NOTHING, opacity, look.multiply)
+        return LayerPart("", np.zeros((0, 0, 4), drawn.alpha.dtype), _NOTHING, opacity, look.multiply)
     box = drawn.box.moved(-drawn.box.left, -drawn.box.top)
     pixels = replace(drawn, width_px=box.width, height_px=box.height, box=box).rgba()
-    return Part("", pixels, drawn.box, opacity, look.multiply)
+    return LayerPart("", pixels, drawn.box, opacity, look.multiply)
 
 
-def _cel_part(cel: Cel, canvas: Box) -> Part:
+def _cel_part(cel: Cel, canvas: Box) -> LayerPart:
     """Return a drawing as it lies on the canvas, cut to its figure and to the canvas."""
     height, width = cel.rgba.shape[:2]
     left, top = centred_offset(canvas, width, height)
     box = cel.matte.box and cel.matte.box.moved(left, top).intersection(canvas)
     if box is None:
-        return Part("", cel.rgba[:0, :0], _NOTHING)
-    return Part("", cel.rgba[box.top - top : box.bottom - top, box.left - left : box.right - left], box)
+        return LayerPart("", cel.rgba[:0, :0], _NOTHING)
+    return LayerPart("", cel.rgba[box.top - top : box.bottom - top, box.left - left : box.right - left], box)

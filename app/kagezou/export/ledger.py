@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Final
 
 from kagezou import __version__
-from kagezou.export.jobs import Job, Target
+from kagezou.export.jobs import FrameJob, OutputFile
 from kagezou.export.request import ExportRequest
-from kagezou.io.atomic import write_bytes
-from kagezou.io.faults import output_problem
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import output_problem
 from kagezou.locations import shader_folder
 
 LEDGER_NAME: Final = ".kagezou-frames.jsonl"
@@ -38,7 +38,7 @@ class Ledger:
         self._path = folder / LEDGER_NAME
         self._known = self._read()
 
-    def holds(self, target: Target, fingerprint: str) -> bool:
+    def holds(self, target: OutputFile, fingerprint: str) -> bool:
         """Return whether a file is there, is the one that was written, and would come out the same."""
         known = self._known.get(self._name(target.path))
         if known is None or known[0] != fingerprint:
@@ -48,7 +48,7 @@ class Ledger:
         except OSError:
             return False
 
-    def add(self, target: Target, fingerprint: str, content: str) -> None:
+    def add(self, target: OutputFile, fingerprint: str, content: str) -> None:
         """Note that a file is in its place; ``content`` is the `content_hash` of its bytes.
 
         Raises
@@ -98,7 +98,7 @@ def content_hash(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def fingerprint(job: Job, request: ExportRequest) -> str:
+def fingerprint(job: FrameJob, request: ExportRequest) -> str:
     """Return a text that changes with anything that decides the bytes of a picture.
 
     That is: its content down to the last digit, size, format and depth, the program's version and shaders, and the
@@ -121,7 +121,7 @@ def _state(path: Path) -> tuple[int, int] | None:
 @cache
 def _engine() -> str:
     """Return what stands for the program that draws."""
-    shaders = sorted(path for path in shader_folder().iterdir() if path.is_file())
+    shaders = sorted(path for path in shader_folder().rglob("*") if path.is_file())
     digest = hashlib.sha256(__version__.encode())
     for path in shaders:
         digest.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")

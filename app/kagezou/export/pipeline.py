@@ -14,14 +14,14 @@ from typing import Any, Final, Generic, TypeVar
 from numpy.typing import NDArray
 
 from kagezou.errors import InputProblem
-from kagezou.export.jobs import Job
-from kagezou.io.encode import ShadowImage
-from kagezou.io.layered import LayeredImage
+from kagezou.export.jobs import FrameJob
+from kagezou.io.images.layered import LayeredImage
+from kagezou.io.images.writing import ShadowImage
 
 Image = ShadowImage | LayeredImage | NDArray[Any]
 """A shadow layer, a frame of layers, or a composite as straight (H, W, 4)."""
 
-Draw = Callable[[Job], Image]
+Draw = Callable[[FrameJob], Image]
 
 Made = TypeVar("Made")
 """What becomes of a picture when it is written."""
@@ -32,7 +32,7 @@ _BYTES_PER_PIXEL: Final = 10
 
 
 @dataclass(frozen=True, slots=True)
-class Stages(Generic[Made]):
+class PipelineSteps(Generic[Made]):
     """What is done for each job: decoded and written by workers, drawn on the calling thread.
 
     Parameters
@@ -45,16 +45,16 @@ class Stages(Generic[Made]):
         Returns what its caller wants to have of it.
     """
 
-    decode: Callable[[Job], None]
+    decode: Callable[[FrameJob], None]
     drawing: Callable[[], AbstractContextManager[Draw]]
-    write: Callable[[Job, Image], Made]
+    write: Callable[[FrameJob, Image], Made]
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome(Generic[Made]):
     """A job that is done: what its writer returned, or why it could not be drawn."""
 
-    job: Job
+    job: FrameJob
     written: Made | None = None
     problem: InputProblem | None = None
 
@@ -66,7 +66,7 @@ def window_for(width_px: int, height_px: int, workers: int) -> int:
 
 
 def flow(
-    jobs: Iterable[Job], stages: Stages[Made], workers: int, window: int, cancelled: Callable[[], bool]
+    jobs: Iterable[FrameJob], stages: PipelineSteps[Made], workers: int, window: int, cancelled: Callable[[], bool]
 ) -> Generator[Outcome[Made], None, None]:
     """Yield the outcome of each job, in their order but for failed ones, which come as soon as they are known.
 
@@ -74,8 +74,8 @@ def flow(
     the run, no worker is left when the iterator is closed.
     """
     upcoming = iter(jobs)
-    decoding: deque[tuple[Job, Future[None]]] = deque()
-    writing: deque[tuple[Job, Future[Made]]] = deque()
+    decoding: deque[tuple[FrameJob, Future[None]]] = deque()
+    writing: deque[tuple[FrameJob, Future[Made]]] = deque()
     pool = ThreadPoolExecutor(workers, thread_name_prefix="frames")
 
     def look_ahead() -> None:

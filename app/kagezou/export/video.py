@@ -13,15 +13,15 @@ import numpy as np
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources
 from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing
-from kagezou.export.jobs import CompositeContent, Job, planned
-from kagezou.export.pipeline import Image, Stages, flow, window_for
+from kagezou.export.jobs import CompositeContent, FrameJob, planned
+from kagezou.export.pipeline import Image, PipelineSteps, flow, window_for
 from kagezou.export.request import Cancelled, ExportRequest, Progress
-from kagezou.io.atomic import replace_by
-from kagezou.io.cels import CelCache
-from kagezou.io.encode import ShadowImage
-from kagezou.io.faults import output_problem
-from kagezou.io.video import VideoKind, VideoWriter, converted, frames_in, kind_of
-from kagezou.render.context import OpenContext
+from kagezou.io.files.atomic import replace_by
+from kagezou.io.files.faults import output_problem
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.video import VideoKind, VideoWriter, converted, frames_in, kind_of
+from kagezou.io.images.writing import ShadowImage
+from kagezou.render.gpu.context import OpenContext
 
 _DEPTH: Final = 8
 
@@ -92,7 +92,7 @@ def export_video(
     return VideoSummary(path, length, is_whole, time.monotonic() - started)
 
 
-def video_jobs(document: Document, request: VideoRequest) -> tuple[Job, ...]:
+def video_jobs(document: Document, request: VideoRequest) -> tuple[FrameJob, ...]:
     """Return the pictures of a video one after the other, each with the frames that hold it.
 
     Raises
@@ -122,7 +122,7 @@ class _Film:
     """A video to be written: its pictures in their order."""
 
     document: Document
-    jobs: tuple[Job, ...]
+    jobs: tuple[FrameJob, ...]
     kind: VideoKind
     request: VideoRequest
 
@@ -130,7 +130,7 @@ class _Film:
         """Write it to ``temp``."""
         canvas = self.document.canvas
         cels = CelCache(CEL_BUDGET_BYTES)
-        stages: Stages[Any] = Stages(
+        stages: PipelineSteps[Any] = PipelineSteps(
             decode=partial(decode, cels, in_color=self.request.layer is None),
             drawing=partial(drawing, cels, _DEPTH, open_context),
             write=lambda _, image: converted(_pixels_of(image), self.kind),

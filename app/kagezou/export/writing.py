@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from kagezou.export.jobs import Job, ShadowContent
+from kagezou.export.jobs import FrameJob, ShadowContent
 from kagezou.export.ledger import content_hash
 from kagezou.export.pipeline import Image
 from kagezou.geometry.box import Box
-from kagezou.io.atomic import write_bytes
-from kagezou.io.encode import ShadowImage, encode_png, encode_rgba_png, write_rgba, write_shadow
-from kagezou.io.faults import output_problem
-from kagezou.io.layered import LayeredImage, write_layered
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import output_problem
+from kagezou.io.images.layered import LayeredImage, write_layered
+from kagezou.io.images.writing import ShadowImage, encode_png, encode_rgba_png, write_rgba, write_shadow
 
 
-def write_all(job: Job, image: Image) -> str:
+def write_all(job: FrameJob, image: Image) -> str:
     """Write a picture into every file of its job, in the format of their suffix; return the hash of its bytes.
 
     Raises
@@ -40,7 +40,7 @@ def write_all(job: Job, image: Image) -> str:
     return content_hash(data)
 
 
-def blank_image(job: Job, content: ShadowContent, depth: int) -> ShadowImage:
+def blank_image(job: FrameJob, content: ShadowContent, depth: int) -> ShadowImage:
     """Return the shadow of an empty cel or a hidden layer: its colour, clear everywhere."""
     canvas = job.scene.canvas
     alpha = np.zeros((0, 0), np.uint8 if depth == 8 else np.uint16)

@@ -4,24 +4,24 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelSource
-from kagezou.io.encode import ShadowImage
-from kagezou.io.images import Steps
-from kagezou.io.meshes import MeshCache
-from kagezou.render.backdrop import Backdrop
-from kagezou.render.boxes import Boxes
-from kagezou.render.depth_map import DepthMapPass
-from kagezou.render.gl import GL, check
-from kagezou.render.info import read_info
-from kagezou.render.look import look_uniforms, unit_rgb
-from kagezou.render.mesh_display import Display
-from kagezou.render.mixing import mixed
-from kagezou.render.picture import Picture
-from kagezou.render.presenter import Presenter, WindowView
-from kagezou.render.program import Variants
-from kagezou.render.received import ReceivedCoverage
-from kagezou.render.shadow_layers import Coverage, ShadowLayers
-from kagezou.render.targets import Format, Target, Texture
+from kagezou.io.images.cel_cache import CelSource
+from kagezou.io.images.reading import Steps
+from kagezou.io.images.writing import ShadowImage
+from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.render.coverage_cache import Coverage, ShadowLayers
+from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.gl import GL, check
+from kagezou.render.gpu.info import read_info
+from kagezou.render.gpu.presenter import Presenter, WindowView
+from kagezou.render.gpu.program import Variants
+from kagezou.render.gpu.targets import Format, Target, Texture
+from kagezou.render.meshes.display import Display
+from kagezou.render.passes.depth_map import DepthMapPass
+from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
+from kagezou.render.passes.picture import PicturePass
+from kagezou.render.passes.received import ReceivedCoverage
+from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.render.prepare.mixing import mixed
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
 
@@ -59,9 +59,9 @@ class Renderer:
         self._divisor = divisor
         self._boxes = Boxes()
         self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
-        self._shade_programs = Variants("box.vert", "shade.frag")
+        self._shade_programs = Variants("common/box.vert", "common/shade.frag")
         self._presenter = Presenter(self._boxes)
-        self._picture: Picture | None = None
+        self._picture: PicturePass | None = None
         self._shaded: dict[Format, Target] = {}
         check("setting up")
 
@@ -254,23 +254,23 @@ class Renderer:
         self._presenter.close()
         self._boxes.close()
 
-    def _lay_set_shadow(self, picture: Picture, scene: Scene) -> None:
+    def _lay_set_shadow(self, picture: PicturePass, scene: Scene) -> None:
         coverage = self._shadows.set_coverage(scene)
         if coverage is not None and coverage.box is not None and scene.set_shadow is not None:
             picture.lay_shadow(coverage.target.texture, coverage.box, None, scene.set_shadow.look)
 
-    def _drawn(self) -> Picture:
+    def _drawn(self) -> PicturePass:
         if self._picture is None:
             raise GraphicsProblem("there is no picture yet")
         return self._picture
 
-    def _picture_for(self, canvas: Box, form: Format) -> Picture:
+    def _picture_for(self, canvas: Box, form: Format) -> PicturePass:
         old = self._picture
         if old is not None and (old.target.box != canvas or old.target.texture.form is not form):
             old.close()
             self._picture = None
         if self._picture is None:
-            self._picture = Picture(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
+            self._picture = PicturePass(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
         return self._picture
 
     def _shaded_target(self, canvas: Box, form: Format) -> Target:

@@ -8,8 +8,8 @@ from kagezou.document.model import Piece
 from kagezou.document.property import Property
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
-from kagezou.geometry.piece_shapes import stand_on
-from kagezou.geometry.piece_wires import Measures
+from kagezou.geometry.sets.shapes import stand_on
+from kagezou.geometry.sets.wires import Measures
 
 
 @dataclass(frozen=True, slots=True)

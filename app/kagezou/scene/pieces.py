@@ -10,10 +10,10 @@ from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document, Piece
 from kagezou.document.property import Property
-from kagezou.geometry import piece_shapes as shapes
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
-from kagezou.geometry.pieces import Body
+from kagezou.geometry.sets import shapes as shapes
+from kagezou.geometry.sets.bodies import Body
 from kagezou.geometry.vectors import Point2, Vector4
 
 

@@ -11,15 +11,15 @@ from kagezou.document.model import Document
 from kagezou.document.properties import GROUND_POSITION, GROUND_ROLL
 from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.ground import place_on
-from kagezou.geometry.piece_shapes import stand_on
+from kagezou.geometry.sets.shapes import stand_on
 from kagezou.geometry.vectors import Point2, Vector3, dot
 from kagezou.tools.drag import STEP_DEG, Drag
+from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
 from kagezou.tools.pointer import Pointer
 from kagezou.tools.set_piece import before_horizon
-from kagezou.tools.setting import Setting
 from kagezou.tools.sight import between, depth_of, moved, part_seen_at, seen
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 LEAST_VIEW_PX = 12.0
 """A shorter drag draws nothing."""
@@ -44,7 +44,7 @@ def drawing(document: Document, lay: Lay) -> Drag:
 
 def ground_line(document: Document, frame: int) -> Lay:
     """Return what lays the ground's line; its position stays under or over where it was."""
-    setting = Setting.of(document, frame, None, View())
+    setting = FrameGeometry.of(document, frame, None, CanvasView())
 
     def lay(start: Point2, end: Point2) -> Document:
         way = (end[0] - start[0], end[1] - start[1])
@@ -76,7 +76,7 @@ def wall_line(document: Document, frame: int, layer_id: str | None, name: str) -
     """
     if layer_id is None and document.layers:
         layer_id = document.layers[-1].id
-    setting = Setting.of(document, frame, layer_id, View())
+    setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
 
     def lay(start: Point2, end: Point2) -> Document:
         end = before_horizon(setting, kept_near(end), start)
@@ -90,7 +90,7 @@ def wall_line(document: Document, frame: int, layer_id: str | None, name: str) -
 
 def is_on_ground(document: Document, frame: int, canvas_px: Point2) -> bool:
     """Whether the ground is seen at a canvas point, so that a wall can begin there."""
-    setting = Setting.of(document, frame, None, View())
+    setting = FrameGeometry.of(document, frame, None, CanvasView())
     return place_on(setting.camera, setting.ground, canvas_px) is not None
 
 
@@ -113,7 +113,7 @@ def straightened(start: Pointer, pointer: Pointer) -> Point2:
     return (start.canvas_px[0] + part * cos(angle), start.canvas_px[1] + part * sin(angle))
 
 
-def _wall_between(setting: Setting, start: Vector3, end: Vector3) -> dict[str, object]:
+def _wall_between(setting: FrameGeometry, start: Vector3, end: Vector3) -> dict[str, object]:
     """Return the properties of a wall whose foot runs between two places of the ground, its front to the viewer."""
     camera, ground, way = setting.camera, setting.ground, between(start, end)
     middle = moved(start, (0.5, way))
@@ -130,7 +130,7 @@ def _wall_between(setting: Setting, start: Vector3, end: Vector3) -> dict[str, o
     }
 
 
-def _height_at(setting: Setting, place: Vector3) -> float:
+def _height_at(setting: FrameGeometry, place: Vector3) -> float:
     """Return how high a wall must be to be seen over the figure, canvas px at its depth."""
     canvas = setting.document.canvas
     x, y = seen(setting.camera, place)

@@ -11,9 +11,9 @@ from typing import TypeAlias
 
 from kagezou.document.model import Document
 from kagezou.geometry.vectors import Point2
+from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Handle
 from kagezou.tools.pointer import Modifiers, Pointer
-from kagezou.tools.setting import Setting
 
 FINE_SPEED = 0.1
 """How far a handle goes for one px of the pointer in the fine gear."""
@@ -62,24 +62,24 @@ class Aim:
         """Return an angle, in whole steps if constrained."""
         return round(degrees / STEP_DEG) * STEP_DEG if self.modifiers.constrain else degrees
 
-    def angle_or_zero(self, degrees: float, miss_canvas_px: float, setting: Setting) -> float:
+    def angle_or_zero(self, degrees: float, miss_canvas_px: float, setting: FrameGeometry) -> float:
         """Return an angle as above, or zero if snapping and the handle is that little away from where zero is."""
         near = miss_canvas_px <= setting.view.canvas_length(SNAP_VIEW_PX)
         return 0.0 if near and self.modifiers.snap and not self.modifiers.constrain else self.angle(degrees)
 
 
-Move: TypeAlias = Callable[[Setting, Handle, Aim], Document]
+Move: TypeAlias = Callable[[FrameGeometry, Handle, Aim], Document]
 """Makes of the setting at the press a document in which the handle lies where it is wanted, as nearly as it may."""
 
 
-def dragging(setting: Setting, handle: Handle, move: Move) -> Drag:
+def dragging(setting: FrameGeometry, handle: Handle, move: Move) -> Drag:
     """Return a drag that is ready for the press."""
     drag = _drag(setting, handle, move)
     next(drag)
     return drag
 
 
-def _drag(setting: Setting, handle: Handle, move: Move) -> Drag:
+def _drag(setting: FrameGeometry, handle: Handle, move: Move) -> Drag:
     shown = setting.document
     anchor = last = yield shown
     carried: Point2 = (0.0, 0.0)

@@ -13,8 +13,8 @@ from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector3, dot
 from kagezou.tools.drag import Aim
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.frame_geometry import FrameGeometry
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.shadow import tip_of
 from kagezou.tools.sight import between, place_seen_at, seen
 from kagezou.tools.sun import unwound
@@ -28,7 +28,7 @@ _HALF_LINE_OF_FIGURE = 0.35
 _WAVES = {WAVE1: properties.WAVE1, WAVE2: properties.WAVE2}
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return what the filters in use are taken hold of by."""
     if setting.layer is None or setting.card is None:
         return ()
@@ -36,7 +36,7 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     if _is_simplified(setting):
         made.append(
             Handle(
-                DISTANCE, Shape.LEVER, seen(setting.camera, _line(setting)[1]),
+                DISTANCE, HandleShape.LEVER, seen(setting.camera, _line(setting)[1]),
                 setting.address(properties.DISTANCE), properties.DISTANCE.label, Cursor.VERTICAL,
                 layer_id=setting.layer.id,
             )
@@ -45,7 +45,7 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
         number = handle_id[-1]
         made.append(
             Handle(
-                handle_id, Shape.ARROW, seen(setting.camera, _arrow(setting, lines)[1]),
+                handle_id, HandleShape.ARROW, seen(setting.camera, _arrow(setting, lines)[1]),
                 setting.address(lines.direction), Words(f"Wave {number}", f"波{number}"),
                 also=(setting.address(lines.wavelength),), layer_id=setting.layer.id,
             )
@@ -53,7 +53,7 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     return tuple(made)
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the line of the distance, and the shafts of the arrows."""
     if setting.layer is None or setting.card is None:
         return ()
@@ -67,7 +67,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     return tuple(made)
 
 
-def move_distance(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_distance(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the line away from the feet, or up to them."""
     plane, end = _plane(setting), _line(setting)[1]
     place = place_seen_at(setting.camera, end, plane.normal, aim.straightened(setting.across).target)
@@ -77,7 +77,7 @@ def move_distance(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return setting.edited(properties.DISTANCE, max(away, 0.0))
 
 
-def move_wave(setting: Setting, handle: Handle, aim: Aim) -> Document:
+def move_wave(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Turn a wave and make it longer or shorter: the arrow is one wavelength, and points where the crests go."""
     lines, ground = _WAVES[handle.id], setting.ground
     start, end = _arrow(setting, lines)
@@ -94,28 +94,28 @@ def move_wave(setting: Setting, handle: Handle, aim: Aim) -> Document:
     return setting.edited(lines.direction, direction, document)
 
 
-def _is_simplified(setting: Setting) -> bool:
+def _is_simplified(setting: FrameGeometry) -> bool:
     return bool(setting.value(properties.SIMPLIFY_ON)) and setting.number(properties.SIMPLIFY) > 0
 
 
-def _waves(setting: Setting) -> dict[str, WaveLines]:
+def _waves(setting: FrameGeometry) -> dict[str, WaveLines]:
     if not setting.value(properties.WAVES_ON):
         return {}
     return {name: lines for name, lines in _WAVES.items() if setting.number(lines.amplitude) > 0}
 
 
-def _plane(setting: Setting) -> Plane:
+def _plane(setting: FrameGeometry) -> Plane:
     assert setting.card is not None
     return contact_plane(setting.card, setting.ground)
 
 
-def _side(setting: Setting) -> float:
+def _side(setting: FrameGeometry) -> float:
     """Return on which side of the contact line the shadow falls: 1 toward the viewer, else -1."""
     plane, tip = _plane(setting), tip_of(setting)
     return 1.0 if tip is not None and dot(between(plane.origin, tip), plane.v) > 0 else -1.0
 
 
-def _line(setting: Setting) -> tuple[Vector3, Vector3]:
+def _line(setting: FrameGeometry) -> tuple[Vector3, Vector3]:
     """Return the ends of the line across the shadow, world px."""
     assert setting.layer is not None
     plane = _plane(setting)
@@ -125,7 +125,7 @@ def _line(setting: Setting) -> tuple[Vector3, Vector3]:
     return (plane.point(middle - half, away), plane.point(middle + half, away))
 
 
-def _arrow(setting: Setting, lines: WaveLines) -> tuple[Vector3, Vector3]:
+def _arrow(setting: FrameGeometry, lines: WaveLines) -> tuple[Vector3, Vector3]:
     """Return the ends of a wave's arrow, world px; it begins in the middle of the shadow."""
     ground, contact, tip = setting.ground, setting.contact, tip_of(setting)
     middle = contact if tip is None else _halfway(contact, tip)

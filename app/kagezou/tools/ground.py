@@ -11,8 +11,8 @@ from kagezou.document.model import Document
 from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.frame_geometry import FrameGeometry
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.sight import REACH_PX, seen
 
 POSITION = "ground.position"
@@ -31,28 +31,28 @@ MIN_END_VIEW_PX = 80.0
 _OUTLINE_OF_FIGURE = 0.5
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the three handles of the ground."""
     layer_id = setting.layer.id if setting.layer else None
     lever = setting.view.canvas_length(LEVER_VIEW_PX) * cos(radians(setting.number(properties.GROUND_DECLINATION)))
     return (
         Handle(
-            DECLINATION, Shape.LEVER, _off(setting, setting.across, lever),
+            DECLINATION, HandleShape.LEVER, _off(setting, setting.across, lever),
             setting.address(properties.GROUND_DECLINATION), properties.GROUND_DECLINATION.label, Cursor.VERTICAL,
             layer_id=layer_id,
         ),
         Handle(
-            END, Shape.SQUARE, _off(setting, setting.along, _side(setting) * _end_distance(setting)),
+            END, HandleShape.SQUARE, _off(setting, setting.along, _side(setting) * _end_distance(setting)),
             setting.address(properties.GROUND_ROLL), properties.GROUND_ROLL.label, Cursor.ROTATE, layer_id=layer_id,
         ),
         Handle(
-            POSITION, Shape.CROSS, _position(setting), setting.address(properties.GROUND_POSITION),
+            POSITION, HandleShape.CROSS, _position(setting), setting.address(properties.GROUND_POSITION),
             Words("Ground", "地面"), layer_id=layer_id,
         ),
     )  # fmt: skip
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the ground line, a square of the ground around its position, and the lever's arm."""
     canvas = setting.document.canvas
     reach = hypot(canvas.width_px, canvas.height_px) + hypot(*_position(setting))
@@ -69,7 +69,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     )
 
 
-def move_position(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_position(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the ground; it is drawn to the height of the figure's lowest pixel."""
     x, y = aim.straightened((1.0, 0.0)).target
     if setting.layer and aim.modifiers.snap and not aim.modifiers.constrain:
@@ -79,7 +79,7 @@ def move_position(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return setting.edited(properties.GROUND_POSITION, kept_near((x, y)))
 
 
-def move_end(setting: Setting, handle: Handle, aim: Aim) -> Document:
+def move_end(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Roll the ground about its position."""
     origin = _position(setting)
     side = 1.0 if _dot(_between(origin, handle.canvas_px), setting.along) >= 0 else -1.0
@@ -91,7 +91,7 @@ def move_end(setting: Setting, handle: Handle, aim: Aim) -> Document:
     return setting.edited(properties.GROUND_ROLL, aim.angle_or_zero(roll, miss, setting))
 
 
-def move_declination(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_declination(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Raise or lower the lever's end: the ground is seen more from the edge or more from above."""
     down = _dot(_between(_position(setting), aim.target), setting.across)
     part = down / setting.view.canvas_length(LEVER_VIEW_PX)
@@ -104,21 +104,21 @@ def kept_near(point: Point2) -> Point2:
     return (x, y)
 
 
-def _position(setting: Setting) -> Point2:
+def _position(setting: FrameGeometry) -> Point2:
     return setting.ground.origin[:2]
 
 
-def _off(setting: Setting, direction: Point2, distance: float) -> Point2:
+def _off(setting: FrameGeometry, direction: Point2, distance: float) -> Point2:
     x, y = _position(setting)
     return (x + distance * direction[0], y + distance * direction[1])
 
 
-def _side(setting: Setting) -> float:
+def _side(setting: FrameGeometry) -> float:
     """Return which end of the line is taken hold of: the one that has more of the picture, whatever the roll."""
     return 1.0 if _position(setting)[0] <= setting.document.canvas.width_px / 2 else -1.0
 
 
-def _end_distance(setting: Setting) -> float:
+def _end_distance(setting: FrameGeometry) -> float:
     """Return how far along the line its end is taken hold of: shortly before it leaves the picture, canvas px."""
     canvas, side = setting.document.canvas, _side(setting)
     leaves = min(

@@ -7,23 +7,23 @@ from kagezou.document.model import Document
 from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
+from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
-from kagezou.tools.handle import Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.sight import seen
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 GROUNDING = "grounding"
 """The ids of these handles are this, a dot and the point's place in the list."""
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return a handle for each grounding point of the layer worked on."""
     if setting.layer is None:
         return ()
     return tuple(
         Handle(
-            f"{GROUNDING}.{index}", Shape.DIAMOND, point, setting.address(properties.GROUNDING),
+            f"{GROUNDING}.{index}", HandleShape.DIAMOND, point, setting.address(properties.GROUNDING),
             Words(f"Grounding point {index + 1}", f"接地点 {index + 1}"),
             layer_id=setting.layer.id, index=index,
         )
@@ -31,14 +31,14 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     )  # fmt: skip
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return where the card meets the ground, with two contacts or more."""
     if setting.card is None or len(setting.card.contacts) < 2:
         return ()
     return (Guide(GuideKind.CARD_FOOT, tuple(seen(setting.camera, place) for place in setting.card.contacts)),)
 
 
-def move_point(setting: Setting, handle: Handle, aim: Aim) -> Document:
+def move_point(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Move one point: constrained along its row, symmetric against the other one of two.
 
     It is drawn to the rows of the other points, so that a figure stands square to the viewer, and to the ground line.
@@ -62,20 +62,20 @@ def move_point(setting: Setting, handle: Handle, aim: Aim) -> Document:
 
 def add_grounding(document: Document, layer_id: str, frame: int, canvas_px: Point2) -> Document:
     """Put another grounding point behind those there are; the property's limit raises UsageProblem."""
-    setting = Setting.of(document, frame, layer_id, View())
+    setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
     return setting.edited(properties.GROUNDING, (*setting.points(properties.GROUNDING), kept_near(canvas_px)))
 
 
 def remove_grounding(document: Document, layer_id: str, frame: int, index: int) -> Document:
     """Take the grounding point at a place in the list away; the same document where there is none."""
-    setting = Setting.of(document, frame, layer_id, View())
+    setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
     points = setting.points(properties.GROUNDING)
     if not 0 <= index < len(points):
         return document
     return setting.edited(properties.GROUNDING, points[:index] + points[index + 1 :])
 
 
-def _drawn(setting: Setting, target: Point2, rows: list[float]) -> Point2:
+def _drawn(setting: FrameGeometry, target: Point2, rows: list[float]) -> Point2:
     """Return the target at the nearest row within snapping distance; the ground line counts as a row at its place."""
     (x, y), (gx, gy), (run, rise) = target, setting.ground.origin[:2], setting.along
     line = [gy + (x - gx) * rise / run] if run > 1e-3 else []

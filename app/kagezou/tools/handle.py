@@ -8,7 +8,7 @@ from math import hypot
 from kagezou.document.address import Address
 from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 HIT_RADIUS_PX = 10.0
 """How far from its middle a handle can be taken hold of with a mouse, logical view px."""
@@ -20,7 +20,7 @@ EDGE_MARGIN_PX = 18.0
 """How far inside the viewport's edge a handle is shown that lies outside, logical view px."""
 
 
-class Shape(StrEnum):
+class HandleShape(StrEnum):
     """What a handle looks like; the shape tells its kind."""
 
     SUN_DISC = "sun-disc"
@@ -89,7 +89,7 @@ class Handle:
     """
 
     id: str
-    shape: Shape
+    shape: HandleShape
     canvas_px: Point2
     address: Address | None
     label: Words
@@ -207,7 +207,7 @@ def clamped(view_px: Point2, view_size: Point2, margin_px: float = EDGE_MARGIN_P
     return OffView((x, y), ((view_px[0] - x) / distance, (view_px[1] - y) / distance), distance)
 
 
-def place_in_view(handle: Handle, view: View, view_size: Point2 | None) -> tuple[Point2, OffView | None]:
+def place_in_view(handle: Handle, view: CanvasView, view_size: Point2 | None) -> tuple[Point2, OffView | None]:
     """Return where a handle is drawn and hit, view px, and how it was moved to the edge if it was."""
     view_px = view.view_from_canvas(handle.canvas_px)
     off = clamped(view_px, view_size) if handle.stays_in_view and view_size is not None else None
@@ -216,7 +216,7 @@ def place_in_view(handle: Handle, view: View, view_size: Point2 | None) -> tuple
 
 def hit(
     handles: Iterable[Handle],
-    view: View,
+    view: CanvasView,
     view_px: Point2,
     radius: float = HIT_RADIUS_PX,
     view_size: Point2 | None = None,

@@ -5,10 +5,10 @@ from types import MappingProxyType
 from kagezou.document.model import Document
 from kagezou.tools import filters, ground, grounding, light, matching, set_piece, set_size, shadow, sun, tilt
 from kagezou.tools.drag import Drag, Move, dragging
+from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.pointer import Modifiers, Pointer
-from kagezou.tools.setting import Setting
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 _ROOMS = (ground, tilt, filters, grounding, shadow, set_size, set_piece, light, sun)
 """Whose handles lie over whose: the last one's are topmost."""
@@ -41,36 +41,36 @@ _MOVES: MappingProxyType[str, Move] = MappingProxyType(
 
 
 def handles_of(
-    document: Document, frame: int, layer_id: str | None, view: View, piece_id: str | None = None
+    document: Document, frame: int, layer_id: str | None, view: CanvasView, piece_id: str | None = None
 ) -> HandleSet:
     """Return what lies over the picture while a layer or a set piece is worked on, or neither is.
 
     The view only matters for what hangs on arms and dials of constant length on screen: sun, tilt, declination, the
     end of the ground line, and a piece's turn and lean.
     """
-    setting = Setting.of(document, frame, layer_id, view, piece_id)
+    setting = FrameGeometry.of(document, frame, layer_id, view, piece_id)
     return HandleSet(
         tuple(handle for room in _ROOMS for handle in room.handles(setting)),
         tuple(guide for room in _ROOMS for guide in room.guides(setting)),
     )
 
 
-def matching_handles_of(document: Document, frame: int, view: View) -> HandleSet:
+def matching_handles_of(document: Document, frame: int, view: CanvasView) -> HandleSet:
     """Return what lies over the picture while the camera is matched to it."""
-    setting = Setting.of(document, frame, None, view)
+    setting = FrameGeometry.of(document, frame, None, view)
     return HandleSet(matching.handles(setting), matching.guides(setting), matching.note_of(setting))
 
 
-def drag_of(handle: Handle, document: Document, frame: int, view: View) -> Drag:
+def drag_of(handle: Handle, document: Document, frame: int, view: CanvasView) -> Drag:
     """Return the drag of a handle, ready for the press: send that first, then every move; ``close()`` cancels.
 
     Each answer is a whole document made of ``document``, so cancelling is showing that one again.
     """
     name = handle.id if handle.index is None else handle.id.removesuffix(f".{handle.index}")
-    return dragging(Setting.of(document, frame, handle.layer_id, view, handle.piece_id), handle, _MOVES[name])
+    return dragging(FrameGeometry.of(document, frame, handle.layer_id, view, handle.piece_id), handle, _MOVES[name])
 
 
-def nudge(handle: Handle, document: Document, frame: int, dx: float, dy: float, view: View) -> Document:
+def nudge(handle: Handle, document: Document, frame: int, dx: float, dy: float, view: CanvasView) -> Document:
     """Return the document with a handle moved by canvas px, as an arrow key does; nothing snaps."""
     x, y = handle.canvas_px
     drag = drag_of(handle, document, frame, view)

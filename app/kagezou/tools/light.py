@@ -10,8 +10,8 @@ from kagezou.document.property import Words
 from kagezou.geometry.light import foot_of, lamp
 from kagezou.geometry.vectors import Vector3, dot, height_over
 from kagezou.tools.drag import Aim
-from kagezou.tools.handle import Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.frame_geometry import FrameGeometry
+from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.sight import MIN_DEPTH, between, depth_of, moved, place_seen_at, seen, within_reach
 
 LAMP = "light.lamp"
@@ -21,7 +21,7 @@ MIN_HEIGHT_PX = 1.0
 """The least height over the ground a drag leaves a lamp."""
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the foot and the lamp, none for the sun."""
     if setting.is_sun:
         return ()
@@ -30,17 +30,17 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     position, foot = _lamp(setting), _foot(setting)
     return (
         Handle(
-            FOOT, Shape.FOOT, seen(setting.camera, foot), address, Words("Lamp's foot", "ランプの足元"),
+            FOOT, HandleShape.FOOT, seen(setting.camera, foot), address, Words("Lamp's foot", "ランプの足元"),
             layer_id=layer_id, stays_in_view=True,
         ),
         Handle(
-            LAMP, Shape.SUN_DISC, seen(setting.camera, position), address, Words("Lamp", "ランプ"),
+            LAMP, HandleShape.SUN_DISC, seen(setting.camera, position), address, Words("Lamp", "ランプ"),
             layer_id=layer_id, stays_in_view=True,
         ),
     )  # fmt: skip
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the lines from the lamp to its foot and on to where the character stands."""
     if setting.is_sun:
         return ()
@@ -53,7 +53,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     )
 
 
-def move_lamp(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_lamp(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the lamp in the upright plane along the ground line; seen edge-on, px of the hand are px of the lamp."""
     ground, start = setting.ground, _lamp(setting)
     place = place_seen_at(setting.camera, start, ground.v, aim.target)
@@ -70,7 +70,7 @@ def move_lamp(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return _placed(setting, moved(start, (way_along, ground.u), (lifted, ground.normal)))
 
 
-def move_foot(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_foot(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the foot over the ground; seen edge-on, down is toward the viewer."""
     ground, foot = setting.ground, _foot(setting)
     place = place_seen_at(setting.camera, foot, ground.normal, aim.target)
@@ -84,32 +84,32 @@ def move_foot(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return _placed(setting, moved(_lifted(setting), (way_along, ground.u), (nearer, ground.v)))
 
 
-def _placed(setting: Setting, wanted: Vector3) -> Document:
+def _placed(setting: FrameGeometry, wanted: Vector3) -> Document:
     return setting.edited(properties.LIGHT_POSITION, within_reach(_lifted(setting), wanted))
 
 
-def _lamp(setting: Setting) -> Vector3:
+def _lamp(setting: FrameGeometry) -> Vector3:
     return setting.light[:3]
 
 
-def _foot(setting: Setting) -> Vector3:
+def _foot(setting: FrameGeometry) -> Vector3:
     return foot_of(setting.ground, _lamp(setting))
 
 
-def _lifted(setting: Setting) -> Vector3:
+def _lifted(setting: FrameGeometry) -> Vector3:
     """Return the lamp, brought over the ground where it lay under it, so that any way on from it stays over."""
     height = height_over(setting.ground.equation, setting.light)
     return moved(_lamp(setting), (max(0.0, MIN_HEIGHT_PX - height), setting.ground.normal))
 
 
-def _hand(setting: Setting, aim: Aim, place: Vector3) -> tuple[float, float]:
+def _hand(setting: FrameGeometry, aim: Aim, place: Vector3) -> tuple[float, float]:
     """Return the hand's way along and across the ground line in world px at a place's depth."""
     depth = max(depth_of(setting.camera, place), MIN_DEPTH)
     (x, y), along, across = aim.offset, setting.along, setting.across
     return (depth * (x * along[0] + y * along[1]), x * across[0] + y * across[1])
 
 
-def _is_along(setting: Setting, aim: Aim) -> bool:
+def _is_along(setting: FrameGeometry, aim: Aim) -> bool:
     """Whether the hand went further along the ground line than across it."""
     (x, y), along, across = aim.offset, setting.along, setting.across
     return abs(x * along[0] + y * along[1]) >= abs(x * across[0] + y * across[1])

@@ -28,9 +28,9 @@ from kagezou.geometry.vanishing import (
 )
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.drag import Aim
+from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 
 END = "match.end"
 HORIZON = "match.horizon"
@@ -54,14 +54,14 @@ _NOTES = {
 }  # fmt: skip
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the ends of the four lines, and two places of the horizon."""
     fov, roll, declination = (
         setting.address(line) for line in (properties.FOV, properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
     made = [
         Handle(
-            f"{END}.{2 * number + side}", Shape.SQUARE if number < 2 else Shape.DIAMOND, end, fov,
+            f"{END}.{2 * number + side}", HandleShape.SQUARE if number < 2 else HandleShape.DIAMOND, end, fov,
             _END_WORDS[number // 2], also=(declination, roll), index=2 * number + side, stays_in_view=True,
         )
         for number, line in enumerate(lines_of(setting).all)
@@ -71,13 +71,15 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     if horizon is not None:
         middle, end = (_on_horizon(setting, horizon, along) for along in (0.0, _end_distance(setting)))
         made += [
-            Handle(HORIZON_END, Shape.SQUARE, end, roll, properties.GROUND_ROLL.label, Cursor.ROTATE),
-            Handle(HORIZON, Shape.LEVER, middle, declination, _HORIZON_WORDS, Cursor.VERTICAL, stays_in_view=True),
+            Handle(HORIZON_END, HandleShape.SQUARE, end, roll, properties.GROUND_ROLL.label, Cursor.ROTATE),
+            Handle(
+                HORIZON, HandleShape.LEVER, middle, declination, _HORIZON_WORDS, Cursor.VERTICAL, stays_in_view=True
+            ),
         ]
     return tuple(made)
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the four lines, what lies between them and the points where they meet, and the horizon."""
     lines, size = lines_of(setting), _size(setting)
     made: list[Guide] = []
@@ -94,7 +96,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     return tuple(made)
 
 
-def note_of(setting: Setting) -> Words | None:
+def note_of(setting: FrameGeometry) -> Words | None:
     """Return why the lines tell no camera, None where they tell one."""
     if setting.document.vanishing is None:
         return None
@@ -102,14 +104,14 @@ def note_of(setting: Setting) -> Words | None:
     return _NOTES[match] if isinstance(match, Mismatch) else None
 
 
-def lines_of(setting: Setting) -> VanishingLines:
+def lines_of(setting: FrameGeometry) -> VanishingLines:
     """Return the lines of the project; before there are any, four that run as the present ground would."""
     if setting.document.vanishing is not None:
         return setting.document.vanishing
     return laid(first_lines(_size(setting)), _camera(setting), setting.ground, _FIRST_AZIMUTH_DEG)
 
 
-def move_end(setting: Setting, handle: Handle, aim: Aim) -> Document:
+def move_end(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Move an end of a line; camera and ground follow as soon as the lines make sense."""
     assert handle.index is not None
     lines, number, side = lines_of(setting), handle.index // 2, handle.index % 2
@@ -125,7 +127,7 @@ def move_end(setting: Setting, handle: Handle, aim: Aim) -> Document:
     return setting.edited(properties.GROUND_DECLINATION, match.declination_deg, document)
 
 
-def move_horizon(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_horizon(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Raise or lower the horizon: the ground is seen more from above or more from the edge."""
     roll = radians(setting.number(properties.GROUND_ROLL))
     x, y = aim.target
@@ -135,7 +137,7 @@ def move_horizon(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return _turned(setting, setting.number(properties.GROUND_ROLL), aim.angle(declination))
 
 
-def move_horizon_end(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_horizon_end(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Roll the horizon about its middle."""
     horizon = _horizon(setting)
     if horizon is None:
@@ -152,7 +154,7 @@ def move_horizon_end(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     )
 
 
-def _turned(setting: Setting, roll_deg: float, declination_deg: float) -> Document:
+def _turned(setting: FrameGeometry, roll_deg: float, declination_deg: float) -> Document:
     """Return the document with the ground turned, the lines turned with it about their middles."""
     camera, lines = _camera(setting), lines_of(setting)
     document = setting.edited(properties.FOV, camera.fov_deg)
@@ -164,25 +166,25 @@ def _turned(setting: Setting, roll_deg: float, declination_deg: float) -> Docume
     return replace(document, vanishing=laid(lines, camera, _ground(setting, document), azimuth))
 
 
-def _ground(setting: Setting, document: Document) -> Plane:
+def _ground(setting: FrameGeometry, document: Document) -> Plane:
     roll, declination = (
         setting.number(line, document) for line in (properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
     return ground_plane(setting.ground.origin[:2], roll, declination)
 
 
-def _camera(setting: Setting) -> Camera:
+def _camera(setting: FrameGeometry) -> Camera:
     """Return the camera, in perspective: without one a usual one is begun with."""
     camera = setting.camera
     return camera if camera.eye[3] else Camera(camera.width_px, camera.height_px, USUAL_FOV_DEG)
 
 
-def _horizon(setting: Setting) -> Horizon | None:
+def _horizon(setting: FrameGeometry) -> Horizon | None:
     roll, declination = (setting.number(line) for line in (properties.GROUND_ROLL, properties.GROUND_DECLINATION))
     return horizon_of(_camera(setting), roll, declination)
 
 
-def _on_horizon(setting: Setting, horizon: Horizon, along_px: float) -> Point2:
+def _on_horizon(setting: FrameGeometry, horizon: Horizon, along_px: float) -> Point2:
     width, height = _size(setting)
     roll = radians(horizon.roll_deg)
     return (
@@ -191,11 +193,11 @@ def _on_horizon(setting: Setting, horizon: Horizon, along_px: float) -> Point2:
     )
 
 
-def _end_distance(setting: Setting) -> float:
+def _end_distance(setting: FrameGeometry) -> float:
     return _HORIZON_END_OF_WIDTH * setting.document.canvas.width_px
 
 
-def _size(setting: Setting) -> Point2:
+def _size(setting: FrameGeometry) -> Point2:
     canvas = setting.document.canvas
     return (float(canvas.width_px), float(canvas.height_px))
 

@@ -11,10 +11,10 @@ from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.vectors import Vector3, dot
 from kagezou.scene.piece_frames import piece_frame
-from kagezou.tools.setting import Setting
+from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.shadow import tip_of
 from kagezou.tools.sight import MIN_DEPTH, between, depth_of, moved, seen
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 _MEASURES = MappingProxyType({
     "wall": (2.4, 1.3, 0.2),
@@ -72,7 +72,7 @@ def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, 
     """
     if layer_id is None and document.layers:
         layer_id = document.layers[-1].id
-    setting = Setting.of(document, frame, layer_id, View())
+    setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
     spot = _best_spot(setting, kind)
     values: dict[str, object] = {}
     if spot is not None:
@@ -85,7 +85,7 @@ def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, 
     return document, document.pieces[-1].id
 
 
-def _best_spot(setting: Setting, kind: str) -> _Spot | None:
+def _best_spot(setting: FrameGeometry, kind: str) -> _Spot | None:
     """Return the first spot that is good enough, else the best; None where a piece would be seen nowhere."""
     enough = _ENOUGH_OF_WALL if kind == "wall" else _ENOUGH
     best: _Spot | None = None
@@ -97,7 +97,7 @@ def _best_spot(setting: Setting, kind: str) -> _Spot | None:
     return best if best is not None and best.worth > 0 else None
 
 
-def _spots(setting: Setting, kind: str) -> Iterator[_Spot]:
+def _spots(setting: FrameGeometry, kind: str) -> Iterator[_Spot]:
     figure, ground, camera = _figure(setting), setting.ground, setting.camera
     measures = _MEASURES.get(kind, _MEASURES["box"])
     first = _shadow_side(setting)
@@ -115,7 +115,7 @@ def _spots(setting: Setting, kind: str) -> Iterator[_Spot]:
         yield _Spot(place, size, _part_on_canvas(setting, place, size) * (_CROWDED if is_crowded else 1.0))
 
 
-def _figure(setting: Setting) -> _Figure:
+def _figure(setting: FrameGeometry) -> _Figure:
     canvas, depth = setting.document.canvas, max(depth_of(setting.camera, setting.contact), MIN_DEPTH)
     if setting.layer is None or setting.layer.figure.is_empty:
         height = _FIGURE_OF_CANVAS * canvas.height_px * depth
@@ -124,13 +124,13 @@ def _figure(setting: Setting) -> _Figure:
     return _Figure(setting.contact, box.height * depth, box.width * depth / 2)
 
 
-def _shadow_side(setting: Setting) -> float:
+def _shadow_side(setting: FrameGeometry) -> float:
     """Return on which side of the figure its shadow falls, where a new piece shows at once what it does."""
     tip = tip_of(setting)
     return -1.0 if tip is not None and dot(between(setting.contact, tip), setting.ground.u) < 0 else 1.0
 
 
-def _taken(setting: Setting, *, is_wall: bool) -> Iterator[tuple[Vector3, float]]:
+def _taken(setting: FrameGeometry, *, is_wall: bool) -> Iterator[tuple[Vector3, float]]:
     """Yield where the other pieces stand and how far they reach; a wall has things before it, but no second wall."""
     for piece in setting.document.pieces:
         found = piece_frame(piece, setting.frame, setting.camera, setting.ground)
@@ -141,7 +141,7 @@ def _taken(setting: Setting, *, is_wall: bool) -> Iterator[tuple[Vector3, float]
             yield found.stand.origin, max(sizes) / 2
 
 
-def _part_on_canvas(setting: Setting, place: Vector3, size: tuple[float, float, float]) -> float:
+def _part_on_canvas(setting: FrameGeometry, place: Vector3, size: tuple[float, float, float]) -> float:
     """Return which part of the picture of a box at a place lies on the canvas."""
     ground, canvas = setting.ground, setting.document.canvas
     width, height, depth = size

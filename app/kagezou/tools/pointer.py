@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from kagezou.geometry.vectors import Point2
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +42,6 @@ class Pointer:
     modifiers: Modifiers = Modifiers()
 
     @classmethod
-    def seen_at(cls, view: View, view_px: Point2, modifiers: Modifiers | None = None) -> "Pointer":
+    def seen_at(cls, view: CanvasView, view_px: Point2, modifiers: Modifiers | None = None) -> "Pointer":
         """Return the pointer at a place of the view."""
         return cls(view_px, view.canvas_from_view(view_px), modifiers or Modifiers())

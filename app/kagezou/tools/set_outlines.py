@@ -9,18 +9,18 @@ import numpy as np
 
 from kagezou.document.model import Document
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.piece_wires import wires_of
+from kagezou.geometry.sets.wires import wires_of
 from kagezou.geometry.vectors import Matrix, Point2
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.piece_frames import PieceFrame, piece_frame
 from kagezou.tools.sight import seen
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 Line = tuple[Point2, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Outline:
+class PieceOutline:
     """The edges of one piece, canvas px.
 
     Parameters
@@ -39,7 +39,7 @@ class Outline:
     ends: Matrix
 
 
-def outlines_of(document: Document, frame: int) -> tuple[Outline, ...]:
+def outlines_of(document: Document, frame: int) -> tuple[PieceOutline, ...]:
     """Return the outlines of all pieces that are in the set at a frame."""
     if not document.pieces:
         return ()
@@ -49,19 +49,19 @@ def outlines_of(document: Document, frame: int) -> tuple[Outline, ...]:
 
 
 @lru_cache(maxsize=512)
-def outline(piece: PieceFrame, camera: Camera) -> Outline:
+def outline(piece: PieceFrame, camera: Camera) -> PieceOutline:
     """Return the outline of a piece."""
     wires = wires_of(piece.stand, piece.measures, camera.eye)
     lines = [(tuple(seen(camera, point) for point in wire.points), wire.is_hidden) for wire in wires]
     shown = tuple(line for line, is_hidden in lines if not is_hidden)
     segments = [pair for line in shown for pair in pairwise(line)]
-    return Outline(
+    return PieceOutline(
         piece.id, shown, tuple(line for line, is_hidden in lines if is_hidden),
         np.array(segments, np.float64).reshape(-1, 2, 2),
     )  # fmt: skip
 
 
-def piece_at(outlines: Iterable[Outline], view: View, view_px: Point2, reach: float) -> str | None:
+def piece_at(outlines: Iterable[PieceOutline], view: CanvasView, view_px: Point2, reach: float) -> str | None:
     """Return the piece whose outline passes nearest within ``reach`` view px, the later of equally near ones."""
     at, nearest, found = np.array(view.canvas_from_view(view_px)), view.canvas_length(reach), None
     for each in outlines:

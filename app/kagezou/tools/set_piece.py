@@ -13,10 +13,10 @@ from kagezou.geometry.ground import place_on, world_from_canvas_on
 from kagezou.geometry.vectors import Point2, Vector3, dot
 from kagezou.scene.piece_frames import PieceFrame
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
+from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.set_size import DEEP
-from kagezou.tools.setting import Setting
 from kagezou.tools.sight import between, moved, place_seen_at, seen
 from kagezou.tools.sun import unwound
 
@@ -43,7 +43,7 @@ _ROUND = ("cylinder", "sphere")
 _ARC_POINTS = 17
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return what moves, turns and leans the piece worked on."""
     piece = setting.piece
     if piece is None:
@@ -52,27 +52,27 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     if piece.measures.kind == "wall":
         made.append(
             Handle(
-                LEAN, Shape.LEVER, _lean_end(setting, piece, piece.measures.lean_deg),
+                LEAN, HandleShape.LEVER, _lean_end(setting, piece, piece.measures.lean_deg),
                 setting.address(lines.PIECE_LEAN), lines.PIECE_LEAN.label, Cursor.HORIZONTAL, piece_id=piece.id,
             )
         )  # fmt: skip
     if piece.measures.kind not in _ROUND:
         made.append(
             Handle(
-                TURN, Shape.LEVER, seen(setting.camera, _front(setting, piece)), setting.address(lines.PIECE_ANGLE),
-                lines.PIECE_ANGLE.label, Cursor.ROTATE, piece_id=piece.id,
+                TURN, HandleShape.LEVER, seen(setting.camera, _front(setting, piece)),
+                setting.address(lines.PIECE_ANGLE), lines.PIECE_ANGLE.label, Cursor.ROTATE, piece_id=piece.id,
             )
         )  # fmt: skip
     made.append(
         Handle(
-            POSITION, Shape.PEG, seen(setting.camera, piece.stand.origin), setting.address(lines.PIECE_POSITION),
+            POSITION, HandleShape.PEG, seen(setting.camera, piece.stand.origin), setting.address(lines.PIECE_POSITION),
             Words("Set piece", "セット"), piece_id=piece.id, stays_in_view=True,
         )
     )  # fmt: skip
     return tuple(made)
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the arms of the piece worked on."""
     piece = setting.piece
     if piece is None or piece.measures.kind in _ROUND:
@@ -88,7 +88,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     return tuple(made)
 
 
-def move_position(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_position(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move a piece over the ground, never beyond its horizon; it is drawn to the ground line."""
     if setting.piece is None:
         return setting.document
@@ -98,7 +98,7 @@ def move_position(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return setting.edited(lines.PIECE_POSITION, before_horizon(setting, kept_near((x, y))))
 
 
-def move_turn(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_turn(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Turn a piece so that its front looks at the hand; its sides are drawn to the ground line."""
     piece = setting.piece
     if piece is None:
@@ -124,7 +124,7 @@ def move_turn(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return setting.edited(lines.PIECE_ANGLE, square if snaps else aim.angle(angle))
 
 
-def move_lean(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_lean(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Lean a wall as its side view is leant: to the right is back."""
     if setting.piece is None:
         return setting.document
@@ -137,7 +137,7 @@ def move_lean(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return setting.edited(lines.PIECE_LEAN, aim.angle_or_zero(degrees(atan2(back, up)), miss, setting))
 
 
-def before_horizon(setting: Setting, wanted: Point2, start: Point2 | None = None) -> Point2:
+def before_horizon(setting: FrameGeometry, wanted: Point2, start: Point2 | None = None) -> Point2:
     """Return a canvas point of the ground: the wanted one, or the last on the way to it before the horizon.
 
     Parameters
@@ -162,7 +162,7 @@ def before_horizon(setting: Setting, wanted: Point2, start: Point2 | None = None
     return (start[0] + part * (wanted[0] - start[0]), start[1] + part * (wanted[1] - start[1]))
 
 
-def _drawn_to_line(setting: Setting, target: Point2) -> Point2:
+def _drawn_to_line(setting: FrameGeometry, target: Point2) -> Point2:
     """Return the target, on the ground line if it is that near."""
     gx, gy = setting.ground.origin[:2]
     across = setting.across
@@ -172,7 +172,7 @@ def _drawn_to_line(setting: Setting, target: Point2) -> Point2:
     return (target[0] - off * across[0], target[1] - off * across[1])
 
 
-def _front(setting: Setting, piece: PieceFrame) -> Vector3:
+def _front(setting: FrameGeometry, piece: PieceFrame) -> Vector3:
     """Return the end of the arm out of a piece's front, on the ground."""
     stand, camera = piece.stand, setting.camera
     depth = piece.measures.depth_px / 2 if piece.measures.kind in DEEP else 0.0
@@ -183,7 +183,7 @@ def _front(setting: Setting, piece: PieceFrame) -> Vector3:
     return moved(stand.origin, (depth + arm * min(max(stretched, 1.0), _MOST_STRETCHED), stand.v))
 
 
-def _lean_pivot(setting: Setting, piece: PieceFrame) -> Point2:
+def _lean_pivot(setting: FrameGeometry, piece: PieceFrame) -> Point2:
     """Return where the side view of a wall stands: beside its right foot, kept within the picture."""
     stand, canvas_length = piece.stand, setting.view.canvas_length
     sides = (moved(stand.origin, (side * piece.measures.width_px / 2, stand.u)) for side in (-1, 1))
@@ -196,7 +196,7 @@ def _lean_pivot(setting: Setting, piece: PieceFrame) -> Point2:
     )
 
 
-def _lean_end(setting: Setting, piece: PieceFrame, lean_deg: float) -> Point2:
+def _lean_end(setting: FrameGeometry, piece: PieceFrame, lean_deg: float) -> Point2:
     (x, y), along, across = _lean_pivot(setting, piece), setting.along, setting.across
     arm, lean = setting.view.canvas_length(LEAN_ARM_VIEW_PX), radians(lean_deg)
     back, up = arm * sin(lean), arm * cos(lean)

@@ -12,9 +12,9 @@ from kagezou.document.property import Property
 from kagezou.geometry.vectors import Vector3
 from kagezou.scene.piece_frames import PieceFrame
 from kagezou.tools.drag import Aim
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
+from kagezou.tools.frame_geometry import FrameGeometry
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.set_outlines import outlines_of
-from kagezou.tools.setting import Setting
 from kagezou.tools.sight import moved, part_seen_at, seen
 
 WIDTH = "piece.width"
@@ -34,22 +34,23 @@ _KINDS = {
 }
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the grips of the piece worked on."""
     piece = setting.piece
     if piece is None:
         return ()
     return tuple(
         Handle(
-            handle_id, Shape.GRIP, seen(setting.camera, _end(piece, handle_id)), setting.address(_LINES[handle_id]),
-            _LINES[handle_id].label, _CURSORS[handle_id], stays_in_view=True, piece_id=piece.id,
+            handle_id, HandleShape.GRIP, seen(setting.camera, _end(piece, handle_id)),
+            setting.address(_LINES[handle_id]), _LINES[handle_id].label, _CURSORS[handle_id],
+            stays_in_view=True, piece_id=piece.id,
         )
         for handle_id in (DEPTH, HEIGHT, WIDTH)
         if piece.measures.kind in _KINDS[handle_id]
     )  # fmt: skip
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the edges of the whole set while a piece of it is worked on."""
     if setting.piece_id is None:
         return ()
@@ -63,7 +64,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     return tuple(made)
 
 
-def move_size(setting: Setting, handle: Handle, aim: Aim) -> Document:
+def move_size(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Draw a side out, or push it in; constrained, the piece keeps its proportions.
 
     Seen end-on, the hand's way down draws it out.

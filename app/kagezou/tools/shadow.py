@@ -13,8 +13,8 @@ from kagezou.geometry.card import Card
 from kagezou.geometry.light import GRAZING_DARK_DEG
 from kagezou.geometry.vectors import Point2, Vector3, dot, height_over
 from kagezou.tools.drag import Aim
-from kagezou.tools.handle import Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.frame_geometry import FrameGeometry
+from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.sight import (
     MIN_DEPTH,
     REACH_PX,
@@ -35,7 +35,7 @@ MIN_HEIGHT_OF_FIGURE = 0.1
 """A head less high over the ground than this part of the figure has no handle."""
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the shadow's tip, where there is one."""
     head, tip = _head(setting), tip_of(setting)
     if setting.layer is None or head is None or tip is None:
@@ -44,13 +44,13 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     address, *also = map(setting.address, lines)
     return (
         Handle(
-            TIP, Shape.RING, seen(setting.camera, tip), address, Words("Tip of the shadow", "影の先"),
+            TIP, HandleShape.RING, seen(setting.camera, tip), address, Words("Tip of the shadow", "影の先"),
             also=tuple(also), layer_id=setting.layer.id, stays_in_view=True,
         ),
     )  # fmt: skip
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the line from the head to its shadow."""
     head, tip = _head(setting), tip_of(setting)
     if head is None or tip is None:
@@ -58,7 +58,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     return (Guide(GuideKind.SHADOW_RAY, (seen(setting.camera, head), seen(setting.camera, tip))),)
 
 
-def move_tip(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_tip(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the light so that the head's shadow falls where it is wanted."""
     ground, head, tip = setting.ground, _head(setting), tip_of(setting)
     if head is None or tip is None:
@@ -74,7 +74,7 @@ def move_tip(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return setting.edited(properties.LIGHT_POSITION, place)
 
 
-def _sun_through(setting: Setting, direction: Vector3, aim: Aim) -> Document:
+def _sun_through(setting: FrameGeometry, direction: Vector3, aim: Aim) -> Document:
     ground, length = setting.ground, sqrt(dot(direction, direction))
     right, nearer, up = (dot(direction, axis) / length for axis in (ground.u, ground.v, ground.normal))
     document = setting.edited(properties.LIGHT_ELEVATION, degrees(asin(min(max(up, -1.0), 1.0))))
@@ -85,7 +85,7 @@ def _sun_through(setting: Setting, direction: Vector3, aim: Aim) -> Document:
     return setting.edited(properties.LIGHT_AZIMUTH, azimuth, document)
 
 
-def _head(setting: Setting) -> Vector3 | None:
+def _head(setting: FrameGeometry) -> Vector3 | None:
     """Return the middle of the figure's top on its card, world px, or None if it says too little."""
     layer, card = setting.layer, setting.card
     if layer is None or card is None or layer.cels.drawing_at(setting.frame) is None:
@@ -100,14 +100,14 @@ def _head(setting: Setting) -> Vector3 | None:
     return head if height >= MIN_HEIGHT_OF_FIGURE * figure.height else None
 
 
-def _on_card(setting: Setting, card: Card, canvas_px: Point2) -> Vector3 | None:
+def _on_card(setting: FrameGeometry, card: Card, canvas_px: Point2) -> Vector3 | None:
     piece = next(piece for piece in card.pieces if piece.left <= canvas_px[0] <= piece.right)
     nx, ny, nz, d = piece.plane
     place = on_plane(setting.camera, (nx, ny, nz, d), canvas_px)
     return place if place is None or max(map(abs, place)) <= REACH_PX else None
 
 
-def tip_of(setting: Setting) -> Vector3 | None:
+def tip_of(setting: FrameGeometry) -> Vector3 | None:
     """Return where the head's shadow falls on the ground, world px, or None if it does not, or out of sight."""
     head = _head(setting)
     ground, light = setting.ground, setting.light

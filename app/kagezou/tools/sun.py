@@ -12,8 +12,8 @@ from kagezou.document.model import Document
 from kagezou.document.property import Property, Words
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.drag import Aim
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.frame_geometry import FrameGeometry
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.sight import seen
 
 SUN = "light.sun"
@@ -24,7 +24,7 @@ MIN_SQUASH = 0.3
 _RIM_POINTS = 64
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the sun, none for a lamp."""
     if not setting.is_sun:
         return ()
@@ -32,7 +32,7 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     elevation = setting.number(properties.LIGHT_ELEVATION)
     return (
         Handle(
-            SUN, Shape.DIAL, _on_dial(setting, radians(azimuth), (90 - elevation) / 90),
+            SUN, HandleShape.DIAL, _on_dial(setting, radians(azimuth), (90 - elevation) / 90),
             setting.address(properties.LIGHT_AZIMUTH), Words("Sun", "太陽"), Cursor.MOVE,
             also=(setting.address(properties.LIGHT_ELEVATION),),
             layer_id=setting.layer.id if setting.layer else None, stays_in_view=True,
@@ -40,7 +40,7 @@ def handles(setting: Setting) -> tuple[Handle, ...]:
     )  # fmt: skip
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the dial's rim and the line from its middle to the sun."""
     if not setting.is_sun:
         return ()
@@ -52,7 +52,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     )
 
 
-def move_sun(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_sun(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Set azimuth and elevation; the sun stays over the horizon and its azimuth counts whole turns."""
     middle, along, across = _middle(setting), setting.along, setting.across
     x, y = aim.target[0] - middle[0], aim.target[1] - middle[1]
@@ -77,15 +77,15 @@ def unwound(angle_deg: float, near_deg: float, line: Property) -> float:
     return nearest if line.low <= nearest <= line.high else angle_deg
 
 
-def _middle(setting: Setting) -> Point2:
+def _middle(setting: FrameGeometry) -> Point2:
     return seen(setting.camera, setting.contact)
 
 
-def _squash(setting: Setting) -> float:
+def _squash(setting: FrameGeometry) -> float:
     return max(cos(radians(setting.number(properties.GROUND_DECLINATION))), MIN_SQUASH)
 
 
-def _on_dial(setting: Setting, azimuth_rad: float, from_above: float) -> Point2:
+def _on_dial(setting: FrameGeometry, azimuth_rad: float, from_above: float) -> Point2:
     """Return the canvas point of a direction; ``from_above`` is 0 straight above and 1 at the horizon."""
     radius = from_above * setting.view.canvas_length(DIAL_RADIUS_VIEW_PX)
     right, nearer = radius * sin(azimuth_rad), radius * cos(azimuth_rad) * _squash(setting)

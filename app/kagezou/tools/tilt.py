@@ -11,8 +11,8 @@ from kagezou.document.model import Document
 from kagezou.geometry.card import MAX_SLOPE_DEG
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.drag import Aim
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, Shape
-from kagezou.tools.setting import Setting
+from kagezou.tools.frame_geometry import FrameGeometry
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.sight import seen
 
 TILT = "tilt.lever"
@@ -25,19 +25,19 @@ SQUASH = 0.35
 _ARC_POINTS = 25
 
 
-def handles(setting: Setting) -> tuple[Handle, ...]:
+def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the lever's end where the tilt can be set."""
     if setting.layer is None or not _is_set(setting):
         return ()
     return (
         Handle(
-            TILT, Shape.LEVER, _end(setting, setting.number(properties.TILT)), setting.address(properties.TILT),
+            TILT, HandleShape.LEVER, _end(setting, setting.number(properties.TILT)), setting.address(properties.TILT),
             properties.TILT.label, Cursor.HORIZONTAL, layer_id=setting.layer.id,
         ),
     )  # fmt: skip
 
 
-def guides(setting: Setting) -> tuple[Guide, ...]:
+def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the lever's arm and the arc of its end; for a card folded more than once there is no one tilt."""
     if setting.card is None or len(setting.card.pieces) > 1:
         return ()
@@ -48,7 +48,7 @@ def guides(setting: Setting) -> tuple[Guide, ...]:
     )
 
 
-def move_tilt(setting: Setting, _handle: Handle, aim: Aim) -> Document:
+def move_tilt(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Turn the body so that the lever's end lies under the hand, in x."""
     away = aim.target[0] - _pivot(setting)[0]
     part = away / setting.view.canvas_length(ARM_VIEW_PX)
@@ -56,12 +56,12 @@ def move_tilt(setting: Setting, _handle: Handle, aim: Aim) -> Document:
     return setting.edited(properties.TILT, aim.angle_or_zero(tilt, abs(away), setting))
 
 
-def _is_set(setting: Setting) -> bool:
+def _is_set(setting: FrameGeometry) -> bool:
     """Whether φ is given by the property rather than measured."""
     return setting.card is not None and len(setting.card.contacts) <= 1 and not setting.card.merged
 
 
-def _pivot(setting: Setting) -> Point2:
+def _pivot(setting: FrameGeometry) -> Point2:
     """Return where the card's vertical axis passes over the head, kept within the picture."""
     assert setting.layer is not None
     figure, canvas_length = setting.layer.figure, setting.view.canvas_length
@@ -69,7 +69,7 @@ def _pivot(setting: Setting) -> Point2:
     return (seen(setting.camera, setting.contact)[0], max(above, canvas_length(ABOVE_HEAD_VIEW_PX / 2)))
 
 
-def _end(setting: Setting, tilt_deg: float) -> Point2:
+def _end(setting: FrameGeometry, tilt_deg: float) -> Point2:
     x, y = _pivot(setting)
     arm, angle = setting.view.canvas_length(ARM_VIEW_PX), radians(tilt_deg)
     return (x - arm * sin(angle), y + SQUASH * arm * cos(angle))

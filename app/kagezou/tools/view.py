@@ -9,7 +9,7 @@ MAX_ZOOM = 64.0
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class CanvasView:
     """A magnification and a place.
 
     Parameters
@@ -24,7 +24,7 @@ class View:
     origin_view_px: Point2 = (0.0, 0.0)
 
     @classmethod
-    def fitted(cls, canvas_size: Point2, view_size: Point2, margin_px: float = 24.0) -> "View":
+    def fitted(cls, canvas_size: Point2, view_size: Point2, margin_px: float = 24.0) -> "CanvasView":
         """Return the view that shows the whole canvas, centred, with ``margin_px`` view px around it."""
         room = (max(view_size[0] - 2 * margin_px, 1.0), max(view_size[1] - 2 * margin_px, 1.0))
         zoom = _limited(min(room[0] / canvas_size[0], room[1] / canvas_size[1]))
@@ -49,14 +49,14 @@ class View:
         """Return the canvas px that look ``view_length_px`` long."""
         return view_length_px / self.zoom
 
-    def zoomed_at(self, pointer_view_px: Point2, factor: float) -> "View":
+    def zoomed_at(self, pointer_view_px: Point2, factor: float) -> "CanvasView":
         """Return the view magnified ``factor`` times; the canvas point under the pointer stays there."""
         zoom = _limited(self.zoom * factor)
         kept = self.canvas_from_view(pointer_view_px)
         origin = (pointer_view_px[0] - zoom * kept[0], pointer_view_px[1] - zoom * kept[1])
-        return View(zoom, origin)
+        return CanvasView(zoom, origin)
 
-    def panned(self, dx: float, dy: float) -> "View":
+    def panned(self, dx: float, dy: float) -> "CanvasView":
         """Return the view with its picture moved by view px."""
         return replace(self, origin_view_px=(self.origin_view_px[0] + dx, self.origin_view_px[1] + dy))
 

@@ -10,17 +10,17 @@ from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from kagezou import __version__
-from kagezou.ui import theme
-from kagezou.ui.autosave import Autosave, left_behind
-from kagezou.ui.demo import MakeDemo
-from kagezou.ui.desk import Desk
-from kagezou.ui.icons import application_icon
-from kagezou.ui.incidents import Incidents
-from kagezou.ui.language import Language
-from kagezou.ui.main_window import MainWindow
-from kagezou.ui.offscreen_context import surface_format
-from kagezou.ui.recovery import RecoveryDialog
-from kagezou.ui.settings import Settings
+from kagezou.ui.project.autosave import Autosave, left_behind
+from kagezou.ui.project.demo import MakeDemo
+from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.project.recovery import RecoveryDialog
+from kagezou.ui.system import theme
+from kagezou.ui.system.icons import application_icon
+from kagezou.ui.system.language import Language
+from kagezou.ui.system.offscreen_context import surface_format
+from kagezou.ui.system.settings import Settings
+from kagezou.ui.system.unforeseen import UnforeseenErrors
+from kagezou.ui.window.main_window import MainWindow
 
 
 def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeDemo | None = None) -> int:
@@ -36,9 +36,9 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
         Who makes the demo; without it none is offered.
     """
     application = make_application(arguments)
-    incidents = Incidents()
+    incidents = UnforeseenErrors()
     incidents.watch()
-    program = Program(application, Settings(), make_demo)
+    program = Application(application, Settings(), make_demo)
     incidents.happened.connect(program.say)
     # Whatever went wrong, the work so far is not to go with it.
     incidents.happened.connect(lambda _: program.autosave.keep())
@@ -66,8 +66,8 @@ def make_application(arguments: Sequence[str] = ()) -> QApplication:
     return application
 
 
-class Program:
-    """The desk and the window over it; another language means another window over the same desk.
+class Application:
+    """The open_project and the window over it; another language means another window over the same open_project.
 
     Parameters
     ----------
@@ -84,9 +84,9 @@ class Program:
         self._make_demo = make_demo
         self._language = Language(application)
         self._language.speak(settings.language)
-        self.desk = Desk()
+        self.open_project = OpenProject()
         self.window = self._make_window()
-        self.autosave = Autosave(self.desk, settings.recovery_folder, lambda: self.window.project.project_name)
+        self.autosave = Autosave(self.open_project, settings.recovery_folder, lambda: self.window.project.project_name)
         self.autosave.failed.connect(lambda sentence: self.window.bar.say("autosave", sentence))
 
     def show(self) -> None:
@@ -115,7 +115,7 @@ class Program:
         self._language.fall_silent()
 
     def speak(self, code: str) -> None:
-        """Change the language: the window is made anew, what is on the desk stays."""
+        """Change the language: the window is made anew, the open project stays."""
         if self.window.exporting.is_running:
             self.window.exporting.say_running()
             return
@@ -131,6 +131,6 @@ class Program:
         old.deleteLater()
 
     def _make_window(self) -> MainWindow:
-        window = MainWindow(self.desk, self._settings, self._make_demo)
+        window = MainWindow(self.open_project, self._settings, self._make_demo)
         window.language_chosen.connect(self.speak)
         return window

@@ -805,7 +805,7 @@
     </message>
 </context>
 <context>
-    <name>Desk</name>
+    <name>OpenProject</name>
     <message>
         <source>New from cels</source>
         <translation>セルから新規作成</translation>

@@ -5,7 +5,7 @@ from typing import Final
 
 import numpy as np
 
-from kagezou.io.atomic import write_bytes
+from kagezou.io.files.atomic import write_bytes
 
 SIDE_QUADS: Final = 224
 """Quads each way: two triangles each."""

@@ -12,10 +12,10 @@ from kagezou.export.frames import export_frames
 from kagezou.export.jobs import planned
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.box import Box
-from kagezou.io.atomic import write_bytes
-from kagezou.io.encode import ShadowImage, encode_png
-from kagezou.io.images import read_cel, read_matte
-from kagezou.render.context import OpenContext
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.images.reading import read_cel, read_matte
+from kagezou.io.images.writing import ShadowImage, encode_png
+from kagezou.render.gpu.context import OpenContext
 
 REPETITIONS: Final = 7
 

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from kagezou.cli.demo.pose import Foot, Pose, knee_of
 from kagezou.cli.demo.shapes import (
     Color,
+    DrawnShape,
+    PaperSheet,
     Point,
-    Shape,
-    Sheet,
     blended,
     circle,
     cone,
@@ -41,7 +41,7 @@ _THIGH, _SHIN = 74.0, 76.0
 
 def drawn(pose: Pose, width_px: int, height_px: int) -> NDArray[np.uint8]:
     """Return the drawing of a pose, straight (H, W, 4)."""
-    sheet = Sheet(width_px, height_px)
+    sheet = PaperSheet(width_px, height_px)
     body = _Body(pose)
     _balloon(sheet, pose)
     _arm(sheet, body, pose.hold, is_near=False)
@@ -72,14 +72,16 @@ class _Body:
         )
 
 
-def _inked(sheet: Sheet, shape: Shape, fill: Color, shade: Color | None = None, away: Point = (-12, -13)) -> None:
+def _inked(
+    sheet: PaperSheet, shape: DrawnShape, fill: Color, shade: Color | None = None, away: Point = (-12, -13)
+) -> None:
     """Paint a shape with its outline; its shade is what the shape moved ``away`` leaves uncovered."""
     sheet.paint_inked(shape, LINE_PX, INK, fill)
     if shade is not None:
         sheet.paint(shape - shape.moved(*away), shade)
 
 
-def _leg(sheet: Sheet, body: _Body, foot: Foot, *, is_near: bool) -> None:
+def _leg(sheet: PaperSheet, body: _Body, foot: Foot, *, is_near: bool) -> None:
     hip = body.at(8 if is_near else -6, 0)
     knee = knee_of(hip, foot.ankle, _THIGH, _SHIN)
     fill = LEGS if is_near else LEGS_SHADE
@@ -109,7 +111,7 @@ def _beside(point: Point, toward: Point, offset: float) -> Point:
     return (point[0] - dy / length * offset, point[1] + dx / length * offset)
 
 
-def _coat(sheet: Sheet, body: _Body) -> None:
+def _coat(sheet: PaperSheet, body: _Body) -> None:
     sway = body.pose.sway
     flare = 4 * body.pose.joy
     outline = [
@@ -136,7 +138,7 @@ def _coat(sheet: Sheet, body: _Body) -> None:
         sheet.paint(circle(body.at(44 - 0.06 * along + 0.25 * sway, along), 3.2), WHITE)
 
 
-def _arm(sheet: Sheet, body: _Body, hand: Point, *, is_near: bool) -> None:
+def _arm(sheet: PaperSheet, body: _Body, hand: Point, *, is_near: bool) -> None:
     shoulder = body.at(-14 if is_near else 22, 112)
     dx, dy = hand[0] - shoulder[0], hand[1] - shoulder[1]
     bend = 16 if is_near else 22
@@ -150,7 +152,7 @@ def _arm(sheet: Sheet, body: _Body, hand: Point, *, is_near: bool) -> None:
     _inked(sheet, sleeve, COAT if is_near else COAT_SHADE, COAT_SHADE, (9, -8))
 
 
-def _head(sheet: Sheet, body: _Body) -> None:
+def _head(sheet: PaperSheet, body: _Body) -> None:
     pose = body.pose
     x, y = body.head
     tip = -5 - 10 * pose.gaze
@@ -171,7 +173,7 @@ def _head(sheet: Sheet, body: _Body) -> None:
     sheet.paint(face.grown(1.6) - face.grown(-1.6), INK)
 
 
-def _hair(sheet: Sheet, face: Shape, middle: Point) -> None:
+def _hair(sheet: PaperSheet, face: DrawnShape, middle: Point) -> None:
     x, y = middle
     fringe = polygon(
         [
@@ -185,7 +187,7 @@ def _hair(sheet: Sheet, face: Shape, middle: Point) -> None:
     sheet.paint(fringe & face, HAIR)
 
 
-def _features(sheet: Sheet, pose: Pose, face: Shape, middle: Point) -> None:
+def _features(sheet: PaperSheet, pose: Pose, face: DrawnShape, middle: Point) -> None:
     x, y = middle
     opening = max(1 - pose.blink, 0.12)
     for offset, width in ((-24.0, 8.4), (22.0, 7.4)):
@@ -208,7 +210,7 @@ def _features(sheet: Sheet, pose: Pose, face: Shape, middle: Point) -> None:
         sheet.paint(mouth, (200, 80, 84))
 
 
-def _balloon(sheet: Sheet, pose: Pose) -> None:
+def _balloon(sheet: PaperSheet, pose: Pose) -> None:
     x, y = pose.balloon
     knot = (x - 2, y + 84)
     slack = curve(knot, ((knot[0] + pose.hold[0]) / 2 - 16, (knot[1] + pose.hold[1]) / 2), pose.hold)

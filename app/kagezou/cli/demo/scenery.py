@@ -5,7 +5,7 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.cli.demo.shapes import Color, Grid, Shape, Sheet, circle, cone, ellipse
+from kagezou.cli.demo.shapes import Color, DrawnShape, Grid, PaperSheet, circle, cone, ellipse
 
 HORIZON = 0.50
 """Where the meadow begins, as a part of the picture's height."""
@@ -78,7 +78,7 @@ def _path(x: Grid, y: Grid) -> Grid:
 def _with_details(picture: Grid) -> NDArray[np.uint8]:
     """Return the picture with clouds, grass and flowers, opaque (H, W, 4)."""
     height, width = picture.shape[:2]
-    sheet = Sheet(width, height)
+    sheet = PaperSheet(width, height)
     unit = height / 1000
     for left, top, size in ((150, 120, 1.0), (560, 66, 0.7), (760, 330, 0.55)):
         puffs = [
@@ -89,7 +89,7 @@ def _with_details(picture: Grid) -> NDArray[np.uint8]:
             )
             for dx, dy, radius in ((0, 0, 36), (44, -18, 46), (96, -4, 38), (138, 8, 26))
         ]
-        sheet.paint(reduce(Shape.__or__, puffs), _CLOUD, 0.9)
+        sheet.paint(reduce(DrawnShape.__or__, puffs), _CLOUD, 0.9)
     random = np.random.default_rng(_SEED)
     for _ in range(260):
         across, deep = random.random(), random.random() ** 0.7

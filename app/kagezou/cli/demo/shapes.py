@@ -18,44 +18,44 @@ Bounds = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class DrawnShape:
     """A shape: ``distance(x, y)`` of pixel centres, and bounds (left, top, right, bottom) outside which it is not."""
 
     bounds: Bounds
     distance: Callable[[Grid, Grid], Grid]
 
-    def __or__(self, other: "Shape") -> "Shape":
+    def __or__(self, other: "DrawnShape") -> "DrawnShape":
         """Return both."""
         bounds = _around(self.bounds, other.bounds)
-        return Shape(bounds, lambda x, y: np.minimum(self.distance(x, y), other.distance(x, y)))
+        return DrawnShape(bounds, lambda x, y: np.minimum(self.distance(x, y), other.distance(x, y)))
 
-    def __and__(self, other: "Shape") -> "Shape":
+    def __and__(self, other: "DrawnShape") -> "DrawnShape":
         """Return what is in both."""
-        return Shape(self.bounds, lambda x, y: np.maximum(self.distance(x, y), other.distance(x, y)))
+        return DrawnShape(self.bounds, lambda x, y: np.maximum(self.distance(x, y), other.distance(x, y)))
 
-    def __sub__(self, other: "Shape") -> "Shape":
+    def __sub__(self, other: "DrawnShape") -> "DrawnShape":
         """Return what is not in the other."""
-        return Shape(self.bounds, lambda x, y: np.maximum(self.distance(x, y), -other.distance(x, y)))
+        return DrawnShape(self.bounds, lambda x, y: np.maximum(self.distance(x, y), -other.distance(x, y)))
 
-    def grown(self, margin: float) -> "Shape":
+    def grown(self, margin: float) -> "DrawnShape":
         """Return the shape, larger by a margin all around."""
         left, top, right, bottom = self.bounds
         bounds = (left - margin, top - margin, right + margin, bottom + margin)
-        return Shape(bounds, lambda x, y: self.distance(x, y) - np.float32(margin))
+        return DrawnShape(bounds, lambda x, y: self.distance(x, y) - np.float32(margin))
 
-    def moved(self, dx: float, dy: float) -> "Shape":
+    def moved(self, dx: float, dy: float) -> "DrawnShape":
         """Return the shape elsewhere."""
         left, top, right, bottom = self.bounds
         bounds = (left + dx, top + dy, right + dx, bottom + dy)
-        return Shape(bounds, lambda x, y: self.distance(x - np.float32(dx), y - np.float32(dy)))
+        return DrawnShape(bounds, lambda x, y: self.distance(x - np.float32(dx), y - np.float32(dy)))
 
 
-def circle(center: Point, radius: float) -> Shape:
+def circle(center: Point, radius: float) -> DrawnShape:
     """Return a disc."""
     return cone(center, center, radius, radius)
 
 
-def cone(start: Point, end: Point, start_radius: float, end_radius: float) -> Shape:
+def cone(start: Point, end: Point, start_radius: float, end_radius: float) -> DrawnShape:
     """Return a stroke from one disc to another."""
     (ax, ay), (bx, by) = start, end
     reach = max(start_radius, end_radius)
@@ -69,16 +69,16 @@ def cone(start: Point, end: Point, start_radius: float, end_radius: float) -> Sh
         away = np.sqrt(away_x * away_x + away_y * away_y)
         return np.asarray(away - (start_radius + (end_radius - start_radius) * along), np.float32)
 
-    return Shape(bounds, distance)
+    return DrawnShape(bounds, distance)
 
 
-def stroke(points: Sequence[Point], radii: Sequence[float]) -> Shape:
+def stroke(points: Sequence[Point], radii: Sequence[float]) -> DrawnShape:
     """Return a stroke through points with a radius at each."""
     pairs = zip(points, points[1:], radii, radii[1:], strict=False)
-    return reduce(Shape.__or__, (cone(a, b, ra, rb) for a, b, ra, rb in pairs))
+    return reduce(DrawnShape.__or__, (cone(a, b, ra, rb) for a, b, ra, rb in pairs))
 
 
-def ellipse(center: Point, half_width: float, half_height: float, turn: float = 0.0) -> Shape:
+def ellipse(center: Point, half_width: float, half_height: float, turn: float = 0.0) -> DrawnShape:
     """Return an ellipse turned by ``turn`` radians; its distance is exact near the edge, where it matters."""
     cx, cy = center
     reach = max(half_width, half_height)
@@ -91,10 +91,10 @@ def ellipse(center: Point, half_width: float, half_height: float, turn: float = 
         steepness = np.hypot(u / half_width, v / half_height)
         return np.asarray(level * (level - 1.0) / np.maximum(steepness, 1e-6), np.float32)
 
-    return Shape((cx - reach, cy - reach, cx + reach, cy + reach), distance)
+    return DrawnShape((cx - reach, cy - reach, cx + reach, cy + reach), distance)
 
 
-def polygon(points: Sequence[Point], rounding: float = 0.0) -> Shape:
+def polygon(points: Sequence[Point], rounding: float = 0.0) -> DrawnShape:
     """Return a polygon whose corners are rounded outward by a radius."""
     corners = np.asarray(points, np.float32)
     left, top = (corners.min(axis=0) - rounding).tolist()
@@ -114,10 +114,10 @@ def polygon(points: Sequence[Point], rounding: float = 0.0) -> Shape:
         away = np.sqrt(nearest)
         return np.where(inside, -away, away) - np.float32(rounding)
 
-    return Shape((left, top, right, bottom), distance)
+    return DrawnShape((left, top, right, bottom), distance)
 
 
-def blended(a: Shape, b: Shape, softness: float) -> Shape:
+def blended(a: DrawnShape, b: DrawnShape, softness: float) -> DrawnShape:
     """Return both, grown together where they meet within ``softness`` px."""
 
     def distance(x: Grid, y: Grid) -> Grid:
@@ -125,7 +125,7 @@ def blended(a: Shape, b: Shape, softness: float) -> Shape:
         near = np.maximum(softness - np.abs(da - db), 0.0) / softness
         return np.asarray(np.minimum(da, db) - near * near * (softness / 4), np.float32)
 
-    return Shape(_around(a.bounds, b.bounds), distance)
+    return DrawnShape(_around(a.bounds, b.bounds), distance)
 
 
 def curve(start: Point, control: Point, end: Point, count: int = 14) -> list[Point]:
@@ -139,7 +139,7 @@ def curve(start: Point, control: Point, end: Point, count: int = 14) -> list[Poi
     return points
 
 
-class Sheet:
+class PaperSheet:
     """A transparent sheet that shapes are painted on, one over the other.
 
     Parameters
@@ -152,13 +152,13 @@ class Sheet:
         self._light = np.zeros((height_px, width_px, 4), np.float32)
         """Colour × alpha, and alpha, 0 to 1."""
 
-    def paint(self, shape: Shape, color: Color, opacity: float = 1.0) -> None:
+    def paint(self, shape: DrawnShape, color: Color, opacity: float = 1.0) -> None:
         """Lay a flat colour over what is there."""
         place = self._place(shape, 0.0)
         if place is not None:
             self._lay(place, _cover(shape.distance(*place.centres)) * np.float32(opacity), color)
 
-    def paint_inked(self, shape: Shape, line_px: float, ink: Color, fill: Color) -> None:
+    def paint_inked(self, shape: DrawnShape, line_px: float, ink: Color, fill: Color) -> None:
         """Lay a shape filled with one colour in an outline of another."""
         place = self._place(shape, line_px)
         if place is not None:
@@ -166,7 +166,7 @@ class Sheet:
             self._lay(place, _cover(distance - np.float32(line_px)), ink)
             self._lay(place, _cover(distance), fill)
 
-    def _place(self, shape: Shape, margin: float) -> "_Place | None":
+    def _place(self, shape: DrawnShape, margin: float) -> "_Place | None":
         height, width = self._light.shape[:2]
         left, top = (max(floor(edge - margin) - 1, 0) for edge in shape.bounds[:2])
         right = min(ceil(shape.bounds[2] + margin) + 1, width)

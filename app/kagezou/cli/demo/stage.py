@@ -15,10 +15,10 @@ from kagezou.cli.demo.scenery import painted
 from kagezou.document.address import resolve
 from kagezou.document.edits import set_constant, set_key
 from kagezou.document.model import Document
-from kagezou.io.encode import write_rgba
-from kagezou.io.faults import output_problem
-from kagezou.io.project_file import save
-from kagezou.session.staging import CharacterSource, new_document
+from kagezou.importing.staging import CharacterSource, new_document
+from kagezou.io.files.faults import output_problem
+from kagezou.io.images.writing import write_rgba
+from kagezou.io.project.file import save
 
 SIZE_PX: Final = 1000
 PAIR_SIZE_PX: Final = (1920, 1080)

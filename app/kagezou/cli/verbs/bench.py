@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, size, whole_number
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.processors import processors
 from kagezou.cli.terminal import Json, ProgressLine, give, give_json
 
@@ -36,11 +36,11 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
-def run(options: Namespace, doors: Doors) -> int:
+def run(options: Namespace, doors: EntryPoints) -> int:
     """Measure and report."""
     from kagezou.cli.bench import operations, throughput
     from kagezou.cli.bench.hills import write_hills
-    from kagezou.io.cels import CelCache
+    from kagezou.io.images.cel_cache import CelCache
     from kagezou.render.renderer import Renderer
 
     workers = options.workers or processors()
@@ -102,7 +102,7 @@ def _rates(export: "Throughput") -> dict[str, Json]:
 def _document(options: Namespace, folder: Path, workers: int) -> "Document":
     """Return the document to measure with: one layer of the drawings given, or of the demo's."""
     from kagezou.cli.demo.stage import make_drawings
-    from kagezou.session.staging import CharacterSource, new_document
+    from kagezou.importing.staging import CharacterSource, new_document
 
     source, canvas = options.input, options.size
     if source is None:
@@ -115,7 +115,7 @@ def _document(options: Namespace, folder: Path, workers: int) -> "Document":
 def _pair(options: Namespace, folder: Path, workers: int) -> "Document":
     """Return the document of two layers: the drawings given twice, or the demo's child beside another."""
     from kagezou.cli.demo.stage import PAIR_SIZE_PX, make_pair
-    from kagezou.session.staging import CharacterSource, new_document
+    from kagezou.importing.staging import CharacterSource, new_document
 
     sources, canvas = (options.input, options.input), options.size
     if options.input is None:

@@ -5,7 +5,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from kagezou.cli.arguments import Parser
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
@@ -29,12 +29,12 @@ def add_arguments(parser: Parser) -> None:
     window.add_argument("--no-window", dest="window", action="store_false", help="do not open the window")
 
 
-def run(options: Namespace, doors: Doors) -> int:
+def run(options: Namespace, doors: EntryPoints) -> int:
     """Make the demo, render it, and show it."""
     from kagezou.cli.demo.stage import make_demo
     from kagezou.export.frames import export_frames
     from kagezou.export.request import ExportRequest
-    from kagezou.io.faults import shown
+    from kagezou.io.files.faults import shown
 
     folder: Path = options.folder.absolute()
     workers = processors()
@@ -57,7 +57,7 @@ def run(options: Namespace, doors: Doors) -> int:
     return doors.open_window(demo.project)
 
 
-def _window_is_wanted(wish: bool | None, doors: Doors) -> bool:  # noqa: FBT001 - three-valued: yes, no, as it fits
+def _window_is_wanted(wish: bool | None, doors: EntryPoints) -> bool:  # noqa: FBT001 - three-valued: yes, no, as it fits
     if wish is not None:
         return wish
     return doors.has_display and (sys.stdin.isatty() or sys.stdout.isatty())

@@ -8,7 +8,7 @@ from argparse import SUPPRESS, Namespace
 from typing import Final
 
 from kagezou.cli.arguments import Parser
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, give, give_json, one_line
 from kagezou.errors import GraphicsProblem
 
@@ -29,7 +29,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(PROBE, dest="probe", action="store_true", help=SUPPRESS)
 
 
-def run(options: Namespace, doors: Doors) -> int:
+def run(options: Namespace, doors: EntryPoints) -> int:
     """Look at everything and report."""
     from kagezou.cli import examination
 
@@ -83,9 +83,9 @@ def _shown(value: Json) -> str:
             return str(value)
 
 
-def _probe(doors: Doors) -> int:
+def _probe(doors: EntryPoints) -> int:
     """Open a context, set up everything that draws, and print what draws: what the parent may not survive itself."""
-    from kagezou.io.cels import CelCache
+    from kagezou.io.images.cel_cache import CelCache
     from kagezou.render.renderer import Renderer
 
     with doors.open_context() as context:

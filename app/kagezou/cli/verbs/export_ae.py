@@ -4,7 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
@@ -44,11 +44,11 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
 
-def run(options: Namespace, doors: Doors) -> int:
+def run(options: Namespace, doors: EntryPoints) -> int:
     """Hand off what is asked for."""
     from kagezou.export.after_effects.export import HandOffRequest, export_to_after_effects
-    from kagezou.io.faults import shown
-    from kagezou.io.project_file import load
+    from kagezou.io.files.faults import shown
+    from kagezou.io.project.file import load
     from kagezou.locations import resource_folder
 
     if options.panel:

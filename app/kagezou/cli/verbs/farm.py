@@ -4,7 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give
 
 DESCRIPTION = """\
@@ -36,13 +36,13 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Write the bundle."""
     from kagezou.animation.frames import parse_frames
     from kagezou.export.farm import TEMPLATE, FarmRequest, write_bundle
     from kagezou.export.request import DEPTHS, ExportRequest
-    from kagezou.io.faults import shown
-    from kagezou.io.project_file import load
+    from kagezou.io.files.faults import shown
+    from kagezou.io.project.file import load
 
     project: Path = options.project.absolute()
     output = options.output or project.with_name(f"{project.stem}_shadows")

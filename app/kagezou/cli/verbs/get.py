@@ -3,7 +3,7 @@
 from argparse import Namespace
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give_json
 
 DESCRIPTION = """\
@@ -23,11 +23,11 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="one object with path, unit, frame, value and keys")
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load the project and print the value."""
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import resolve, track_of
-    from kagezou.io.project_file import load
+    from kagezou.io.project.file import load
 
     document = load(options.project)
     address = resolve(document, options.path)

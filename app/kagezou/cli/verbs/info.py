@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, give, give_json, one_line
 
 if TYPE_CHECKING:
@@ -28,9 +28,9 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load the project and describe it."""
-    from kagezou.io.project_file import load
+    from kagezou.io.project.file import load
 
     document = load(options.project)
     if options.json:
@@ -77,7 +77,7 @@ def _about_layer(layer: "Layer") -> Json:
 
 
 def _about_file(document: "Document", piece: "Piece") -> dict[str, Json]:
-    from kagezou.io.faults import shown
+    from kagezou.io.files.faults import shown
 
     if piece.source is None:
         return {}
@@ -87,7 +87,7 @@ def _about_file(document: "Document", piece: "Piece") -> dict[str, Json]:
 def _camera_names(document: "Document", piece: "Piece") -> tuple[str, ...]:
     """Return the cameras of an imported set; none of a file that cannot be read, which rendering will tell."""
     from kagezou.errors import InputProblem
-    from kagezou.io.set_cameras import cameras_of
+    from kagezou.io.sets.cameras import cameras_of
 
     if piece.source is None:
         return ()
@@ -111,7 +111,7 @@ def _keyed(document: "Document", address: "Address") -> dict[str, Json]:
 
 def _background(document: "Document") -> str | None:
     from kagezou.document.model import file_of
-    from kagezou.io.faults import shown
+    from kagezou.io.files.faults import shown
 
     return None if document.background is None else shown(file_of(document.background))
 
@@ -120,8 +120,8 @@ def _missing(document: "Document") -> Iterator[str]:
     """Yield the files that are not there, and the layers that are not in their files."""
     from kagezou.document.model import PicturePart, file_of
     from kagezou.errors import InputProblem
-    from kagezou.io.faults import shown
-    from kagezou.io.psd_file import has_part
+    from kagezou.io.files.faults import shown
+    from kagezou.io.psd.file import has_part
 
     sources = [drawing.source for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
@@ -139,7 +139,7 @@ def _lines(document: "Document") -> Iterator[str]:
     from kagezou.document.address import path_of, track_of
     from kagezou.document.properties import OF_LAYER
     from kagezou.document.set_pieces import kind_of
-    from kagezou.io.faults import shown
+    from kagezou.io.files.faults import shown
 
     canvas = document.canvas
     seconds = float(canvas.length_frames / canvas.frame_rate)

@@ -4,7 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from kagezou.cli.arguments import Parser, frame_rate, named_source, project_path, size
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import note
 from kagezou.errors import OutputProblem
 
@@ -54,12 +54,12 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--force", action="store_true", help="replace a project that is there")
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Make the project and write it."""
-    from kagezou.io.faults import shown
-    from kagezou.io.project_file import save
-    from kagezou.session.sheet_project import timed_from_beside
-    from kagezou.session.staging import CharacterSource, new_document
+    from kagezou.importing.sheet_project import timed_from_beside
+    from kagezou.importing.staging import CharacterSource, new_document
+    from kagezou.io.files.faults import shown
+    from kagezou.io.project.file import save
 
     path: Path = options.project
     if path.exists() and not options.force:
@@ -68,8 +68,8 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
     sources = [CharacterSource(name, source, is_timed) for name, source in options.character]
     sources += [CharacterSource(None, source) for source in options.psd]
     if is_timed and not sources:
-        from kagezou.io.xdts import read_timesheet
-        from kagezou.session.sheet_project import sources_beside
+        from kagezou.importing.sheet_project import sources_beside
+        from kagezou.io.sheets.xdts import read_timesheet
 
         sources = list(sources_beside(options.timesheet.absolute(), read_timesheet(options.timesheet)))
     staged = new_document(sources, background=options.background, size=options.size, frame_rate=options.fps)
@@ -78,7 +78,7 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
     notes = list(staged.notes)
     document = staged.document
     if options.timesheet is not None:
-        from kagezou.session.staging import with_timesheet
+        from kagezou.importing.staging import with_timesheet
 
         timed = with_timesheet(document, options.timesheet)
         document = timed.document

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, did_you_mean, point, positive, project_path
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give, note
 from kagezou.errors import UsageProblem
 
@@ -57,9 +57,9 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--up", choices=("y", "z"), help="the axis of the file that points up (what the file says)")
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
-    from kagezou.io.project_file import load, save
+    from kagezou.io.project.file import load, save
 
     before = load(options.project)
     if options.action == "list":
@@ -98,8 +98,8 @@ def _imported(document: "Document", options: Namespace) -> "Document":
     from kagezou.document.address import Address
     from kagezou.document.edits import set_constant
     from kagezou.document.properties import OF_PIECE
-    from kagezou.io.meshes import MeshCache
-    from kagezou.session.imported_sets import SetImport, import_set
+    from kagezou.importing.imported_sets import SetImport, import_set
+    from kagezou.io.sets.mesh_cache import MeshCache
 
     if options.file is None:
         raise UsageProblem("which file is the mesh to be read from? --file SET.glb")
@@ -146,7 +146,7 @@ def _values(words: list[str]) -> dict[str, object]:
 
 def _list(document: "Document") -> None:
     from kagezou.document.set_pieces import kind_of
-    from kagezou.io.faults import shown
+    from kagezou.io.files.faults import shown
 
     for piece in document.pieces:
         file = "" if piece.source is None else f"\t{shown(piece.source)}"

@@ -4,7 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
@@ -59,13 +59,13 @@ def add_arguments(parser: Parser) -> None:
     )
 
 
-def run(options: Namespace, doors: Doors) -> int:
+def run(options: Namespace, doors: EntryPoints) -> int:
     """Render what is asked for."""
     from kagezou.animation.frames import parse_frames
     from kagezou.export.frames import export_frames
     from kagezou.export.request import DEPTHS, ExportRequest
-    from kagezou.io.path_mapping import read_rules, with_mapped_paths
-    from kagezou.io.project_file import load
+    from kagezou.io.project.file import load
+    from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
 
     form = options.format or ("psd" if options.layered else "png")
     request = ExportRequest(

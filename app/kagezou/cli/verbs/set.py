@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.errors import UsageProblem
 
 if TYPE_CHECKING:
@@ -40,11 +40,11 @@ def add_arguments(parser: Parser) -> None:
     )
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation
     from kagezou.document.edits import set_constant, set_key
-    from kagezou.io.project_file import load, save
+    from kagezou.io.project.file import load, save
 
     if options.interp is not None and options.frame is None:
         raise UsageProblem("--interp says how a key goes on and needs --frame")

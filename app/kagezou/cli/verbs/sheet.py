@@ -4,7 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from kagezou.cli.arguments import Parser, named_source
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give, note
 
 DESCRIPTION = """\
@@ -30,13 +30,13 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frame", type=int, default=1, metavar="N", help="the frame shown (1)")
 
 
-def run(options: Namespace, doors: Doors) -> int:
+def run(options: Namespace, doors: EntryPoints) -> int:
     """Draw the sheet and write it."""
     from kagezou.cli.contact_sheet import STEP_NAMES, roomy, sheet_of
-    from kagezou.io.cels import CelCache
-    from kagezou.io.encode import write_rgba
+    from kagezou.importing.staging import CharacterSource
+    from kagezou.io.images.cel_cache import CelCache
+    from kagezou.io.images.writing import write_rgba
     from kagezou.render.renderer import Renderer
-    from kagezou.session.staging import CharacterSource
 
     staged = [roomy([CharacterSource(name, source)]) for name, source in options.character]
     with doors.open_context():

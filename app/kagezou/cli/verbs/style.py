@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, did_you_mean, project_path
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give, tell
 from kagezou.errors import UsageProblem
 
@@ -31,10 +31,10 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frame", type=int, default=1, metavar="N", help="where keyed properties get their key (1)")
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """List the styles, or load, change and write the project."""
     from kagezou.document.style import apply_style
-    from kagezou.io.project_file import load, save
+    from kagezou.io.project.file import load, save
 
     styles = _styles()
     if options.style is None:
@@ -60,7 +60,7 @@ def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb i
 def _styles() -> "dict[str, Style]":
     import platformdirs
 
-    from kagezou.io.style_files import bundled_styles, own_styles
+    from kagezou.io.clips.style_files import bundled_styles, own_styles
 
     own, problems = own_styles(Path(platformdirs.user_config_path("kagezou", appauthor=False)) / "styles")
     for problem in problems:

@@ -4,7 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from kagezou.cli.arguments import Parser, project_path
-from kagezou.cli.doors import Doors
+from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give
 
 DESCRIPTION = """\
@@ -23,13 +23,13 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--force", action="store_true", help="replace a timesheet that is there")
 
 
-def run(options: Namespace, doors: Doors) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Write the timesheet."""
     from kagezou.errors import OutputProblem, UsageProblem
-    from kagezou.io.faults import shown
-    from kagezou.io.project_file import load
-    from kagezou.io.xdts import write_xdts
-    from kagezou.session.timing import sheet_of
+    from kagezou.importing.timesheet_on_document import sheet_of
+    from kagezou.io.files.faults import shown
+    from kagezou.io.project.file import load
+    from kagezou.io.sheets.xdts import write_xdts
 
     project: Path = options.project
     output: Path = options.output

@@ -15,7 +15,7 @@ from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.set_properties import SET_BLEND, SET_OPACITY
 from kagezou.export.after_effects import comp as ae
 from kagezou.export.after_effects.channels import channel_of, seconds
-from kagezou.export.after_effects.drawings import Cels
+from kagezou.export.after_effects.drawings import CelFootage
 from kagezou.export.after_effects.guides import guides_of
 from kagezou.export.receivers import GROUND
 
@@ -46,7 +46,7 @@ class Written:
 
     folder: Path
     shadows: Mapping[tuple[str, str], tuple[Path, int, tuple[int, ...] | None]]
-    cels: Mapping[str, Cels]
+    cels: Mapping[str, CelFootage]
     background: Path | None
     lit: bool = False
 
@@ -96,13 +96,13 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
     return tuple(made)
 
 
-def _background(written: Written) -> tuple[ae.Layer, ...]:
+def _background(written: Written) -> tuple[ae.CompLayer, ...]:
     if written.background is None:
         return ()
-    return (ae.Layer("background", "Background", "background", "NORMAL", ae.Channel(100.0)),)
+    return (ae.CompLayer("background", "Background", "background", "NORMAL", ae.Channel(100.0)),)
 
 
-def _shadows(document: Document, written: Written) -> tuple[ae.Layer, ...]:
+def _shadows(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
     """Return the shadow layers, that of the set below those of the characters."""
     made = []
     rate = document.canvas.frame_rate
@@ -114,7 +114,7 @@ def _shadows(document: Document, written: Written) -> tuple[ae.Layer, ...]:
     for owner, name, blend, opacity in owners:
         if ("shadow", owner) in written.shadows:
             made.append(
-                ae.Layer(
+                ae.CompLayer(
                     tag=f"shadow:{owner}",
                     name=f"{name} shadow",
                     footage=f"shadow:{owner}",
@@ -127,13 +127,13 @@ def _shadows(document: Document, written: Written) -> tuple[ae.Layer, ...]:
     return tuple(made)
 
 
-def _characters(document: Document, written: Written) -> tuple[ae.Layer, ...]:
+def _characters(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
     rate = document.canvas.frame_rate
     made = []
     for layer in document.layers:
         if layer.id in written.cels:
             made.append(
-                ae.Layer(
+                ae.CompLayer(
                     tag=f"cels:{layer.id}",
                     name=layer.name,
                     footage=f"cels:{layer.id}",
@@ -147,10 +147,10 @@ def _characters(document: Document, written: Written) -> tuple[ae.Layer, ...]:
     return tuple(made)
 
 
-def _received(document: Document, layer: Layer, written: Written) -> ae.Layer:
+def _received(document: Document, layer: Layer, written: Written) -> ae.CompLayer:
     """Return what others cast on a character, laid over it as the lowest of them lays its shadow."""
     caster = next((other for other in document.layers if other.id != layer.id), layer)
-    return ae.Layer(
+    return ae.CompLayer(
         tag=f"received:{layer.id}",
         name=f"{layer.name} received",
         footage=f"received:{layer.id}",
@@ -168,7 +168,7 @@ def _lit(document: Document, written: Written) -> tuple[ae.Comp, ...]:
     names = {SET: "Set"} | {layer.id: layer.name for layer in document.layers}
     rate = document.canvas.frame_rate
     layers = tuple(
-        ae.Layer(
+        ae.CompLayer(
             tag=f"lit:{layer_id}",
             name=names[layer_id],
             footage=f"{kind}:{layer_id}",
@@ -193,7 +193,7 @@ def _remap(pictures: tuple[int, ...] | None, rate: Fraction) -> Remap:
     return tuple(held)
 
 
-def _exposures(document: Document, layer: Layer, cels: Cels, rate: Fraction) -> Remap:
+def _exposures(document: Document, layer: Layer, cels: CelFootage, rate: Fraction) -> Remap:
     visible = track_of(document, Address(properties.VISIBLE, layer.id))
     held: list[tuple[float, int | None]] = []
     for frame in range(1, document.canvas.length_frames + 1):
@@ -209,7 +209,7 @@ def _index_at(layer: Layer, frame: int) -> int | None:
     return layer.cels.exposures[after - 1].drawing if after else None
 
 
-def _notes(document: Document, layer_id: str) -> tuple[ae.Marker, ...]:
+def _notes(document: Document, layer_id: str) -> tuple[ae.CompMarker, ...]:
     """Return the notes about a layer; several on one frame are one marker, for a second one would replace the first."""
     said: dict[int, list[str]] = {}
     for note in document.notes:
@@ -219,7 +219,7 @@ def _notes(document: Document, layer_id: str) -> tuple[ae.Marker, ...]:
     return tuple(_marker(frame, "\n".join(said[frame]), rate) for frame in sorted(said))
 
 
-def _markers(document: Document) -> tuple[ae.Marker, ...]:
+def _markers(document: Document) -> tuple[ae.CompMarker, ...]:
     """Return the markers of the cut, and the notes about the scene among them."""
     said = {marker.frame: [marker.comment] for marker in document.markers}
     durations = {marker.frame: marker.duration_frames for marker in document.markers}
@@ -237,8 +237,8 @@ def _said(note: Note) -> str:
     return f"{note.author}{': ' if note.author else ''}{line.label.en}: {note.text}"
 
 
-def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) -> ae.Marker:
-    return ae.Marker(seconds(frame, rate), comment, float(duration_frames / rate))
+def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) -> ae.CompMarker:
+    return ae.CompMarker(seconds(frame, rate), comment, float(duration_frames / rate))
 
 
 def _item(tag: str, title: str, path: Path, folder: Path, *, count: int, into: str) -> ae.Footage:

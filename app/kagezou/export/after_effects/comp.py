@@ -67,7 +67,7 @@ class Footage:
 
 
 @dataclass(frozen=True, slots=True)
-class Marker:
+class CompMarker:
     """A marker: seconds, words."""
 
     time: float
@@ -76,7 +76,7 @@ class Marker:
 
 
 @dataclass(frozen=True, slots=True)
-class Layer:
+class CompLayer:
     """A layer of footage.
 
     Parameters
@@ -98,7 +98,7 @@ class Layer:
     blend: str
     opacity: Channel
     remap: tuple[tuple[float, int | None], ...] = ()
-    markers: tuple[Marker, ...] = ()
+    markers: tuple[CompMarker, ...] = ()
     inverted: bool = False
 
 
@@ -126,9 +126,9 @@ class Comp:
 
     tag: str
     name: str
-    layers: tuple[Layer, ...]
+    layers: tuple[CompLayer, ...]
     nulls: tuple[Null, ...] = ()
-    markers: tuple[Marker, ...] = ()
+    markers: tuple[CompMarker, ...] = ()
     white: bool = False
 
 

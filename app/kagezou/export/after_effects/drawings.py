@@ -12,17 +12,17 @@ from numpy.typing import NDArray
 
 from kagezou.document.model import Canvas, Drawing, Layer
 from kagezou.export.names import digits_for
-from kagezou.io.atomic import write_bytes
-from kagezou.io.encode import write_rgba
-from kagezou.io.faults import input_problem
-from kagezou.io.images import ImageInfo, probe, read_cel
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import input_problem
+from kagezou.io.images.reading import ImageInfo, probe, read_cel
+from kagezou.io.images.writing import write_rgba
 
 _NUMBERED: Final = re.compile(r"(.*?)([0-9]+)(\.[A-Za-z0-9]+)")
 _READ_BY_AFTER_EFFECTS: Final = frozenset({".png", ".tga", ".tif", ".tiff", ".exr"})
 
 
 @dataclass(frozen=True, slots=True)
-class Cels:
+class CelFootage:
     """A layer's drawings on disk.
 
     Parameters
@@ -46,7 +46,7 @@ def exposed(layer: Layer, length: int) -> tuple[int, ...]:
     return tuple(dict.fromkeys(seen))
 
 
-def referenced(layer: Layer, length: int) -> Cels | None:
+def referenced(layer: Layer, length: int) -> CelFootage | None:
     """Return the drawings where they lie, None where their files are no gap-free sequence that can be imported."""
     indices = exposed(layer, length)
     paths = [layer.cels.drawings[index].path for index in indices]
@@ -61,7 +61,7 @@ def referenced(layer: Layer, length: int) -> Cels | None:
     places = {index: int(each[2]) - numbers[0] for index, each in zip(indices, found, strict=True) if each is not None}
     if len({(info.width_px, info.height_px) for info in map(probe, paths)}) != 1 or not have_alpha(layer, length):
         return None
-    return Cels(folder / f"{prefix}{numbers[0]:0{digits}d}{suffix}", len(numbers), places)
+    return CelFootage(folder / f"{prefix}{numbers[0]:0{digits}d}{suffix}", len(numbers), places)
 
 
 def have_alpha(layer: Layer, length: int) -> bool:
@@ -75,7 +75,7 @@ def are_within(layer: Layer, folder: Path) -> bool:
     return any(drawing.path.parent.resolve() == real for drawing in layer.cels.drawings)
 
 
-def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) -> Cels | None:
+def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) -> CelFootage | None:
     """Copy the drawings of a layer as ``NAME_0001.png`` and so on into ``folder``; None where none is ever seen.
 
     A PNG that can stay as it is is copied byte for byte. Others become PNG; where the sizes differ, which After
@@ -100,7 +100,7 @@ def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) 
     with ThreadPoolExecutor(workers) as pool:
         list(pool.map(_copy, drawings, infos, targets, repeat(size)))
     remove_beyond(folder, name, digits, len(indices))
-    return Cels(targets[0], len(indices), {index: place for place, index in enumerate(indices)})
+    return CelFootage(targets[0], len(indices), {index: place for place, index in enumerate(indices)})
 
 
 def remove_beyond(folder: Path, name: str, digits: int, count: int) -> None:

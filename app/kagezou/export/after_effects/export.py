@@ -9,7 +9,7 @@ from typing import Final
 from kagezou.document.model import Document, Layer
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.export.after_effects.building import SET, Written, hand_off
-from kagezou.export.after_effects.drawings import Cels, are_within, copied, have_alpha, referenced, remove_beyond
+from kagezou.export.after_effects.drawings import CelFootage, are_within, copied, have_alpha, referenced, remove_beyond
 from kagezou.export.after_effects.mattes import MATTES, at_full_opacity, matte_document
 from kagezou.export.after_effects.script import script_of
 from kagezou.export.frames import export_frames
@@ -26,12 +26,12 @@ from kagezou.export.request import (
     Progress,
     Summary,
 )
-from kagezou.io.atomic import write_bytes
-from kagezou.io.encode import write_rgba
-from kagezou.io.faults import output_problem, shown
-from kagezou.io.images import read_cel
-from kagezou.io.signatures import is_psd
-from kagezou.render.context import OpenContext
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import output_problem, shown
+from kagezou.io.images.reading import read_cel
+from kagezou.io.images.writing import write_rgba
+from kagezou.io.pixels.signatures import is_psd
+from kagezou.render.gpu.context import OpenContext
 
 _AE_LONGEST_S: Final = 10800
 _AE_SIZES_PX: Final = (4, 30000)
@@ -117,7 +117,7 @@ def export_to_after_effects(
     started = time.monotonic()
     _check(document)
     request = replace(request, folder=request.folder.absolute())
-    run = _Run(document, request, progress, cancelled)
+    run = _ScriptRun(document, request, progress, cancelled)
     run.check_places()
     summaries = [run.export(kind, each, open_context) for kind, each in run.documents().items()]
     if any(summary.cancelled for summary in summaries):
@@ -140,7 +140,7 @@ def _check(document: Document) -> None:
         raise UsageProblem(f"After Effects has no composition of {canvas.length_frames} frames")
 
 
-class _Run:
+class _ScriptRun:
     """One hand-off under way."""
 
     def __init__(self, document: Document, request: HandOffRequest, progress: Progress, cancelled: Cancelled) -> None:
@@ -190,9 +190,9 @@ class _Run:
                     "their copies; please choose another folder"
                 )
 
-    def cels(self) -> dict[str, Cels]:
+    def cels(self) -> dict[str, CelFootage]:
         """Copy or find the drawings of the layers."""
-        found: dict[str, Cels] = {}
+        found: dict[str, CelFootage] = {}
         canvas, request = self._document.canvas, self._request
         for layer in self._document.layers:
             folder = self._copies_of(layer)

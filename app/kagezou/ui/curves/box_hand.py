@@ -6,11 +6,11 @@ from kagezou.document.address import Address
 from kagezou.document.key_edits import Refs, move_keys
 from kagezou.document.model import Document
 from kagezou.document.scale_edits import UNSCALED, Scaling, scale_keys
-from kagezou.ui.curves.key_box import KeyBox, Part
+from kagezou.ui.curves.key_box import BoxGrip, KeyBox
 from kagezou.ui.curves.picture import CurvePicture
 
 
-class BoxHand:
+class BoxController:
     """One drag of the frame.
 
     Parameters
@@ -23,7 +23,9 @@ class BoxHand:
         Where, in graph coordinates.
     """
 
-    def __init__(self, box: KeyBox, part: Part, pictures: tuple[CurvePicture, ...], start: tuple[float, float]) -> None:
+    def __init__(
+        self, box: KeyBox, part: BoxGrip, pictures: tuple[CurvePicture, ...], start: tuple[float, float]
+    ) -> None:
         self._box, self.part, self._start = box, part, start
         self._pictures = tuple(picture for picture in pictures if any(mark.is_chosen for mark in picture.keys))
         chosen = (mark.ref for picture in self._pictures for mark in picture.keys if mark.is_chosen)
@@ -34,10 +36,10 @@ class BoxHand:
     def name(self) -> str:
         """What the step of history is called."""
         words = {
-            (False, False): QCoreApplication.translate("BoxHand", "Move keys"),
-            (True, False): QCoreApplication.translate("BoxHand", "Stretch keys"),
-            (False, True): QCoreApplication.translate("BoxHand", "Scale keys in value"),
-            (True, True): QCoreApplication.translate("BoxHand", "Scale keys"),
+            (False, False): QCoreApplication.translate("BoxController", "Move keys"),
+            (True, False): QCoreApplication.translate("BoxController", "Stretch keys"),
+            (False, True): QCoreApplication.translate("BoxController", "Scale keys in value"),
+            (True, True): QCoreApplication.translate("BoxController", "Scale keys"),
         }
         return words[bool(self.part.across), bool(self.part.up)]
 
@@ -66,15 +68,15 @@ class BoxHand:
             along, up = Scaling(along.about, factor), Scaling(up.about, factor)
         shown = []
         if self.part.across:
-            shown.append(QCoreApplication.translate("BoxHand", "time × %1").replace("%1", f"{along.factor:.2f}"))
+            shown.append(QCoreApplication.translate("BoxController", "time × %1").replace("%1", f"{along.factor:.2f}"))
         if self.part.up:
-            shown.append(QCoreApplication.translate("BoxHand", "value × %1").replace("%1", f"{up.factor:.2f}"))
+            shown.append(QCoreApplication.translate("BoxController", "value × %1").replace("%1", f"{up.factor:.2f}"))
         self.said = "    ".join(shown)
         return scale_keys(document, self._refs, along, self._in_own_units(up))
 
     def _scalings(self, away: tuple[float, float], *, about_centre: bool) -> tuple[Scaling, Scaling]:
         edge = self._box.edge_of(self.part)
-        fixed = self._box.edge_of(Part(0, 0) if about_centre else Part(-self.part.across, -self.part.up))
+        fixed = self._box.edge_of(BoxGrip(0, 0) if about_centre else BoxGrip(-self.part.across, -self.part.up))
         sides = (self.part.across, self.part.up)
         scalings = []
         for side, at, about, more in zip(sides, edge, fixed, away, strict=True):
@@ -104,6 +106,6 @@ class BoxHand:
             amounts[picture.curve.address] = (*before, *padding, ordinates / picture.fitting.factor)
         factors = {picture.fitting.factor for picture in self._pictures}
         value = f"{ordinates / next(iter(factors)):+.4g}" if len(factors) == 1 else ""
-        moved = QCoreApplication.translate("BoxHand", "%1 frames").replace("%1", f"{frames:+d}")
+        moved = QCoreApplication.translate("BoxController", "%1 frames").replace("%1", f"{frames:+d}")
         self.said = f"{moved}    {value}".strip()
         return move_keys(document, self._refs, frames, amounts)

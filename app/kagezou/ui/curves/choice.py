@@ -5,8 +5,8 @@ from enum import StrEnum
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.model import Document
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.curves.curve_list import Curve, curves_of
+from kagezou.ui.system.bridge import Bridge
 
 
 class GraphKind(StrEnum):

@@ -23,8 +23,7 @@ from kagezou.animation.ease import EASY, Ease
 from kagezou.document.address import track_of
 from kagezou.document.ease_edits import set_ease
 from kagezou.errors import Problem
-from kagezou.io.project_file import load
-from kagezou.ui.bridge import Bridge
+from kagezou.io.project.file import load
 from kagezou.ui.curves.choice import Choice, GraphKind
 from kagezou.ui.curves.curve_tree import CurveTree
 from kagezou.ui.curves.graph import Graph
@@ -32,7 +31,8 @@ from kagezou.ui.curves.key_table import KeyTable
 from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
-from kagezou.ui.sentences import sentence_of
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
 
 
 class CurveEditor(QWidget):

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import pyqtgraph as pg
 
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.timecode import sheet_text
+from kagezou.animation.timecode import sheet_text
+from kagezou.ui.system.bridge import Bridge
 
 
 class FrameAxis(pg.AxisItem):

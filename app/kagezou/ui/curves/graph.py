@@ -7,14 +7,14 @@ from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QGraphicsView, QLabel
 
 from kagezou.document.model import Document
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.curves.choice import Choice, GraphKind
 from kagezou.ui.curves.frame_axis import FrameAxis
-from kagezou.ui.curves.graph_hand import GraphHand
+from kagezou.ui.curves.graph_hand import GraphController
 from kagezou.ui.curves.key_box import BoxItems, KeyBox, box_around
 from kagezou.ui.curves.key_symbols import SYMBOLS
 from kagezou.ui.curves.picture import CurvePicture, differing_frames, pictures_of, runs
-from kagezou.ui.theme import BRIGHT, CHANGED, DIM, SELECTED, WARNING, WELL
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, SELECTED, WARNING, WELL
 
 _KEY_PX = 11
 _HANDLE_PX = 7
@@ -23,7 +23,7 @@ _GHOST_DASH = [4, 4]
 
 
 class Graph(pg.PlotWidget):
-    """Draws what the choice shows; the left button belongs to :class:`GraphHand`.
+    """Draws what the choice shows; the left button belongs to :class:`GraphController`.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Graph(pg.PlotWidget):
         super().__init__(background=WELL, axisItems={"bottom": FrameAxis(bridge)})
         self._bridge, self._choice = bridge, choice
         self.pictures: tuple[CurvePicture, ...] = ()
-        self.hand = GraphHand(bridge, choice, self)
+        self.hand = GraphController(bridge, choice, self)
         self._drawn: list[pg.GraphicsObject] = []
         self._playhead = pg.InfiniteLine(angle=90, movable=False, pen=pg.mkPen(BRIGHT, width=1))
         self._box = pg.QtWidgets.QGraphicsRectItem()

@@ -1,6 +1,6 @@
 """What a place of the graph means for the curve there: handles, speeds and new keys."""
 
-from kagezou.animation.curve import Handle, ease_toward
+from kagezou.animation.curve import EaseHandle, ease_toward
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import components_of, rebuilt
 from kagezou.document.address import track_of, value_of
@@ -18,7 +18,7 @@ def with_handle(
     index = next(i for i, key in enumerate(track.keys) if key.frame == mark.key.frame)
     # A handle that is pulled over its own key stands upright there.
     beside = min(place[0], mark.key.frame - 1e-6) if mark.is_before else max(place[0], mark.key.frame + 1e-6)
-    wanted = Handle(beside, picture.fitting.from_graph(place[1]))
+    wanted = EaseHandle(beside, picture.fitting.from_graph(place[1]))
     ease = ease_toward(track, index, picture.curve.component, wanted)
     return set_handle(document, mark.key.ref, picture.curve.component, ease, before=mark.is_before, joined=joined)
 

@@ -11,11 +11,11 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent
 from kagezou.document.address import Address
 from kagezou.document.key_edits import Refs, move_keys
 from kagezou.session.session import Gesture
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.curves.box_hand import BoxHand
+from kagezou.ui.curves.box_hand import BoxController
 from kagezou.ui.curves.choice import Choice, GraphKind
 from kagezou.ui.curves.graph_edits import with_handle, with_key, with_speed
 from kagezou.ui.curves.picture import CurvePicture, HandleMark, KeyMark
+from kagezou.ui.system.bridge import Bridge
 
 if TYPE_CHECKING:
     from kagezou.ui.curves.graph import Graph
@@ -32,7 +32,7 @@ Mark = TypeVar("Mark", KeyMark, HandleMark)
 
 
 @dataclass(frozen=True, slots=True)
-class Grip:
+class CurveGrip:
     """What the hand has taken hold of, and where, in graph coordinates."""
 
     picture: CurvePicture
@@ -41,7 +41,7 @@ class Grip:
     refs: Refs
 
 
-class GraphHand(QObject):
+class GraphController(QObject):
     """What mouse and keyboard do on the graph; a drag is one step of history, and Esc takes it back."""
 
     read = Signal(float, float)
@@ -55,8 +55,8 @@ class GraphHand(QObject):
         self._bridge, self._choice, self._graph = bridge, choice, graph
         self.is_down = False
         self._pressed = QPointF()
-        self._grip: Grip | None = None
-        self._box: BoxHand | None = None
+        self._grip: CurveGrip | None = None
+        self._box: BoxController | None = None
         self._gesture: Gesture | None = None
         self._before: Refs = frozenset()
         self._adds = False
@@ -74,10 +74,10 @@ class GraphHand(QObject):
         self._adds = bool(event.modifiers() & _SHIFT)
         self._before = self._bridge.session.state.keys
         if (handle := self._handle_at(place)) is not None:
-            self._grip = Grip(*handle, place, self._before)
+            self._grip = CurveGrip(*handle, place, self._before)
         elif (key := self._key_at(place)) is not None:
             self._choose(key[1])
-            self._grip = Grip(*key, place, self._bridge.session.state.keys)
+            self._grip = CurveGrip(*key, place, self._bridge.session.state.keys)
         elif self._takes_box(place, event):
             pass
         elif (picture := self._curve_at(place)) is not None:
@@ -184,10 +184,10 @@ class GraphHand(QObject):
         part = None if box is None else box.part_at(place)
         if box is None or part is None or (part.is_inside and event.modifiers()):
             return False
-        self._box = BoxHand(box, part, self._graph.pictures, place)
+        self._box = BoxController(box, part, self._graph.pictures, place)
         return True
 
-    def _drag_box(self, box: BoxHand, place: tuple[float, float], event: QMouseEvent) -> None:
+    def _drag_box(self, box: BoxController, place: tuple[float, float], event: QMouseEvent) -> None:
         if self._gesture is None:
             self._gesture = self._bridge.session.begin(box.name)
         centred, one_axis = bool(event.modifiers() & _CONTROL), bool(event.modifiers() & _SHIFT)
@@ -219,7 +219,7 @@ class GraphHand(QObject):
         }
         self._bridge.session.select_keys(frozenset(inside) | (self._before if self._adds else frozenset()))
 
-    def _drag(self, grip: Grip, place: tuple[float, float], event: QMouseEvent) -> None:
+    def _drag(self, grip: CurveGrip, place: tuple[float, float], event: QMouseEvent) -> None:
         if self._gesture is None:
             is_handle = isinstance(grip.mark, HandleMark)
             self._gesture = self._bridge.session.begin(self.tr("Move handle") if is_handle else self.tr("Move keys"))
@@ -237,7 +237,7 @@ class GraphHand(QObject):
             amounts = self._amounts(grip, ordinates)
             self._gesture.show(*move_keys(self._gesture.start, grip.refs, frames, amounts))
 
-    def _amounts(self, grip: Grip, ordinates: float) -> dict[Address, tuple[float, ...]]:
+    def _amounts(self, grip: CurveGrip, ordinates: float) -> dict[Address, tuple[float, ...]]:
         curve = grip.picture.curve
         amount = ordinates / grip.picture.fitting.factor
         return {curve.address: (0.0,) * curve.component + (amount,)}

@@ -7,7 +7,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt
 
 from kagezou.ui.curves.picture import CurvePicture, KeyMark
-from kagezou.ui.theme import SELECTED, WELL
+from kagezou.ui.system.theme import SELECTED, WELL
 
 REACH_PX = 10.0
 PADDING_PX = 16.0
@@ -16,7 +16,7 @@ _HANDLE_PX = 8
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class BoxGrip:
     """A part of the frame: −1, 0 or 1 across and up; (0, 0) is its inside."""
 
     across: int
@@ -50,11 +50,11 @@ class KeyBox:
     unit_px: float
 
     @property
-    def parts(self) -> tuple[Part, ...]:
+    def parts(self) -> tuple[BoxGrip, ...]:
         """The handles there are; without any breadth, or height, there is nothing to scale that way."""
         wide, tall = self.right > self.left, (self.high - self.low) * self.unit_px > 1e-6
         across, up = (-1, 0, 1) if wide else (0,), (-1, 0, 1) if tall else (0,)
-        return tuple(Part(a, u) for a in across for u in up if a or u)
+        return tuple(BoxGrip(a, u) for a in across for u in up if a or u)
 
     @property
     def padded(self) -> QRectF:
@@ -63,29 +63,29 @@ class KeyBox:
         width, height = self.right - self.left + 2 * across, self.high - self.low + 2 * up
         return QRectF(self.left - across, self.low - up, width, height)
 
-    def place_of(self, part: Part) -> tuple[float, float]:
+    def place_of(self, part: BoxGrip) -> tuple[float, float]:
         """Return where the handle of a part is drawn."""
         frame, middle = self.padded, self.padded.center()
         x = (frame.left(), middle.x(), frame.right())[part.across + 1]
         return x, (frame.top(), middle.y(), frame.bottom())[part.up + 1]
 
-    def edge_of(self, part: Part) -> tuple[float, float]:
+    def edge_of(self, part: BoxGrip) -> tuple[float, float]:
         """Return the edge of the keys themselves on the side of a part."""
         middle = (self.left + self.right) / 2, (self.low + self.high) / 2
         x = (self.left, middle[0], self.right)[part.across + 1]
         return x, (self.low, middle[1], self.high)[part.up + 1]
 
-    def part_at(self, place: tuple[float, float]) -> Part | None:
+    def part_at(self, place: tuple[float, float]) -> BoxGrip | None:
         """Return the part under a place of the graph, a handle within reach before the inside."""
 
-        def away(part: Part) -> float:
+        def away(part: BoxGrip) -> float:
             x, y = self.place_of(part)
             return float(max(abs(x - place[0]) * self.frame_px, abs(y - place[1]) * self.unit_px))
 
         near = min(self.parts, key=away, default=None)
         if near is not None and away(near) <= REACH_PX:
             return near
-        return Part(0, 0) if self.padded.contains(*place) else None
+        return BoxGrip(0, 0) if self.padded.contains(*place) else None
 
 
 def box_around(pictures: Iterable[CurvePicture], pixels: tuple[float, float]) -> KeyBox | None:

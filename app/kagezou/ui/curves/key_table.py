@@ -10,10 +10,10 @@ from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.key_rows import KeyRow, pasted, rows_of, text_of, with_cell
-from kagezou.ui.sentences import sentence_of
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
 
 _FIXED_COLUMNS = (1,)
 _INTERPOLATION_COLUMN = 3

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
-from kagezou.ui.bridge import Bridge
+from kagezou.ui.system.bridge import Bridge
 
 if TYPE_CHECKING:
     from kagezou.ui.curves.curve_editor import CurveEditor

@@ -2,13 +2,13 @@
 
 from PySide6.QtCore import QCoreApplication
 
+from kagezou.animation.timecode import sheet_text
 from kagezou.document.address import track_of
 from kagezou.document.model import Document
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_list import same_in
 from kagezou.ui.curves.picture import CurvePicture, value_in
-from kagezou.ui.timecode import sheet_text
-from kagezou.ui.words import said
+from kagezou.ui.system.words import said
 
 
 def readout(document: Document, choice: Choice, picture: CurvePicture | None, frame: int) -> str:

@@ -21,11 +21,11 @@ from kagezou.document.model import Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.review import add_note, change_note
 from kagezou.errors import UsageProblem
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.flags import Flag, FlagKind, flags_of
-from kagezou.ui.sentences import sentence_of
-from kagezou.ui.words import said
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import said
 
 _WHAT = Qt.ItemDataRole.UserRole
 _JUMP_PX = 60.0

@@ -7,10 +7,10 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushBu
 
 from kagezou.animation.track import Value
 from kagezou.document.property import Kind, Property
-from kagezou.ui.panels.color_button import ColorField
-from kagezou.ui.panels.range_slider import RangeSlider
-from kagezou.ui.panels.scrub_field import MIXED, ScrubField
-from kagezou.ui.words import choice_word, said
+from kagezou.ui.system.words import choice_word, said
+from kagezou.ui.widgets.color_button import ColorField
+from kagezou.ui.widgets.range_slider import RangeSlider
+from kagezou.ui.widgets.scrub_field import MIXED, ScrubField
 
 
 class Editor(QWidget):

@@ -12,11 +12,11 @@ from kagezou.document.property import Property, Scope
 from kagezou.document.set_pieces import kind_of
 from kagezou.document.set_properties import SET_BLEND, SET_COLOR, SET_OPACITY
 from kagezou.scene.evaluate import camera_at, card_at, ground_at
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.piece_sections import PieceName, matters, piece_sections
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
+from kagezou.ui.system.bridge import Bridge
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",

@@ -4,9 +4,9 @@ from PySide6.QtCore import QObject, QRect, QSize, Qt
 from PySide6.QtGui import QImage, QPainter, QPen
 from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 
-from kagezou.ui.panels.eye_delegate import EYE_WIDTH, EyeDelegate, Index
 from kagezou.ui.panels.layer_model import Role
-from kagezou.ui.theme import BRIGHT, DIM, HOVERED, OFF, TEXT, WELL
+from kagezou.ui.system.theme import BRIGHT, DIM, HOVERED, OFF, TEXT, WELL
+from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
 
 _THUMBNAIL = 40
 _GAP = 8

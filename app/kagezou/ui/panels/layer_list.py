@@ -24,13 +24,13 @@ from PySide6.QtWidgets import (
 )
 
 from kagezou.document.edits import remove_layer
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.icons import icon, icon_size
-from kagezou.ui.panels.eye_delegate import EYE_WIDTH
 from kagezou.ui.panels.layer_delegate import LayerDelegate
 from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.panels.look_clipboard import LookClipboard
 from kagezou.ui.panels.thumbnails import Thumbnails
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.icons import icon, icon_size
+from kagezou.ui.widgets.eye_delegate import EYE_WIDTH
 
 
 class LayerView(QListView):

@@ -12,8 +12,8 @@ from kagezou.document.common_edits import set_all
 from kagezou.document.edits import move_layer, rename_layer
 from kagezou.document.model import Layer
 from kagezou.errors import UsageProblem
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.thumbnails import Thumbnails
+from kagezou.ui.system.bridge import Bridge
 
 Index = QModelIndex | QPersistentModelIndex
 MIME = "application/x-kagezou-layer"

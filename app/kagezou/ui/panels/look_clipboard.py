@@ -4,8 +4,8 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 
 from kagezou.document.style import apply_style, style_of
-from kagezou.io.style_files import dumps_style, loads_style
-from kagezou.ui.bridge import Bridge
+from kagezou.io.clips.style_files import dumps_style, loads_style
+from kagezou.ui.system.bridge import Bridge
 
 
 class LookClipboard(QObject):

@@ -8,11 +8,11 @@ from kagezou.document.address import Address
 from kagezou.document.properties import OF_PIECE
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import kind_of
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
-from kagezou.ui.panels.set_delegate import kind_icon
-from kagezou.ui.words import choice_word
+from kagezou.ui.sets.list_delegate import kind_icon
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.words import choice_word
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
 

@@ -19,18 +19,18 @@ from kagezou.document.common_edits import (
 )
 from kagezou.document.linking import LINKABLE, is_linked, link, unlink
 from kagezou.document.model import Document
+from kagezou.document.typed_number import evaluate
 from kagezou.errors import Problem
-from kagezou.io.value_clips import dumps_value
+from kagezou.io.clips.value_clips import dumps_value
 from kagezou.session.session import Gesture
-from kagezou.ui.arithmetic import evaluate
-from kagezou.ui.bridge import Bridge
 from kagezou.ui.panels.editors import Editor, editor_for
-from kagezou.ui.panels.key_button import KeyButton, KeyState
-from kagezou.ui.panels.link_button import LinkButton
 from kagezou.ui.panels.row_menu import open_row_menu
-from kagezou.ui.panels.scrub_field import ScrubLabel
-from kagezou.ui.sentences import sentence_of
-from kagezou.ui.words import said
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import said
+from kagezou.ui.widgets.key_button import KeyButton, KeyState
+from kagezou.ui.widgets.link_button import LinkButton
+from kagezou.ui.widgets.scrub_field import ScrubLabel
 
 
 class PropertyRow(QObject):

@@ -13,7 +13,7 @@ from kagezou.document.address import track_of
 from kagezou.document.common_edits import is_keyed_here, set_all
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Scope
-from kagezou.io.value_clips import dumps_value, dumps_values, loads_value, loads_values
+from kagezou.io.clips.value_clips import dumps_value, dumps_values, loads_value, loads_values
 
 if TYPE_CHECKING:
     from kagezou.ui.panels.property_row import PropertyRow

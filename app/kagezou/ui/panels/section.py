@@ -3,9 +3,9 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QGridLayout, QMenu, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from kagezou.ui.icons import icon
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.row_menu import fill_section_menu
+from kagezou.ui.system.icons import icon
 
 
 class Section(QWidget):

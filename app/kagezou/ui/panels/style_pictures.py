@@ -11,12 +11,12 @@ from kagezou.document.model import Document
 from kagezou.document.style import Style, apply_style
 from kagezou.errors import Problem
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
-from kagezou.io.images import Steps
-from kagezou.render.backdrop import Backdrop
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.reading import Steps
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
-from kagezou.ui.offscreen_context import OffscreenSurface
+from kagezou.ui.system.offscreen_context import OffscreenSurface
 
 SIDE_PX = 144
 _AROUND = 0.15

@@ -6,7 +6,7 @@ from PySide6.QtGui import QImage
 
 from kagezou.document.model import PictureSource
 from kagezou.errors import Problem
-from kagezou.io.images import read_cel
+from kagezou.io.images.reading import read_cel
 
 SIDE_PX = 96
 """Twice what is shown, for screens with small pixels."""

@@ -7,7 +7,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from kagezou.document.model import Layer
-from kagezou.ui.theme import OFF, SELECTED, TEXT
+from kagezou.ui.system.theme import OFF, SELECTED, TEXT
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 from kagezou.ui.timeline.time_scale import TimeScale
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.exposure_edits import Exposures, index_at
-from kagezou.ui.bridge import Bridge
+from kagezou.ui.system.bridge import Bridge
 
 
 class DrawingChoice(QObject):

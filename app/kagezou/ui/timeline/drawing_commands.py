@@ -6,8 +6,8 @@ from PySide6.QtGui import QGuiApplication
 from kagezou.document import exposure_edits
 from kagezou.document.exposure_edits import ExposureClip, Exposures, index_at
 from kagezou.document.model import Layer
-from kagezou.io.timeline_clips import dumps_drawings, loads_drawings
-from kagezou.ui.bridge import Bridge
+from kagezou.io.clips.timeline_clips import dumps_drawings, loads_drawings
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 
 

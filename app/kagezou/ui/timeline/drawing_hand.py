@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
+from kagezou.animation.timecode import sheet_text
 from kagezou.document.edits import set_exposures
 from kagezou.document.exposure_edits import Exposures, end_at, move_boundary, move_run, ripple, with_exposures
 from kagezou.session.session import Gesture
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.timecode import sheet_text
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, Bar, BarPart, bars_of, part_at
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 from kagezou.ui.timeline.row_list import RowList
@@ -23,7 +23,7 @@ _CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
 @dataclass(frozen=True, slots=True)
-class Grip:
+class DrawingGrip:
     """What the hand has taken hold of, with the exposures as they were and the frames that catch."""
 
     layer_id: str
@@ -41,7 +41,7 @@ class Grip:
         return max(self.exposures[self.index].frame, 1)
 
 
-class DrawingHand(QObject):
+class DrawingController(QObject):
     """What the mouse does on the bars; a drag is one step of history, and Esc takes it back."""
 
     changed = Signal()
@@ -57,7 +57,7 @@ class DrawingHand(QObject):
         self.place = QPointF()
         self.is_down = False
         self._pressed = QPointF()
-        self._grip: Grip | None = None
+        self._grip: DrawingGrip | None = None
         self._gesture: Gesture | None = None
         self._exposures: Exposures = ()
 
@@ -103,9 +103,9 @@ class DrawingHand(QObject):
             first, last = self.choice.run or (first, last)
         catching = snap_frames(self._bridge.document, self._bridge.frame)
         own = {exposures[each].frame for each in range(first, last + 1)}
-        grip = Grip(layer_id, part, first, last, exposures, ())
+        grip = DrawingGrip(layer_id, part, first, last, exposures, ())
         kept = tuple(frame for frame in (*catching, self._scale.length + 1) if frame not in {*own, grip.frame})
-        self._grip = Grip(layer_id, part, first, last, exposures, tuple(sorted(kept)))
+        self._grip = DrawingGrip(layer_id, part, first, last, exposures, tuple(sorted(kept)))
         return True
 
     def move(self, event: QMouseEvent) -> None:
@@ -154,7 +154,7 @@ class DrawingHand(QObject):
         )
         return words.replace("%3", str(end - 1)).replace("%4", str(end - start)) + f"\n{hint}"
 
-    def _drag(self, grip: Grip, event: QMouseEvent) -> None:
+    def _drag(self, grip: DrawingGrip, event: QMouseEvent) -> None:
         moves = grip.part is BarPart.MIDDLE
         if self._gesture is None:
             self._gesture = self._bridge.session.begin(self.tr("Move drawing") if moves else self.tr("Hold drawing"))
@@ -171,7 +171,7 @@ class DrawingHand(QObject):
             first = max(frame, 1)
             self.choice.choose(grip.layer_id, first, first + grip.exposures[grip.last].frame - grip.frame)
 
-    def _dragged(self, grip: Grip, frame: int, *, ripples: bool) -> Exposures:
+    def _dragged(self, grip: DrawingGrip, frame: int, *, ripples: bool) -> Exposures:
         match grip.part:
             case BarPart.MIDDLE if not ripples:
                 return move_run(grip.exposures, grip.index, grip.last, frame)
@@ -182,7 +182,7 @@ class DrawingHand(QObject):
             case _:
                 return (ripple if ripples else move_boundary)(grip.exposures, grip.index, frame)
 
-    def _words(self, grip: Grip, frame: int, before: int) -> str:
+    def _words(self, grip: DrawingGrip, frame: int, before: int) -> str:
         frame = max(frame, 1)
         if grip.part is BarPart.END:
             held = max(frame - max(grip.exposures[grip.index].frame, 1), 1)

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPointingDevice, QWheelEvent
 
+from kagezou.animation.timecode import sheet_text
 from kagezou.document.key_edits import Refs, move_keys, stretch_keys
 from kagezou.session.session import Gesture
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.timecode import sheet_text
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind, frames_of, keys_on
@@ -31,7 +31,7 @@ _MIDDLE = Qt.MouseButton.MiddleButton
 
 
 @dataclass(frozen=True, slots=True)
-class Grip:
+class KeyGrip:
     """What the hand has taken hold of: keys by one of them, with what they may catch on."""
 
     refs: Refs
@@ -40,7 +40,7 @@ class Grip:
     stretches_about: int | None
 
 
-class KeyHand(QObject):
+class KeyController(QObject):
     """What mouse and keyboard do on the lanes; a drag is one step of history, and Esc takes it back."""
 
     changed = Signal()
@@ -56,7 +56,7 @@ class KeyHand(QObject):
         self.place = QPointF()
         self.cursor = Qt.CursorShape.ArrowCursor
         self._pressed = QPointF()
-        self._grip: Grip | None = None
+        self._grip: KeyGrip | None = None
         self._gesture: Gesture | None = None
         self._before: Refs = frozenset()
         self._is_panning = False
@@ -198,7 +198,7 @@ class KeyHand(QObject):
             chosen = hit
         about = next(iter(ends - {frame})) if stretches else None
         catching = snap_frames(self._bridge.document, self._bridge.frame, chosen)
-        self._grip = Grip(self._bridge.session.state.keys, frame, catching, about)
+        self._grip = KeyGrip(self._bridge.session.state.keys, frame, catching, about)
 
     def _press_right(self, event: QMouseEvent) -> None:
         hit = self.keys_at(event.position(), _reach(event))
@@ -214,7 +214,7 @@ class KeyHand(QObject):
         elif row is not None and row.piece_id is not None and row.piece_id != self._bridge.piece_id:
             self._bridge.session.select_piece(row.piece_id)
 
-    def _drag(self, grip: Grip, *, catches: bool) -> None:
+    def _drag(self, grip: KeyGrip, *, catches: bool) -> None:
         stretches = grip.stretches_about is not None
         if self._gesture is None:
             self._gesture = self._bridge.session.begin(self.tr("Stretch keys") if stretches else self.tr("Move keys"))

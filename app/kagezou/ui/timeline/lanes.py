@@ -4,17 +4,17 @@ from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from kagezou.animation.timecode import frames_per_second
 from kagezou.document.address import track_of
 from kagezou.document.key_edits import KeyRef
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
-from kagezou.ui.timecode import frames_per_second
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, bars_of, paint_bars
-from kagezou.ui.timeline.drawing_hand import DrawingHand
-from kagezou.ui.timeline.key_hand import KeyHand
+from kagezou.ui.timeline.drawing_hand import DrawingController
+from kagezou.ui.timeline.key_hand import KeyController
 from kagezou.ui.timeline.key_shapes import half_path, halves_of
 from kagezou.ui.timeline.row_list import RowList
-from kagezou.ui.timeline.rows import Row, RowKind, frames_of, keys_on
+from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of, keys_on
 from kagezou.ui.timeline.time_scale import TimeScale
 
 KEY_RADIUS_PX = 6.5
@@ -28,15 +28,15 @@ _OUTSIDE = QColor(0, 0, 0, 96)
 
 
 class Lanes(QWidget):
-    """Keys and exposures over time; the hands on them are :class:`KeyHand` and :class:`DrawingHand`."""
+    """Keys and exposures over time; the hands on them are :class:`KeyController` and :class:`DrawingController`."""
 
     def __init__(self, bridge: Bridge, scale: TimeScale, rows: RowList) -> None:
         super().__init__()
         self._bridge = bridge
         self._scale = scale
         self._rows = rows
-        self.hand = KeyHand(bridge, scale, rows)
-        self.drawings = DrawingHand(bridge, scale, rows)
+        self.hand = KeyController(bridge, scale, rows)
+        self.drawings = DrawingController(bridge, scale, rows)
         for changed in (self.hand.changed, self.drawings.changed, self.drawings.choice.changed):
             changed.connect(self.update)
         self.setMouseTracking(True)
@@ -126,7 +126,7 @@ class Lanes(QWidget):
                 x = round(self._scale.x_of(frame)) + 0.5
                 painter.drawLine(QLineF(x, 0, x, self.height()))
 
-    def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
+    def _paint_row(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         height = self._rows.row_px
         if row.is_group:
             is_chosen = row.is_about(self._bridge.layer_ids, self._bridge.piece_id)
@@ -142,7 +142,7 @@ class Lanes(QWidget):
         else:
             self._paint_keys(painter, row, top + height / 2)
 
-    def _paint_summary(self, painter: QPainter, row: Row, top: int) -> None:
+    def _paint_summary(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         # Under the bars, where both can be read.
         from_bottom = SUM_LANE_PX / 2 if row.kind is RowKind.LAYER else self._rows.row_px / 2
         y = top + self._rows.row_px - from_bottom - 0.5
@@ -159,7 +159,7 @@ class Lanes(QWidget):
             painter.drawPolygon([QPointF(0, -radius), QPointF(radius, 0), QPointF(0, radius), QPointF(-radius, 0)])
             painter.resetTransform()
 
-    def _paint_keys(self, painter: QPainter, row: Row, y: float) -> None:
+    def _paint_keys(self, painter: QPainter, row: TimelineRow, y: float) -> None:
         address = row.addresses[0]
         track, chosen = track_of(self._bridge.document, address), self._bridge.session.state.keys
         places = [self._scale.middle_of(key.frame) for key in track.keys]

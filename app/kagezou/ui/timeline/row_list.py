@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject, Signal
 from kagezou.animation.track import Track
 from kagezou.document.address import track_of
 from kagezou.document.model import Document
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.timeline.rows import Reveal, Row, RowKind, rows_of
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.timeline.rows import Reveal, RowKind, TimelineRow, rows_of
 
 
 class RowList(QObject):
@@ -33,7 +33,7 @@ class RowList(QObject):
         self._room_px = 200
         self.row_px = 22
         self.reveal = Reveal()
-        self.rows: tuple[Row, ...] = ()
+        self.rows: tuple[TimelineRow, ...] = ()
         self._shown: tuple[object, ...] = ()
         self._tracks: tuple[Track, ...] = ()
         bridge.document_changed.connect(self._refill)
@@ -77,12 +77,12 @@ class RowList(QObject):
         first = self.scroll_px // self.row_px
         return range(first, min(first + self._room_px // self.row_px + 2, len(self.rows)))
 
-    def fold(self, row: Row) -> None:
+    def fold(self, row: TimelineRow) -> None:
         """Show or hide the properties of a group."""
         self._closed = self._closed ^ {row.group}
         self._refill()
 
-    def fold_all(self, row: Row) -> None:
+    def fold_all(self, row: TimelineRow) -> None:
         """Show or hide the properties of all groups as this one is about to."""
         groups = frozenset(each.group for each in self.rows if each.is_group)
         self._closed = groups if row.is_open else frozenset()
@@ -126,7 +126,7 @@ def is_same(now: tuple[object, ...], before: tuple[object, ...]) -> bool:
     return len(now) == len(before) and all(a is b or a == b for a, b in zip(now, before, strict=True))
 
 
-def _drawings_of(document: Document, rows: tuple[Row, ...]) -> Iterator[object]:
+def _drawings_of(document: Document, rows: tuple[TimelineRow, ...]) -> Iterator[object]:
     """Yield what the lanes draw of layers: their drawings with their names."""
     yield document.canvas
     for row in rows:

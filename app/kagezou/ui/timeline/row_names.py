@@ -11,12 +11,12 @@ from kagezou.document.address import path_of, track_of, value_of
 from kagezou.document.edits import remove_key, set_key
 from kagezou.document.key_edits import all_keys
 from kagezou.document.linking import is_linked
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.chain import paint_chain
-from kagezou.ui.theme import BRIGHT, CHROME, DIM, LINE, OFF, SELECTED, TEXT
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.theme import BRIGHT, CHROME, DIM, LINE, OFF, SELECTED, TEXT
+from kagezou.ui.system.words import choice_word, said
 from kagezou.ui.timeline.row_list import RowList
-from kagezou.ui.timeline.rows import Row, RowKind, frames_of
-from kagezou.ui.words import choice_word, said
+from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of
+from kagezou.ui.widgets.link_sign import paint_chain
 
 _BUTTON_PX = 16
 _INDENT_PX = 14
@@ -48,7 +48,7 @@ class RowNames(QWidget):
             signal.connect(self.update)
         bridge.selection_changed.connect(self.update)
 
-    def spot_at(self, place: QPointF) -> tuple[Row, Spot] | None:
+    def spot_at(self, place: QPointF) -> tuple[TimelineRow, Spot] | None:
         """Return the row and the part of it at a point."""
         index = self._rows.index_at(place.y())
         if index is None:
@@ -107,7 +107,7 @@ class RowNames(QWidget):
         painter.drawLine(self.width() - 1, 0, self.width() - 1, self.height())
         painter.end()
 
-    def name_of(self, row: Row) -> str:
+    def name_of(self, row: TimelineRow) -> str:
         """Return what a row is called."""
         if row.kind is RowKind.SCENE:
             return self.tr("Scene")
@@ -117,7 +117,7 @@ class RowNames(QWidget):
             return self._bridge.document.piece(row.piece_id).name
         return said(row.addresses[0].property.label)
 
-    def _paint_row(self, painter: QPainter, row: Row, top: int) -> None:
+    def _paint_row(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         height = self._rows.row_px
         if row.is_group:
             is_chosen = row.is_about(self._bridge.layer_ids, self._bridge.piece_id)
@@ -139,14 +139,14 @@ class RowNames(QWidget):
         if row.addresses:
             self._paint_navigator(painter, row, top + (height - 1) / 2)
 
-    def _paint_fold(self, painter: QPainter, row: Row, middle: QPointF) -> None:
+    def _paint_fold(self, painter: QPainter, row: TimelineRow, middle: QPointF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(TEXT)
         down, right = [(-4, -2.5), (4, -2.5), (0, 3)], [(-2.5, -4), (-2.5, 4), (3, 0)]
         points = [middle + QPointF(x, y) for x, y in (down if row.is_open else right)]
         painter.drawPolygon(QPolygonF(points))
 
-    def _paint_value(self, painter: QPainter, row: Row, top: int, left: float, room: float) -> float:
+    def _paint_value(self, painter: QPainter, row: TimelineRow, top: int, left: float, room: float) -> float:
         address = row.addresses[0]
         words = _short(value_of(self._bridge.document, address, self._bridge.frame), address.property.unit)
         metrics = self.fontMetrics()
@@ -159,7 +159,7 @@ class RowNames(QWidget):
         painter.drawText(place, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, words)
         return width
 
-    def _paint_navigator(self, painter: QPainter, row: Row, y: float) -> None:
+    def _paint_navigator(self, painter: QPainter, row: TimelineRow, y: float) -> None:
         frames = frames_of(self._bridge.document, row)
         here = self._bridge.frame
         x = self.width() - 4 - _BUTTON_PX / 2
@@ -187,7 +187,7 @@ class RowNames(QWidget):
             painter.setBrush(SELECTED if part else DIM)
             painter.drawPolygon(_diamond(middle, _DIAMOND_PX / 3))
 
-    def _choose(self, row: Row) -> None:
+    def _choose(self, row: TimelineRow) -> None:
         session = self._bridge.session
         if row.layer_id is not None:
             session.select(row.layer_id, () if row.is_group else row.addresses)
@@ -196,7 +196,7 @@ class RowNames(QWidget):
         document = self._bridge.document
         session.select_keys(frozenset().union(*(all_keys(document, address) for address in row.addresses)))
 
-    def _toggle_key(self, row: Row) -> None:
+    def _toggle_key(self, row: TimelineRow) -> None:
         session, frame = self._bridge.session, self._bridge.frame
         document = session.document
         keyed = [address for address in row.addresses if track_of(document, address).key_at(frame)]
@@ -207,13 +207,13 @@ class RowNames(QWidget):
                 document = set_key(document, address, frame, value_of(document, address, frame))
         session.edit(self.tr("Remove key") if len(keyed) == len(row.addresses) else self.tr("Set key"), document)
 
-    def _go_to_key(self, row: Row, *, ahead: bool) -> None:
+    def _go_to_key(self, row: TimelineRow, *, ahead: bool) -> None:
         here = self._bridge.frame
         frames = [frame for frame in frames_of(self._bridge.document, row) if (frame > here) == ahead and frame != here]
         if frames:
             self._bridge.session.go_to(min(frames) if ahead else max(frames))
 
-    def _words(self, row: Row, spot: Spot) -> str:
+    def _words(self, row: TimelineRow, spot: Spot) -> str:
         match spot:
             case Spot.FOLD:
                 return self.tr("Show or hide the properties (Alt: of all)")

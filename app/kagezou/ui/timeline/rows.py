@@ -21,7 +21,7 @@ class RowKind(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TimelineRow:
     """One row.
 
     Parameters
@@ -79,29 +79,29 @@ class Reveal:
         return track.is_keyed or (self.changed and track.constant != address.property.default)
 
 
-def rows_of(document: Document, closed: frozenset[str | None], reveal: Reveal) -> tuple[Row, ...]:
+def rows_of(document: Document, closed: frozenset[str | None], reveal: Reveal) -> tuple[TimelineRow, ...]:
     """Return the rows from top to bottom: the scene, then the layers as they lie, the topmost first.
 
     Parameters
     ----------
     closed
-        The groups that are folded, by `Row.group`; None is the scene.
+        The groups that are folded, by `TimelineRow.group`; None is the scene.
     reveal
         Which properties are shown.
     """
-    groups = [Row(RowKind.SCENE, None, ())]
-    groups += [Row(RowKind.PIECE, None, (), piece_id=piece.id) for piece in document.pieces]
-    groups += [Row(RowKind.LAYER, layer.id, ()) for layer in reversed(document.layers)]
+    groups = [TimelineRow(RowKind.SCENE, None, ())]
+    groups += [TimelineRow(RowKind.PIECE, None, (), piece_id=piece.id) for piece in document.pieces]
+    groups += [TimelineRow(RowKind.LAYER, layer.id, ()) for layer in reversed(document.layers)]
     return tuple(row for group in groups for row in _group(document, group, closed, reveal))
 
 
-def keys_on(document: Document, row: Row, frame: int) -> Refs:
+def keys_on(document: Document, row: TimelineRow, frame: int) -> Refs:
     """Return the keys of a row on one frame."""
     found = (KeyRef(address, frame) for address in row.addresses if track_of(document, address).key_at(frame))
     return frozenset(found)
 
 
-def frames_of(document: Document, row: Row) -> dict[int, int]:
+def frames_of(document: Document, row: TimelineRow) -> dict[int, int]:
     """Return how many of the row's properties have a key, by frame."""
     counts: dict[int, int] = {}
     for address in row.addresses:
@@ -110,7 +110,7 @@ def frames_of(document: Document, row: Row) -> dict[int, int]:
     return counts
 
 
-def _group(document: Document, group: Row, closed: frozenset[str | None], reveal: Reveal) -> list[Row]:
+def _group(document: Document, group: TimelineRow, closed: frozenset[str | None], reveal: Reveal) -> list[TimelineRow]:
     if group.piece_id is not None:
         table, tracks = OF_PIECE, document.piece(group.piece_id).tracks
     elif group.layer_id is not None:
@@ -125,5 +125,7 @@ def _group(document: Document, group: Row, closed: frozenset[str | None], reveal
     is_open = group.group not in closed
     rows = [replace(group, addresses=keyed, is_open=is_open)]
     if is_open:
-        rows += [Row(RowKind.PROPERTY, group.layer_id, (address,), piece_id=group.piece_id) for address in shown]
+        rows += [
+            TimelineRow(RowKind.PROPERTY, group.layer_id, (address,), piece_id=group.piece_id) for address in shown
+        ]
     return rows

@@ -7,12 +7,12 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from kagezou.animation.timecode import Count, counted, frames_per_second, sheet_text
 from kagezou.document.model import Document, Marker, PictureSource
 from kagezou.document.review import move_marker, set_work_area
 from kagezou.session.session import Gesture
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.theme import BRIGHT, CHANGED, DIM, LINE, OFF, TEXT, WELL
-from kagezou.ui.timecode import Count, counted, frames_per_second, sheet_text
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, TEXT, WELL
 from kagezou.ui.timeline.row_list import is_same
 from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.time_scale import TimeScale

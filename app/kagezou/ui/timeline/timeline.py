@@ -4,10 +4,10 @@ from PySide6.QtCore import QPoint, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QGridLayout, QInputDialog, QLabel, QMenu, QScrollBar, QSplitter, QVBoxLayout, QWidget
 
+from kagezou.animation.timecode import Count
 from kagezou.document.model import Marker
 from kagezou.document.review import remove_marker, set_marker
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.timecode import Count
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.timeline.drawing_commands import DrawingCommands
 from kagezou.ui.timeline.lanes import Lanes
 from kagezou.ui.timeline.row_list import RowList

@@ -17,15 +17,15 @@ from kagezou.tools.corner import drawing, ground_line, is_on_ground, wall_line
 from kagezou.tools.drag import Drag
 from kagezou.tools.handle import GuideKind
 from kagezou.tools.handles import handles_of
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.sentences import sentence_of
-from kagezou.ui.space_bar import SpaceBar
-from kagezou.ui.theme import SELECTED
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.theme import SELECTED
+from kagezou.ui.system.words import choice_word
 from kagezou.ui.viewport.handle_paths import paint_guide
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
-from kagezou.ui.viewport.sheets import Sheet
-from kagezou.ui.words import choice_word
+from kagezou.ui.viewport.sheets import OverlaySheet
+from kagezou.ui.widgets.space_bar import SpaceBar
 
 _PILL, _PILL_EDGE, _PILL_TEXT = QColor(16, 16, 16, 235), QColor(255, 255, 255, 46), QColor("#f4f4f4")
 _SHADE = QColor(0, 0, 0, 150)
@@ -35,7 +35,7 @@ _MOVES = (QEvent.Type.MouseMove, QEvent.Type.TabletMove)
 _RELEASES = (QEvent.Type.MouseButtonRelease, QEvent.Type.TabletRelease)
 
 
-class Stroke(StrEnum):
+class CornerStroke(StrEnum):
     """What is drawn next."""
 
     GROUND = "ground"
@@ -53,7 +53,7 @@ class _Line:
     shown: Document
 
 
-class CornerSheet(Sheet):
+class CornerSheet(OverlaySheet):
     """Takes strokes while it is on; each is one step of history.
 
     Parameters
@@ -77,7 +77,7 @@ class CornerSheet(Sheet):
         self._bridge = bridge
         self._space = space
         self._line: _Line | None = None
-        self.stroke: Stroke | None = None
+        self.stroke: CornerStroke | None = None
         bridge.session_replaced.connect(self._drop)
         bridge.document_changed.connect(self.update)
 
@@ -89,11 +89,11 @@ class CornerSheet(Sheet):
     @property
     def hint(self) -> str:
         """What to do now."""
-        if self.stroke is Stroke.GROUND:
+        if self.stroke is CornerStroke.GROUND:
             return self.tr("Drag along the line the figure stands on  ·  Enter: the ground is right  ·  Esc: leave")
         return self.tr("Drag along the foot of the wall  ·  Esc: leave")
 
-    def begin(self, stroke: Stroke) -> None:
+    def begin(self, stroke: CornerStroke) -> None:
         """Ask for a stroke; the ground line is followed by the wall's."""
         self._turn(stroke)
         self._viewport.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -147,8 +147,8 @@ class CornerSheet(Sheet):
         if key == Qt.Key.Key_Escape:
             self._step_back()
             return True
-        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self._line is None and self.stroke is Stroke.GROUND:
-            self._turn(Stroke.WALL)
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self._line is None and self.stroke is CornerStroke.GROUND:
+            self._turn(CornerStroke.WALL)
             return True
         return False
 
@@ -162,7 +162,7 @@ class CornerSheet(Sheet):
     def _press(self, report: PointerReport) -> None:
         bridge, pointer = self._bridge, report.pointer(self._viewpoint.view)
         document, frame = bridge.document, bridge.frame
-        if self.stroke is Stroke.GROUND:
+        if self.stroke is CornerStroke.GROUND:
             name, lay = self.tr("Draw ground line"), ground_line(document, frame)
         elif is_on_ground(document, frame, pointer.canvas_px):
             name, lay = self.tr("Draw wall"), wall_line(document, frame, bridge.layer_id, choice_word("wall"))
@@ -193,14 +193,14 @@ class CornerSheet(Sheet):
         line.drag.close()
         # History may have been gone through with the line still in the hand.
         is_drawn = keep and line.shown is not line.gesture.start and session.document is line.shown
-        if is_drawn and self.stroke is Stroke.WALL:
+        if is_drawn and self.stroke is CornerStroke.WALL:
             session.select_piece(session.document.pieces[-1].id)
         line.gesture.commit() if is_drawn else line.gesture.cancel()
         if is_drawn:
-            self._turn(Stroke.WALL if self.stroke is Stroke.GROUND else None)
+            self._turn(CornerStroke.WALL if self.stroke is CornerStroke.GROUND else None)
         self.update()
 
-    def _turn(self, stroke: Stroke | None) -> None:
+    def _turn(self, stroke: CornerStroke | None) -> None:
         before, self.stroke = self.is_on, stroke
         self.setVisible(self.is_on)
         self._viewport.setCursor(Qt.CursorShape.CrossCursor if self.is_on else Qt.CursorShape.ArrowCursor)

@@ -14,14 +14,14 @@ from kagezou.tools.handle import Handle, HandleSet, hit
 from kagezou.tools.handles import drag_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.sentences import sentence_of
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import is_japanese, said
 from kagezou.ui.viewport.handle_source import HandleSource
 from kagezou.ui.viewport.piece_touch import PieceTouch
 from kagezou.ui.viewport.pointer_report import PointerReport
 from kagezou.ui.viewport.typed_value import with_typed
 from kagezou.ui.viewport.viewpoint import Viewpoint
-from kagezou.ui.words import is_japanese, said
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +32,7 @@ class _Held:
     frame: int
 
 
-class Hand(QObject):
+class HandleController(QObject):
     """Takes pointers and keys, shows documents through a gesture of the session, and says what to paint.
 
     Parameters
@@ -119,7 +119,9 @@ class Hand(QObject):
         self.selected_id = handle.id if handle else None
         if handle is not None:
             session, view = self._bridge.session, self._viewpoint.view
-            gesture = session.begin(QCoreApplication.translate("Hand", "Move %1").replace("%1", said(handle.label)))
+            gesture = session.begin(
+                QCoreApplication.translate("HandleController", "Move %1").replace("%1", said(handle.label))
+            )
             drag = drag_of(handle, gesture.start, self._bridge.frame, view)
             drag.send(report.pointer(view))
             self._held = _Held(handle, drag, gesture, self._bridge.frame)
@@ -179,7 +181,7 @@ class Hand(QObject):
             return False
         if self._nudging is None or self._nudging[0].id != handle.id:
             self.end_nudge()
-            name = QCoreApplication.translate("Hand", "Nudge %1").replace("%1", said(handle.label))
+            name = QCoreApplication.translate("HandleController", "Nudge %1").replace("%1", said(handle.label))
             self._nudging = (handle, self._bridge.session.begin(name))
         view, frame = self._viewpoint.view, self._bridge.frame
         self._nudging[1].show(nudge(handle, self._bridge.document, frame, dx, dy, view))
@@ -203,7 +205,7 @@ class Hand(QObject):
         except Problem as problem:
             self.refused.emit(sentence_of(problem))
             return False
-        self._edit(QCoreApplication.translate("Hand", "Add grounding point"), document)
+        self._edit(QCoreApplication.translate("HandleController", "Add grounding point"), document)
         points = [handle.id for handle in self.handles.handles if handle.index is not None]
         self.selected_id = points[-1] if points else None
         self.changed.emit()
@@ -217,7 +219,7 @@ class Hand(QObject):
         frame = self._bridge.frame
         document = remove_grounding(self._bridge.document, handle.layer_id, frame, handle.index)
         self.selected_id = self.hovered_id = None
-        self._edit(QCoreApplication.translate("Hand", "Remove grounding point"), document)
+        self._edit(QCoreApplication.translate("HandleController", "Remove grounding point"), document)
         self.changed.emit()
         return True
 

@@ -7,9 +7,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
 from kagezou.geometry.vectors import Point2
-from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, OffView, Shape
-from kagezou.tools.view import View
-from kagezou.ui.theme import SELECTED
+from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape, OffView
+from kagezou.tools.view import CanvasView
+from kagezou.ui.system.theme import SELECTED
 
 RADIUS_PX = 5.0
 HOVER_GROWS_PX = 2.0
@@ -71,36 +71,36 @@ def is_wanted(kind: GuideKind, active_ids: Iterable[str | None]) -> bool:
     return handles is None or any(each is not None and each.startswith(handles) for each in active_ids)
 
 
-def handle_path(shape: Shape, radius: float, cursor: Cursor) -> QPainterPath:
+def handle_path(shape: HandleShape, radius: float, cursor: Cursor) -> QPainterPath:
     """Return the outline of a handle around the origin; logical px."""
     path = QPainterPath()
     match shape:
-        case Shape.SUN_DISC:
+        case HandleShape.SUN_DISC:
             path.addEllipse(QPointF(0, 0), radius * 1.1, radius * 1.1)
-        case Shape.DIAL:
+        case HandleShape.DIAL:
             path.addPolygon(_star(8, radius * 1.5, radius * 0.95))
             path.closeSubpath()
-        case Shape.FOOT:
+        case HandleShape.FOOT:
             path.addEllipse(QPointF(0, 0), radius * 1.25, radius * 0.75)
-        case Shape.CROSS:
+        case HandleShape.CROSS:
             path = _cross(radius * 1.3, radius * 0.42)
-        case Shape.SQUARE:
+        case HandleShape.SQUARE:
             side = radius * 0.95
             path.addRect(QRectF(-side, -side, 2 * side, 2 * side))
-        case Shape.LEVER:
+        case HandleShape.LEVER:
             wide, high = (radius * 1.5, radius * 0.85) if cursor is Cursor.HORIZONTAL else (radius * 0.85, radius * 1.5)
             path.addRoundedRect(QRectF(-wide, -high, 2 * wide, 2 * high), radius * 0.8, radius * 0.8)
-        case Shape.DIAMOND:
+        case HandleShape.DIAMOND:
             path.addPolygon(QPolygonF([QPointF(x * radius * 1.3, y * radius * 1.3) for x, y in _COMPASS]))
             path.closeSubpath()
-        case Shape.ARROW:
+        case HandleShape.ARROW:
             path.addPolygon(_star(3, radius * 1.5, radius * 0.75))
             path.closeSubpath()
-        case Shape.PEG:
+        case HandleShape.PEG:
             path.addEllipse(QPointF(0, 0), radius, radius)
-        case Shape.GRIP:
+        case HandleShape.GRIP:
             path = _two_arrows(radius, upright=cursor is Cursor.VERTICAL)
-        case Shape.RING:
+        case HandleShape.RING:
             path.addEllipse(QPointF(0, 0), radius * 1.2, radius * 1.2)
             path.addEllipse(QPointF(0, 0), radius * 0.55, radius * 0.55)
     return path
@@ -111,7 +111,7 @@ def paint_handle(painter: QPainter, handle: Handle, at: Point2, *, hovered: bool
     path = handle_path(handle.shape, RADIUS_PX + (HOVER_GROWS_PX if hovered else 0), handle.cursor)
     painter.save()
     painter.translate(*at)
-    if handle.shape is Shape.SUN_DISC:
+    if handle.shape is HandleShape.SUN_DISC:
         _paint_rays(painter, RADIUS_PX + (HOVER_GROWS_PX if hovered else 0), SELECTED if selected else _FILL)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.strokePath(path, QPen(_OUTER, 4.0))
@@ -133,7 +133,7 @@ def paint_off_view_arrow(painter: QPainter, off: OffView, *, selected: bool) -> 
     painter.fillPath(path, SELECTED if selected else _FILL)
 
 
-def paint_guide(painter: QPainter, guide: Guide, view: View, area: QRectF) -> None:
+def paint_guide(painter: QPainter, guide: Guide, view: CanvasView, area: QRectF) -> None:
     """Paint a guide where it is seen; ``area`` is the viewport, logical px."""
     alpha, style = _GUIDES[guide.kind]
     known, width = _TONES.get(guide.kind, (_FILL, 1.0))

@@ -2,7 +2,7 @@
 
 from kagezou.tools.handle import HandleSet
 from kagezou.tools.handles import handles_of, matching_handles_of
-from kagezou.ui.bridge import Bridge
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 

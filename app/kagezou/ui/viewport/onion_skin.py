@@ -12,10 +12,10 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
 
 from kagezou.document.model import Document, Layer
-from kagezou.io.images import Steps
-from kagezou.ui.bridge import Bridge
+from kagezou.io.images.reading import Steps
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.picture_widget import PictureWidget
-from kagezou.ui.viewport.sheets import Sheet
+from kagezou.ui.viewport.sheets import OverlaySheet
 
 BEFORE, AFTER = (213, 94, 0), (0, 114, 178)
 """Warm is what was, cool is what comes: told apart by everyone, and by which way the figure moves."""
@@ -64,7 +64,7 @@ def tinted(picture: Steps, steps: int, present: NDArray[np.float64]) -> NDArray[
     return np.asarray(made * 255 + 0.5, np.uint8)
 
 
-class OnionSkin(Sheet):
+class OnionSkin(OverlaySheet):
     """Shows the neighbours of the drawing of the layer worked on.
 
     Parameters

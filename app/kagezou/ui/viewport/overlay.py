@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import place_in_view
-from kagezou.ui.viewport.hand import Hand
+from kagezou.ui.viewport.hand import HandleController
 from kagezou.ui.viewport.handle_paths import is_wanted, paint_guide, paint_handle, paint_off_view_arrow
 from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.viewpoint import Viewpoint
@@ -29,7 +29,7 @@ _PILL_PADDING_PX = (9.0, 4.0)
 class Overlay(QWidget):
     """Paints what the hand can take hold of; lets every event through to the viewport under it."""
 
-    def __init__(self, parent: QWidget, hand: Hand, viewpoint: Viewpoint, picking: Picking) -> None:
+    def __init__(self, parent: QWidget, hand: HandleController, viewpoint: Viewpoint, picking: Picking) -> None:
         super().__init__(parent)
         self._hand = hand
         self._picking = picking

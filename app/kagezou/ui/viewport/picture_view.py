@@ -3,7 +3,7 @@
 from dataclasses import replace
 from enum import StrEnum
 
-from kagezou.render.backdrop import Backdrop
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.scene.scene import LayerScene, Scene, ShadowLook
 
 _WHITE = (255, 255, 255)

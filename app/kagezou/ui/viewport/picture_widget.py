@@ -9,18 +9,18 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 
 from kagezou.document.model import Document
 from kagezou.errors import GraphicsProblem, Problem
-from kagezou.io.cels import CelCache
-from kagezou.io.images import Steps
-from kagezou.io.meshes import MeshCache
-from kagezou.render.backdrop import Backdrop
-from kagezou.render.presenter import WindowView
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.sentences import sentence_of
-from kagezou.ui.theme import SURROUND
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.reading import Steps
+from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.render.gpu.presenter import WindowView
+from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.theme import SURROUND
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
 from kagezou.ui.viewport.reading import Reading
 from kagezou.ui.viewport.resolution import Pace, Resolution
-from kagezou.ui.viewport.stage import Broken, Stage
+from kagezou.ui.viewport.stage import Broken, FramePainter
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 NEEDED_VERSION = (3, 3)
@@ -58,7 +58,7 @@ class PictureWidget(QOpenGLWidget):
         self._bridge = bridge
         self._cels = cels
         self._meshes = meshes
-        self._stage: Stage | None = None
+        self._stage: FramePainter | None = None
         self._broken: tuple[Broken, ...] = ()
         self.pace = Pace()
         self._reading = Reading(cels)
@@ -108,7 +108,7 @@ class PictureWidget(QOpenGLWidget):
         return self._is_current
 
     @property
-    def stage(self) -> Stage | None:
+    def stage(self) -> FramePainter | None:
         """What draws; None before the first painting and while there is no context."""
         return self._stage
 
@@ -185,10 +185,10 @@ class PictureWidget(QOpenGLWidget):
         if (major, minor) < NEEDED_VERSION:
             words = self.tr("The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.")
             raise GraphicsProblem(words.replace("%1", f"{major}.{minor}"))
-        self._stage = Stage(self._cels, self._meshes)
+        self._stage = FramePainter(self._cels, self._meshes)
         self.started.emit(self._stage.device, self._stage.is_software)
 
-    def _paint(self, stage: Stage) -> None:
+    def _paint(self, stage: FramePainter) -> None:
         document, view = self._bridge.document, self._view
         self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
         if not self._is_current and stage.pictures_drawn:

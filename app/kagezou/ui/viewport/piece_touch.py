@@ -1,8 +1,8 @@
 """The pieces of the set under the pointer: which outline it is on, and choosing that piece."""
 
 from kagezou.tools.handle import Guide, GuideKind
-from kagezou.tools.set_outlines import Outline, outlines_of, piece_at
-from kagezou.ui.bridge import Bridge
+from kagezou.tools.set_outlines import PieceOutline, outlines_of, piece_at
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.pointer_report import PointerReport
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
@@ -24,7 +24,7 @@ class PieceTouch:
     def __init__(self, bridge: Bridge, viewpoint: Viewpoint) -> None:
         self._bridge = bridge
         self._viewpoint = viewpoint
-        self._known: tuple[object, int, tuple[Outline, ...]] | None = None
+        self._known: tuple[object, int, tuple[PieceOutline, ...]] | None = None
         self.hovered_id: str | None = None
         self._left: str | None = None
 
@@ -66,7 +66,7 @@ class PieceTouch:
         reach = report.reach_px * _REACH_OF_HANDLES
         return piece_at(self._outlines(), self._viewpoint.view, report.view_px, reach)
 
-    def _outlines(self) -> tuple[Outline, ...]:
+    def _outlines(self) -> tuple[PieceOutline, ...]:
         document, frame = self._bridge.document, self._bridge.frame
         if self._known is None or self._known[0] is not document or self._known[1] != frame:
             self._known = (document, frame, outlines_of(document, frame))

@@ -9,7 +9,7 @@ from PySide6.QtGui import QSinglePointEvent
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import HIT_RADIUS_PX, PEN_HIT_RADIUS_PX
 from kagezou.tools.pointer import Modifiers, Pointer
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 
 class Device(StrEnum):
@@ -32,7 +32,7 @@ class PointerReport:
         """How far from its middle it can take hold of a handle."""
         return PEN_HIT_RADIUS_PX if self.device is Device.PEN else HIT_RADIUS_PX
 
-    def pointer(self, view: View) -> Pointer:
+    def pointer(self, view: CanvasView) -> Pointer:
         """Return it as the tools take it."""
         return Pointer.seen_at(view, self.view_px, self.modifiers)
 

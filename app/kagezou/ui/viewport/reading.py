@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QRunnable, QThreadPool, Signal
 
 from kagezou.document.model import Document, PictureSource
 from kagezou.errors import Problem
-from kagezou.io.cels import CelCache
+from kagezou.io.images.cel_cache import CelCache
 
 PATIENCE_S = 0.04
 """So long a picture waits for its drawings: small ones are there by then, and nothing flickers."""

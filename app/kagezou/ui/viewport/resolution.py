@@ -27,7 +27,7 @@ class Resolution(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Fineness:
+class PreviewFineness:
     """How fine a picture is to be drawn.
 
     Parameters
@@ -42,7 +42,7 @@ class Fineness:
     in_haste: bool = False
 
 
-FULL = Fineness(1)
+FULL = PreviewFineness(1)
 
 
 class Pace:
@@ -56,11 +56,11 @@ class Pace:
         """Take note of how long a picture took to draw."""
         self._took_s.setdefault(divisor, deque(maxlen=_LOOKED_BACK_ON)).append(seconds)
 
-    def next(self, *, moving: bool) -> Fineness:
+    def next(self, *, moving: bool) -> PreviewFineness:
         """Return how fine the next picture is to be drawn."""
         if self.resolution is not Resolution.AUTO or not moving:
-            return Fineness(self.resolution.divisor)
-        return Fineness(next((each for each in (1, 2) if not self._is_late(each)), 4), in_haste=True)
+            return PreviewFineness(self.resolution.divisor)
+        return PreviewFineness(next((each for each in (1, 2) if not self._is_late(each)), 4), in_haste=True)
 
     def forget(self) -> None:
         """Forget what was measured: another project takes other times."""

@@ -14,7 +14,7 @@ _DARK, _LIGHT = QColor(0, 0, 0, 120), QColor(255, 255, 255, 200)
 _PILL = QColor(16, 16, 16, 225)
 
 
-class Sheet(QWidget):
+class OverlaySheet(QWidget):
     """Covers the viewport and lets every event through.
 
     Parameters
@@ -48,7 +48,7 @@ class Sheet(QWidget):
         return super().eventFilter(watched, event)
 
 
-class Guides(Sheet):
+class Guides(OverlaySheet):
     """Safe area and field guide: light lines with a dark rim, to be seen on any picture."""
 
     def __init__(self, viewport: QWidget, viewpoint: Viewpoint) -> None:
@@ -93,7 +93,7 @@ class Guides(Sheet):
         self.update()
 
 
-class Snapshot(Sheet):
+class Snapshot(OverlaySheet):
     """A picture taken before, laid over the present one, whole or only to the left of the pointer."""
 
     def __init__(self, viewport: QWidget, viewpoint: Viewpoint) -> None:

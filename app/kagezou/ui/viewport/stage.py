@@ -8,18 +8,18 @@ from kagezou.document.model import Document, PictureSource, file_of
 from kagezou.document.scaling import scaled, usable_divisor
 from kagezou.errors import Problem
 from kagezou.geometry.box import Box
-from kagezou.io.cels import CelCache
-from kagezou.io.images import Steps
-from kagezou.io.meshes import MeshCache
-from kagezou.io.smaller_cels import SmallerCels
-from kagezou.render.backdrop import Backdrop
-from kagezou.render.presenter import WindowView
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.reading import Steps
+from kagezou.io.images.smaller_cels import SmallerCels
+from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.render.gpu.presenter import WindowView
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import LayerScene, Scene, without_pieces
 from kagezou.ui.viewport.picture_view import PictureView, seen
-from kagezou.ui.viewport.resolution import FULL, Fineness
+from kagezou.ui.viewport.resolution import FULL, PreviewFineness
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class _Smaller:
     renderer: Renderer
 
 
-class Stage:
+class FramePainter:
     """Draws a frame where its scene or backdrop changed, and shows it as often as asked.
 
     Made with the context current, thrown away before the context goes.
@@ -91,7 +91,7 @@ class Stage:
         backdrop: Backdrop,
         view: PictureView = PictureView.COMPOSITE,
         line_px: int = 0,
-        at: Fineness = FULL,
+        at: PreviewFineness = FULL,
     ) -> bool:
         """Draw a frame unless it is the one drawn last; false where it was.
 

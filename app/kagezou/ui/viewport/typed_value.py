@@ -3,9 +3,9 @@
 from kagezou.document.address import value_of
 from kagezou.document.edits import set_value
 from kagezou.document.model import Document
+from kagezou.document.typed_number import evaluate
 from kagezou.errors import UsageProblem
 from kagezou.tools.handle import Handle
-from kagezou.ui.arithmetic import evaluate
 
 LETTERS = frozenset("0123456789.+-*/%=,")
 """What may be typed; a comma parts the numbers, in the order in which they stand beside the pointer."""

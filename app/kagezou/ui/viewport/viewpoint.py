@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.geometry.vectors import Point2
-from kagezou.tools.view import View
+from kagezou.tools.view import CanvasView
 
 ZOOM_STEP = 2.0**0.25
 """One notch of the wheel: four double the size."""
@@ -25,7 +25,7 @@ class Viewpoint(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self.view = View()
+        self.view = CanvasView()
         self._size: Point2 = (1.0, 1.0)
         self._canvas: Point2 = (1.0, 1.0)
         self._ratio = 1.0
@@ -74,7 +74,7 @@ class Viewpoint(QObject):
         """Show the whole canvas."""
         self._is_fitted = True
         margin = min(FIT_MARGIN_PX, FIT_MARGIN_PART * min(self._size))
-        self._show(View.fitted(self._canvas, self._size, margin))
+        self._show(CanvasView.fitted(self._canvas, self._size, margin))
 
     def show_actual_pixels(self) -> None:
         """Show one pixel of the canvas as one of the screen, around what is in the middle now."""
@@ -100,11 +100,11 @@ class Viewpoint(QObject):
     def _middle(self) -> Point2:
         return (self._size[0] / 2, self._size[1] / 2)
 
-    def _freely(self, view: View) -> None:
+    def _freely(self, view: CanvasView) -> None:
         self._is_fitted = False
         self._show(view)
 
-    def _show(self, view: View) -> None:
+    def _show(self, view: CanvasView) -> None:
         if view != self.view:
             self.view = view
             self.changed.emit()

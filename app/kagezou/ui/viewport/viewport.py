@@ -3,12 +3,11 @@
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QTabletEvent, QWheelEvent
 
-from kagezou.io.cels import CelCache
-from kagezou.io.meshes import MeshCache
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.tools.handle import Cursor
-from kagezou.ui.bridge import Bridge
-from kagezou.ui.space_bar import SpaceBar
-from kagezou.ui.viewport.hand import Hand
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.viewport.hand import HandleController
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
 from kagezou.ui.viewport.picking import Picking
@@ -16,6 +15,7 @@ from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
 from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.space_bar import SpaceBar
 
 _CURSORS = {
     Cursor.MOVE: Qt.CursorShape.SizeAllCursor,
@@ -55,7 +55,7 @@ class Viewport(PictureWidget):
         self._space = space
         self._panned_from: QPointF | None = None
         self._taps = PenTaps()
-        self.hand = Hand(bridge, self.viewpoint)
+        self.hand = HandleController(bridge, self.viewpoint)
         self.picking = Picking()
         self.overlay = Overlay(self, self.hand, self.viewpoint, self.picking)
         self.picking.changed.connect(self._show_cursor)

@@ -1,0 +1,140 @@
+"""Export presets: named ways to export, each a small file of its own in the folder of the user's settings."""
+
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Final
+
+from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
+from kagezou.export.names import safe_names
+from kagezou.export.plan import ExportPlan, plan_of
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import input_problem, output_problem, shown
+from kagezou.io.project.json import Reader, parse
+
+SUFFIX: Final = ".json"
+VERSION: Final = 1
+_MAX_BYTES: Final = 1 << 16
+_MAX_NAME: Final = 80
+
+
+@dataclass(frozen=True, slots=True)
+class Preset:
+    """A way to export, what it is called, and where it lies."""
+
+    name: str
+    plan: ExportPlan
+    path: Path
+
+
+def presets_in(folder: Path) -> tuple[tuple[Preset, ...], tuple[Problem, ...]]:
+    """Return the presets of a folder by their names, and what is wrong with files that cannot be read."""
+    found: list[Preset] = []
+    problems: list[Problem] = []
+    try:
+        paths = sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
+    except OSError:
+        return (), ()
+    for path in paths:
+        try:
+            found.append(load_preset(path))
+        except Problem as problem:
+            problems.append(problem)
+    return tuple(sorted(found, key=lambda each: each.name.casefold())), tuple(problems)
+
+
+def load_preset(path: Path) -> Preset:
+    """Read a preset; what it says of an export that is not understood has its usual value.
+
+    Raises
+    ------
+    InputProblem
+        It cannot be read or is no preset.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(_MAX_BYTES + 1)
+    except OSError as error:
+        raise input_problem(path, error) from error
+    try:
+        if len(data) > _MAX_BYTES:
+            raise ProjectProblem("it is too large for one")
+        found = Reader(parse(data.decode())).record(("export_preset", "name", "plan"))
+        found["export_preset"].whole(VERSION, VERSION)
+        return Preset(_checked(str(found["name"].value)), plan_of(found["plan"].value), path)
+    except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
+        cause = "it is not UTF-8 text" if isinstance(problem, UnicodeDecodeError) else problem
+        raise InputProblem(f"{shown(path)} is not an export preset: {cause}") from problem
+
+
+def save_preset(folder: Path, name: str, plan: ExportPlan) -> Preset:
+    """Write a preset; one of the same name is replaced.
+
+    Raises
+    ------
+    UsageProblem
+        The name cannot be one.
+    OutputProblem, DiskFullProblem
+        It cannot be written; what was there is still there.
+    """
+    name = _checked(name)
+    same = next((each.path for each in presets_in(folder)[0] if each.name == name), None)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise output_problem(folder, error) from error
+    path = same or _free_path(folder, name)
+    record = {"export_preset": VERSION, "name": name, "plan": asdict(plan)}
+    write_bytes(path, (json.dumps(record, ensure_ascii=False, indent=2) + "\n").encode())
+    return Preset(name, plan, path)
+
+
+def rename_preset(folder: Path, preset: Preset, name: str) -> Preset:
+    """Give a preset another name.
+
+    Raises
+    ------
+    UsageProblem
+        The name cannot be one, or another preset has it.
+    OutputProblem, DiskFullProblem
+        It cannot be written; the preset keeps its name.
+    """
+    name = _checked(name)
+    if name == preset.name:
+        return preset
+    if any(each.name == name for each in presets_in(folder)[0]):
+        raise UsageProblem(f"there is an export preset {name!r} already")
+    renamed = save_preset(folder, name, preset.plan)
+    remove_preset(preset)
+    return renamed
+
+
+def remove_preset(preset: Preset) -> None:
+    """Take a preset away.
+
+    Raises
+    ------
+    OutputProblem
+        Its file cannot be removed.
+    """
+    try:
+        preset.path.unlink(missing_ok=True)
+    except OSError as error:
+        raise output_problem(preset.path, error) from error
+
+
+def _checked(name: str) -> str:
+    """Return a name without spaces around it, if it can be one."""
+    name = name.strip()
+    if not name or len(name) > _MAX_NAME or not name.isprintable():
+        raise UsageProblem(f"an export preset is named by 1 to {_MAX_NAME} printable characters, not {name[:60]!r}")
+    return name
+
+
+def _free_path(folder: Path, name: str) -> Path:
+    """Return a path for a new preset: two names may look alike to a file system."""
+    stem = safe_names([name])[name]
+    path, number = folder / f"{stem}{SUFFIX}", 2
+    while path.exists():
+        path, number = folder / f"{stem}_{number}{SUFFIX}", number + 1
+    return path

@@ -1,0 +1,214 @@
+"""The edges of set pieces as lines in space, and which parts of them the piece itself hides from the eye.
+
+Everything with flat faces is a profile drawn out along the piece's width; what is round has its rims and the outline
+that the eye sees of it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import pi, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from kagezou.geometry.ground import Plane
+from kagezou.geometry.sets import shapes as shapes
+from kagezou.geometry.sets.bodies import Ball, Body, Drum, Solid, vector
+from kagezou.geometry.vectors import Matrix, Vector3, Vector4
+
+RIM_PARTS = 48
+_STEP_PARTS = 48
+"""Into how many parts the edges of all steps together are looked at, along each of their directions."""
+
+_TOUCH = 1e-4
+"""A sight line that crosses a body for less than this part of its size only touches it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measures:
+    """What a piece is made from: its kind, sizes in world px, and the angles and counts of its properties."""
+
+    kind: str
+    width_px: float
+    height_px: float
+    depth_px: float
+    lean_deg: float = 0.0
+    count: int = 1
+
+
+class _Edge(NamedTuple):
+    """A polyline (N + 1, 3), and a point (N, 3) that stands for each of its parts: on a round edge, truly on it."""
+
+    points: Matrix
+    middles: Matrix
+
+
+@dataclass(frozen=True, slots=True)
+class Wire:
+    """A part of an edge: a polyline in world px, and whether the piece hides it from the eye."""
+
+    points: tuple[Vector3, ...]
+    is_hidden: bool
+
+
+def wires_of(stand: Plane, measures: Measures, eye: Vector4) -> tuple[Wire, ...]:
+    """Return the edges of a piece; none where its kind is not made of measures.
+
+    Parameters
+    ----------
+    stand
+        Its frame on the ground.
+    measures
+        What it is made from.
+    eye
+        The eye in world px, homogeneous; w = 0 for a direction.
+    """
+    w, h, d = measures.width_px, measures.height_px, measures.depth_px
+    match measures.kind:
+        case "wall":
+            corners = shapes.wall(stand, w, h, measures.lean_deg)[0].facets[0].corners
+            return (Wire((*corners, corners[0]), is_hidden=False),)
+        case "cylinder":
+            drum = shapes.drum(stand, w, h)[0]
+            rims = [_circle(middle, stand.u, stand.v, drum.radius_px) for middle in (drum.foot, drum.head)]
+            return _split([*rims, *_sides(drum, eye)], (drum,), eye, w + h)
+        case "sphere":
+            ball = shapes.ball(stand, w)[0]
+            girth = _circle(ball.centre, stand.u, stand.v, ball.radius_px)
+            rim = Wire(_points(_contour(ball, eye).points), is_hidden=False)
+            return (rim, *_split([girth], (ball,), eye, w))
+        case "steps":
+            solids = shapes.steps(stand, w, d, h, measures.count)
+            parts = max(_STEP_PARTS // measures.count, 2)
+            edges = _drawn_out(stand, w, _steps_profile(d, h, measures.count), parts)
+            return _split(edges, solids, eye, w + h + d)
+        case "ramp":
+            edges = _drawn_out(stand, w, [(d / 2, 0.0), (-d / 2, h), (-d / 2, 0.0)], 1)
+            return _split(edges, shapes.ramp(stand, w, d, h), eye, w + h + d)
+        case "box":
+            edges = _drawn_out(stand, w, [(d / 2, 0.0), (d / 2, h), (-d / 2, h), (-d / 2, 0.0)], 1)
+            return _split(edges, shapes.box(stand, w, d, h), eye, w + h + d)
+        case _:
+            return ()
+
+
+def _steps_profile(depth: float, height: float, count: int) -> list[tuple[float, float]]:
+    """Return the outline of steps seen from the side: (toward the front, up), from the foot of the first one."""
+    tread, riser = depth / count, height / count
+    profile = [(depth / 2, 0.0)]
+    for each in range(count):
+        front, top = depth / 2 - each * tread, (each + 1) * riser
+        profile += [(front, top), (front - tread, top)]
+    return [*profile, (-depth / 2, 0.0)]
+
+
+def _drawn_out(stand: Plane, width: float, profile: Sequence[tuple[float, float]], parts: int) -> list[_Edge]:
+    """Return the edges of a profile drawn out along the stand's u, around its middle, each in so many parts."""
+    axes = np.array([stand.u, stand.v, stand.normal])
+    rims = [
+        np.array(stand.origin) + np.array([(side, *at) for at in profile]) @ axes for side in (-width / 2, width / 2)
+    ]
+    ends = [(rim[i - 1], rim[i]) for rim in rims for i in range(len(profile))]
+    ends += [(rims[0][i], rims[1][i]) for i in range(len(profile))]
+    return [_straight(start, end, parts) for start, end in ends]
+
+
+def _straight(start: Matrix, end: Matrix, parts: int = 1) -> _Edge:
+    along = np.linspace(0.0, 1.0, 2 * parts + 1)[:, None]
+    points = start + along * (end - start)
+    return _Edge(points[::2], points[1::2])
+
+
+def _circle(middle: Vector3, u: Vector3, v: Vector3, radius: float) -> _Edge:
+    """Return a circle around a middle as a closed polyline."""
+    turns = np.linspace(0.0, 2 * pi, 2 * RIM_PARTS + 1)[:, None]
+    points = np.array(middle) + radius * (np.cos(turns) * np.array(u) + np.sin(turns) * np.array(v))
+    return _Edge(points[::2], points[1::2])
+
+
+def _contour(ball: Ball, eye: Vector4) -> _Edge:
+    """Return the circle on which sight lines touch a ball."""
+    centre = np.array(ball.centre)
+    way = np.array(eye[:3]) - eye[3] * centre
+    distance = float(np.linalg.norm(way))
+    axis = way / distance
+    part = min(ball.radius_px / distance, 0.999) if eye[3] else 0.0
+    middle = centre + ball.radius_px * part * axis
+    across = np.eye(3)[int(np.argmin(np.abs(axis)))]
+    u = np.cross(across, axis)
+    u /= np.linalg.norm(u)
+    return _circle(vector(middle), vector(u), vector(np.cross(axis, u)), ball.radius_px * sqrt(1 - part * part))
+
+
+def _sides(drum: Drum, eye: Vector4) -> list[_Edge]:
+    """Return the two straight lines on which sight lines touch a drum; none from above or within it."""
+    axis, foot = np.array(drum.axis), np.array(drum.foot)
+    way = np.array(eye[:3]) - eye[3] * foot
+    flat = way - (way @ axis) * axis
+    distance = float(np.linalg.norm(flat))
+    if distance < 1e-9 or (eye[3] and distance <= drum.radius_px):
+        return []
+    toward = flat / distance
+    near = drum.radius_px / distance if eye[3] else 0.0
+    aside = np.cross(axis, toward)
+    feet = [foot + drum.radius_px * (near * toward + side * sqrt(1 - near * near) * aside) for side in (-1.0, 1.0)]
+    return [_straight(each, each + drum.height_px * axis) for each in feet]
+
+
+def _split(edges: Sequence[_Edge], bodies: Sequence[Body], eye: Vector4, size: float) -> tuple[Wire, ...]:
+    """Return the edges in runs of parts that are all seen or all hidden."""
+    middles = np.concatenate([edge.middles for edge in edges])
+    hidden = np.zeros(len(middles), bool)
+    for body in bodies:
+        hidden |= _crossed(body, middles, eye) > _TOUCH * size
+    found: list[Wire] = []
+    at = 0
+    for edge in edges:
+        flags = hidden[at : at + len(edge.middles)]
+        at += len(flags)
+        starts = [0, *(int(turn) + 1 for turn in np.flatnonzero(flags[1:] != flags[:-1])), len(flags)]
+        found += [Wire(_points(edge.points[a : b + 1]), is_hidden=bool(flags[a])) for a, b in pairwise(starts)]
+    return tuple(found)
+
+
+def _crossed(body: Body, points: Matrix, eye: Vector4) -> Matrix:
+    """Return for how many px the way from each point (N, 3) to the eye lies within a body."""
+    ways = np.array(eye[:3]) - eye[3] * points
+    lengths = np.linalg.norm(ways, axis=1)
+    ways = ways / np.maximum(lengths, 1e-9)[:, None]
+    begin, end = np.zeros(len(points)), lengths if eye[3] else np.full(len(points), 1e9)
+    planes = [facet.equation for facet in body.facets] if isinstance(body, Solid) else []
+    if isinstance(body, Drum):
+        planes = list(body.ends)
+    if planes:
+        normals, offsets = np.array(planes)[:, :3].T, np.array(planes)[:, 3]
+        begin, end = _under(points @ normals + offsets, ways @ normals, begin, end)
+    if isinstance(body, Ball | Drum):
+        begin, end = _within(body.quadric, points, ways, begin, end)
+    return np.maximum(end - begin, 0.0)
+
+
+def _under(heights: Matrix, rises: Matrix, begin: Matrix, end: Matrix) -> tuple[Matrix, Matrix]:
+    """Return the part of each way from ``begin`` to ``end`` over none of the planes; heights are (N, planes)."""
+    level = np.abs(rises) < 1e-9
+    crossings = -heights / np.where(level, 1.0, rises)
+    begin = np.maximum(begin, np.where(~level & (rises < 0), crossings, 0.0).max(axis=1))
+    end = np.minimum(end, np.where(~level & (rises > 0), crossings, np.inf).min(axis=1))
+    return begin, np.where((level & (heights > -1e-6)).any(axis=1), begin, end)
+
+
+def _within(form: Matrix, points: Matrix, ways: Matrix, begin: Matrix, end: Matrix) -> tuple[Matrix, Matrix]:
+    """Return the part of each way from ``begin`` to ``end`` that lies within a quadric."""
+    start = np.column_stack([points, np.ones(len(points))])
+    way = np.column_stack([ways, np.zeros(len(ways))])
+    a, b, c = (np.einsum("ij,jk,ik->i", x, form, y) for x, y in ((way, way), (way, start), (start, start)))
+    inside = b * b - a * c
+    meets = (inside > 0) & (a > 1e-12)
+    root, whole = np.sqrt(np.where(meets, inside, 0.0)), np.where(a > 1e-12, a, 1.0)
+    begin = np.where(meets, np.maximum(begin, (-b - root) / whole), begin)
+    return begin, np.where(meets, np.minimum(end, (-b + root) / whole), begin)
+
+
+def _points(line: Matrix) -> tuple[Vector3, ...]:
+    return tuple((float(x), float(y), float(z)) for x, y, z in line)

@@ -1,0 +1,234 @@
+"""From picture files to cels: which drawings a source holds, when each is exposed, how large they are."""
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from kagezou.animation.frames import format_frames
+from kagezou.document.model import Cels, Drawing, Exposure, PicturePart
+from kagezou.errors import InputProblem
+from kagezou.importing.progress import LoadPhase, Progress, no_progress
+from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
+from kagezou.io.files.faults import shown
+from kagezou.io.images.reading import ImageInfo, probe, read_matte
+from kagezou.io.images.sequences import NumberedFile, Sequence, find_sequences
+from kagezou.io.pixels.signatures import is_psd
+from kagezou.io.project.paths import absolute
+from kagezou.io.psd.file import psd_tree
+from kagezou.io.psd.undrawn import drawn_by_extra
+
+MAX_NAME_CHARACTERS = 200
+_SHOWN_NAMES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class CharacterSource:
+    """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name.
+
+    Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of.
+    """
+
+    name: str | None
+    path: Path
+    is_timed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class NewCels:
+    """The cels of a layer to be.
+
+    Parameters
+    ----------
+    name
+        What the layer is to be called.
+    cels
+        Its drawings, with absolute paths, and exposures.
+    size_px
+        The largest width and the largest height among its drawings.
+    length_frames
+        Up to the last exposure; 1 for a still.
+    notes
+        What is odd about the files, one sentence each.
+    """
+
+    name: str
+    cels: Cels
+    size_px: tuple[int, int]
+    length_frames: int
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """What a source holds.
+
+    Parameters
+    ----------
+    layers
+        From the lowest up.
+    notes
+        About the source as a whole.
+    backgrounds
+        Opaque pictures in it that are named like a background.
+    """
+
+    layers: list[NewCels]
+    notes: list[str]
+    backgrounds: tuple[PicturePart, ...] = ()
+
+
+def held_by(source: CharacterSource, watch: Progress = no_progress) -> Held:
+    """Return the layers that a source holds, and notes about the source as a whole.
+
+    Raises
+    ------
+    InputProblem
+        There is nothing to be found, or none of the drawings of a layer can be opened.
+    """
+    path = absolute(source.path)
+    watch(LoadPhase.FINDING, 0, 0)
+    if is_psd(path) and path.is_file():
+        return _held_by_psd(source, path, watch)
+    found = find_sequences(path)
+    notes = [_left_out(path, (shown(Path(each.name)) for each in found.left_out))] if found.left_out else []
+    if len(found.sequences) == 1:
+        only = found.sequences[0]
+        own = path.name if path.is_dir() else only.name
+        return Held([_new_cels(source.name or printable(own), only, source, watch)], notes)
+    head = f"{source.name} " if source.name else ""
+    return Held([_new_cels(head + printable(each.name), each, source, watch) for each in found.sequences], notes)
+
+
+def _held_by_psd(source: CharacterSource, path: Path, watch: Progress) -> Held:
+    tree = psd_tree(path)
+    if not tree.layers:
+        name = source.name or printable(path.stem)
+        cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
+        size, about = _measured(name, cels.drawings, watch)
+        return Held([NewCels(name, cels, size, 1, tuple(about))], [])
+    cast = characters_in(tree, path.stem)
+    backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
+    drawn = [node for node in cast.backgrounds if node not in backgrounds]
+    characters = (*(PsdCharacter(each.name, (PsdCel(each.name, each),)) for each in drawn), *cast.characters)
+    if not characters and not backgrounds:
+        raise InputProblem(f"{shown(path)}: every layer in it is hidden or empty")
+    head = f"{source.name} " if source.name else ""
+    size = (tree.width_px, tree.height_px)
+    names = [head + printable(each.name) for each in characters]
+    if source.name and len(names) == 1:
+        names = [source.name]
+    layers = [_psd_cels(name, each, path, size) for name, each in zip(names, characters, strict=True)]
+    return Held(layers, _left_out_of(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
+
+
+def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, int]) -> NewCels:
+    """Return the cels of a character in number order, on ones."""
+    drawings = tuple(Drawing(printable(cel.name), path, cel.node.address) for cel in character.cels)
+    cels = Cels(drawings, tuple(Exposure(index + 1, index) for index in range(len(drawings))))
+    nodes = (each for cel in character.cels for each in (cel.node, *cel.node.below()))
+    undrawn = dict.fromkeys(effect for node in nodes for effect in node.undrawn)
+    return NewCels(name, cels, size, len(drawings), tuple(_undrawn_notes(name, tuple(undrawn))))
+
+
+def _undrawn_notes(name: str, undrawn: tuple[str, ...]) -> list[str]:
+    by_extra = drawn_by_extra(undrawn)
+    never = [each for each in undrawn if each not in by_extra]
+    notes = []
+    if never:
+        notes.append(f"{name}: these are not drawn: {', '.join(never)}")
+    if by_extra:
+        notes.append(f"{name}: these are drawn only after pip install 'kagezou[psd]': {', '.join(by_extra)}")
+    return notes
+
+
+def _is_opaque(part: PicturePart) -> bool:
+    return read_matte(part).is_full
+
+
+def _left_out_of(path: Path, cast: PsdCharacters) -> list[str]:
+    notes = []
+    if cast.hidden:
+        notes.append(f"{shown(path)}: left out, as they are hidden: {_some(node.name for node in cast.hidden)}")
+    if cast.empty:
+        notes.append(f"{shown(path)}: left out, as they are empty: {_some(node.name for node in cast.empty)}")
+    if cast.unnumbered:
+        notes.append(_left_out(path, (node.name for node in cast.unnumbered)))
+    return notes
+
+
+def printable(name: str) -> str:
+    """Return a file's or folder's name as one that a layer may have."""
+    text = "".join(character if character.isprintable() else "_" for character in name).strip()
+    return text[:MAX_NAME_CHARACTERS] or "Character"
+
+
+def _left_out(path: Path, names: Iterable[str]) -> str:
+    return f"{shown(path)}: left out, as they have no number: {_some(names)}"
+
+
+def _some(names: Iterable[str]) -> str:
+    known = list(names)
+    return ", ".join(known[:_SHOWN_NAMES]) + (", …" if len(known) > _SHOWN_NAMES else "")
+
+
+def _new_cels(name: str, sequence: Sequence, source: CharacterSource, watch: Progress) -> NewCels:
+    cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
+    size, notes = _measured(name, cels.drawings, watch)
+    if sequence.gaps and not source.is_timed:
+        notes.insert(0, f"{name}: missing {format_frames(sequence.gaps)}; the drawing before is held")
+    last = cels.exposures[-1].frame
+    return NewCels(name, cels, size, last, tuple(notes))
+
+
+def _drawing(file: NumberedFile) -> Drawing:
+    name = file.path.stem if file.number is None else f"{file.number}{file.suffix}"
+    return Drawing(printable(name), file.path)
+
+
+def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:
+    """Return one exposure a drawing: the first number on frame 1, the others as far behind as their numbers say.
+
+    A number that is there twice (12 and 12a) takes one frame more, so that no drawing is lost.
+    """
+    exposures: list[Exposure] = []
+    numbers: list[int] = []
+    inserted = 0
+    for index, file in enumerate(files):
+        number = file.number or 0
+        inserted += number in numbers[-1:]
+        numbers.append(number)
+        exposures.append(Exposure(number - numbers[0] + 1 + inserted, index))
+    return tuple(exposures)
+
+
+def _measured(name: str, drawings: tuple[Drawing, ...], watch: Progress) -> tuple[tuple[int, int], list[str]]:
+    """Return the largest width and height, and notes about drawings that differ or cannot be opened."""
+    infos: list[tuple[Drawing, ImageInfo]] = []
+    problems: list[InputProblem] = []
+    for index, drawing in enumerate(drawings):
+        watch(LoadPhase.OPENING, index, len(drawings))
+        try:
+            infos.append((drawing, probe(drawing.path)))
+        except InputProblem as problem:
+            problems.append(problem)
+    if not infos:
+        raise problems[0]
+    notes = [str(problem) for problem in problems[:_SHOWN_NAMES]]
+    if len(problems) > _SHOWN_NAMES:
+        notes.append(f"{name}: {len(problems)} drawings cannot be opened")
+    sizes = Counter((info.width_px, info.height_px) for _, info in infos)
+    if len(sizes) > 1:
+        first = infos[0][1]
+        other = next(
+            (drawing, info)
+            for drawing, info in infos
+            if (info.width_px, info.height_px) != (first.width_px, first.height_px)
+        )
+        notes.append(
+            f"{name}: drawings differ in size, first {shown(other[0].path)} with "
+            f"{other[1].width_px} × {other[1].height_px} px; each lies centred on the canvas"
+        )
+    if not infos[0][1].has_alpha:
+        notes.append(f"{name}: its drawings have no alpha; pure white is taken as clear")
+    return (max(width for width, _ in sizes), max(height for _, height in sizes)), notes

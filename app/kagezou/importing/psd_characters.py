@@ -1,0 +1,201 @@
+"""What the groups and layers of a PSD file are: cels of characters, single drawings, a background, or nothing.
+
+Animators number their cels and hide all but one; illustrators name the parts of one figure and show them together.
+"""
+
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from kagezou.io.psd.tree import PsdNode, PsdTree
+
+_NUMBERED: Final = re.compile(r"([^0-9]*?)[_\-. #]*([0-9]{1,6})([A-Za-z]{0,2})")
+_UNNAMED: Final = frozenset({
+    "layer", "レイヤー", "图层", "圖層", "레이어", "ebene", "calque", "capa", "livello", "camada", "слой",
+    "group", "グループ", "フォルダー", "gruppe", "groupe", "grupo", "gruppo",
+})  # fmt: skip
+"""What drawing programs call a layer that nobody named."""
+
+_BACKGROUND: Final = re.compile(
+    "(bg|lo|background|layout|paper|背景|背景原図|原図|美術|レイアウト|用紙|hintergrund|fond|fondo|sfondo)"
+    r"[ _.\-]*[0-9]{0,4}"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PsdCel:
+    """A drawing of a character: what a timesheet calls it, and the layer or group that it is."""
+
+    name: str
+    node: PsdNode
+
+
+@dataclass(frozen=True, slots=True)
+class PsdCharacter:
+    """A character layer to be; its cels are in the order of their numbers."""
+
+    name: str
+    cels: tuple[PsdCel, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PsdCharacters:
+    """What a PSD file brings.
+
+    Parameters
+    ----------
+    characters
+        From the lowest up.
+    backgrounds
+        Layers that are named like a background, from the lowest up; a background is opaque as well.
+    hidden, empty
+        What is left out.
+    unnumbered
+        What is left out as it lies among cels and is none.
+    """
+
+    characters: tuple[PsdCharacter, ...] = ()
+    backgrounds: tuple[PsdNode, ...] = ()
+    hidden: tuple[PsdNode, ...] = ()
+    empty: tuple[PsdNode, ...] = ()
+    unnumbered: tuple[PsdNode, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Number:
+    prefix: str
+    number: int
+    suffix: str
+
+    @property
+    def is_unnamed(self) -> bool:
+        return self.prefix in _UNNAMED
+
+
+def characters_in(tree: PsdTree, name: str) -> PsdCharacters:
+    """Return what a PSD file called ``name`` brings.
+
+    A group of numbered layers is a character, its layers are its cels, the hidden ones too. Numbered layers beside the
+    groups are cels of a character called like the file. Groups with such groups in them are opened; any other group,
+    and any other layer, is a drawing of its own.
+    """
+    sorting = _Sorting()
+    sorting.sort(tree.layers, name)
+    return PsdCharacters(
+        tuple(sorting.characters),
+        tuple(sorting.backgrounds),
+        tuple(sorting.hidden),
+        tuple(sorting.empty),
+        tuple(sorting.unnumbered),
+    )
+
+
+@dataclass(slots=True)
+class _Sorting:
+    characters: list[PsdCharacter] = field(default_factory=list)
+    backgrounds: list[PsdNode] = field(default_factory=list)
+    hidden: list[PsdNode] = field(default_factory=list)
+    empty: list[PsdNode] = field(default_factory=list)
+    unnumbered: list[PsdNode] = field(default_factory=list)
+
+    def sort(self, nodes: Sequence[PsdNode], owner: str) -> None:
+        """Take in what lies beside each other, within ``owner``."""
+        sheaves = _loose_sheaves(nodes)
+        taken = {id(node): prefix for prefix, members in sheaves.items() for _, node in members}
+        for node in nodes:
+            if id(node) in taken:
+                members = sheaves.pop(taken[id(node)], None)
+                if members is not None:
+                    is_only = len(set(taken.values())) == 1
+                    self.characters.append(_character(owner if is_only else taken[id(node)] or owner, members))
+            elif not node.is_clipped:
+                self._take(node)
+
+    def _take(self, node: PsdNode) -> None:
+        if not node.is_visible:
+            self.hidden.append(node)
+            return
+        cels = _cels_in(node)
+        if _plain(node.name) and _BACKGROUND.fullmatch(_plain(node.name)) and not cels and _shows(node):
+            self.backgrounds.append(node)
+        elif cels:
+            self.characters.append(_character(node.name, cels))
+            self.unnumbered += filter(_shows, _beside(cels, node))
+        elif _holds_sheaf(node):
+            self.sort(node.children or (), node.name)
+        elif _shows(node):
+            self.characters.append(PsdCharacter(node.name, (PsdCel(node.name, node),)))
+        else:
+            self.empty.append(node)
+
+
+def _loose_sheaves(nodes: Iterable[PsdNode]) -> dict[str, list[tuple[_Number, PsdNode]]]:
+    """Return by what stands before their numbers the layers that are cels without a group of their own."""
+    found: dict[str, list[tuple[_Number, PsdNode]]] = {}
+    for number, node in _numbered(nodes):
+        found.setdefault(number.prefix, []).append((number, node))
+    return {prefix: members for prefix, members in found.items() if len(members) > 1 and not _is_one_picture(members)}
+
+
+def _cels_in(group: PsdNode) -> list[tuple[_Number, PsdNode]]:
+    """Return the numbered cels of a group; none where it is something else."""
+    members = _numbered(group.children or ())
+    prefixes = {number.prefix for number, _ in members}
+    if len(prefixes) != 1 or _is_one_picture(members):
+        return []
+    # "arm1, arm2, body" is a figure in parts; "1, 2, frame" and "A1, A2, frame" in a group A are cels and a frame.
+    is_plain = prefixes <= {"", _plain(group.name)}
+    return [] if any(map(_shows, _beside(members, group))) and not is_plain else members
+
+
+def _beside(cels: Iterable[tuple[_Number, PsdNode]], group: PsdNode) -> list[PsdNode]:
+    """Return what lies in a group beside its cels."""
+    known = {id(node) for _, node in cels}
+    return [node for node in group.children or () if id(node) not in known and not node.is_clipped]
+
+
+def _numbered(nodes: Iterable[PsdNode]) -> list[tuple[_Number, PsdNode]]:
+    found = ((_number_of(node.name), node) for node in nodes if not node.is_clipped and not _is_sheaf(node))
+    return [(number, node) for number, node in found if number is not None]
+
+
+def _is_one_picture(members: Sequence[tuple[_Number, PsdNode]]) -> bool:
+    """Whether layers that nobody named are seen together, as the parts of a picture are and cels are not."""
+    return any(number.is_unnamed for number, _ in members) and sum(node.is_visible for _, node in members) > 1
+
+
+def _is_sheaf(node: PsdNode) -> bool:
+    """Whether a group holds several cels, or groups that do."""
+    cels = _cels_in(node) if node.children else []
+    return (len(cels) > 1 and not cels[0][0].is_unnamed) or _holds_sheaf(node)
+
+
+def _holds_sheaf(node: PsdNode) -> bool:
+    return any(child.children and (_cels_in(child) or _holds_sheaf(child)) for child in node.children or ())
+
+
+def _shows(node: PsdNode) -> bool:
+    """Whether there is something to be seen of a layer or a group."""
+    if not node.is_visible or node.is_empty:
+        return False
+    return node.children is None or any(map(_shows, node.children))
+
+
+def _character(name: str, members: Iterable[tuple[_Number, PsdNode]]) -> PsdCharacter:
+    ordered = sorted(members, key=lambda member: (member[0].number, member[0].suffix.lower(), member[0].suffix))
+    cels: list[PsdCel] = []
+    for number, node in ordered:
+        short = f"{number.number}{number.suffix}"
+        cels.append(PsdCel(node.name if cels and cels[-1].name == short else short, node))
+    return PsdCharacter(name, tuple(cels))
+
+
+def _number_of(name: str) -> _Number | None:
+    found = _NUMBERED.fullmatch(unicodedata.normalize("NFKC", name).strip())
+    return _Number(_plain(found[1]), int(found[2]), found[3]) if found else None
+
+
+def _plain(name: str) -> str:
+    return unicodedata.normalize("NFKC", name).strip().casefold()

@@ -1,0 +1,279 @@
+"""Bringing characters onto the canvas: from folders of drawings to a document that shows a good shadow at once."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+
+from kagezou.document.address import Address
+from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
+from kagezou.document.model import Canvas, Document, PicturePart, PictureSource
+from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
+from kagezou.errors import InputProblem
+from kagezou.geometry.box import Box
+from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
+from kagezou.importing.figures import Figure, MeasuredFigure, look_at
+from kagezou.importing.first_light import first_light
+from kagezou.importing.progress import LoadPhase, Progress, no_progress
+from kagezou.importing.timesheet_on_document import timed
+from kagezou.io.files.faults import shown
+from kagezou.io.images.reading import probe
+from kagezou.io.project.paths import absolute
+from kagezou.io.sheets.timesheet import Timesheet
+from kagezou.io.sheets.xdts import read_timesheet
+from kagezou.scene.evaluate import camera_at, ground_at
+
+STILL_LENGTH_FRAMES = 24
+"""The cut of a project that has only stills."""
+
+MAX_SIDE_PX = 16384
+DEFAULT_SIZE_PX = (1920, 1080)
+__all__ = [
+    "Brought",
+    "CharacterSource",
+    "Imported",
+    "brought",
+    "exposed",
+    "new_document",
+    "put_in",
+    "with_characters",
+    "with_timesheet",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Imported:
+    """A document with something brought in.
+
+    Parameters
+    ----------
+    document
+        The document.
+    notes
+        What the user should know, one sentence each.
+    layer_ids
+        The layers that came, or that a timesheet changed, from bottom to top.
+    """
+
+    document: Document
+    notes: tuple[str, ...]
+    layer_ids: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Brought:
+    """Characters whose files have been read, to be put into a document without reading any more.
+
+    Parameters
+    ----------
+    arrivals
+        Their cels, from bottom to top.
+    looks
+        What was seen of each one's drawings.
+    notes
+        What the user should know of the files, one sentence each.
+    backgrounds
+        Opaque layers that could be the background.
+    """
+
+    arrivals: tuple[NewCels, ...]
+    looks: tuple[MeasuredFigure, ...]
+    notes: tuple[str, ...]
+    backgrounds: tuple[PicturePart, ...] = ()
+
+
+def new_document(
+    sources: Sequence[CharacterSource],
+    *,
+    background: Path | None = None,
+    size: tuple[int, int] | None = None,
+    frame_rate: Fraction = Fraction(24),
+    watch: Progress = no_progress,
+) -> Imported:
+    """Return a new document with characters, a ground under the lowest of them and a lamp in front.
+
+    Parameters
+    ----------
+    sources
+        The characters from bottom to top.
+    background
+        A picture under everything.
+    size
+        Canvas width and height, px; else the background's size, else that of the largest drawing.
+    frame_rate
+        Frames a second.
+    watch
+        Told how far it is.
+
+    Raises
+    ------
+    InputProblem
+        A file that was asked for cannot be found or opened, or is too large.
+    UsageProblem
+        A name is no name for a layer.
+    """
+    read = _read(sources, watch)
+    own = None if background is None else absolute(background)
+    width, height = size or _natural_size(own or next(iter(read.backgrounds), None), read.arrivals)
+    document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
+    document = set_background(document, own)
+    read = replace(read, looks=_looks(read.arrivals, document.canvas.box, watch))
+    watch(LoadPhase.LIGHTING, 0, 0)
+    return put_in(document, read)
+
+
+def with_characters(document: Document, sources: Sequence[CharacterSource]) -> Imported:
+    """Return the document with characters on top; ground and lamp are placed only for the first ones.
+
+    Raises
+    ------
+    InputProblem, UsageProblem
+        As for :func:`new_document`.
+    """
+    return put_in(document, brought(sources, document.canvas.box))
+
+
+def brought(sources: Sequence[CharacterSource], canvas: Box, watch: Progress = no_progress) -> Brought:
+    """Return characters with everything read that is needed to put them into any document.
+
+    Parameters
+    ----------
+    sources
+        The characters from bottom to top.
+    canvas
+        Where they will probably lie.
+    watch
+        Told how far it is.
+
+    Raises
+    ------
+    InputProblem, UsageProblem
+        As for :func:`new_document`.
+    """
+    read = _read(sources, watch)
+    return replace(read, looks=_looks(read.arrivals, canvas, watch))
+
+
+def with_timesheet(document: Document, path: Path) -> Imported:
+    """Return the document exposed as the timesheet at ``path`` says, and as long.
+
+    Raises
+    ------
+    InputProblem
+        The timesheet cannot be read.
+    """
+    return exposed(document, read_timesheet(path))
+
+
+def exposed(document: Document, sheet: Timesheet) -> Imported:
+    """Return the document exposed as a timesheet says, and as long."""
+    changed, notes = timed(document, sheet)
+    before = {layer.id: layer for layer in document.layers}
+    return Imported(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
+
+
+def _read(sources: Sequence[CharacterSource], watch: Progress) -> Brought:
+    """Return what the sources hold, not looked at yet."""
+    arrivals: list[NewCels] = []
+    notes: list[str] = []
+    backgrounds: list[PicturePart] = []
+    for source in sources:
+        held = held_by(source, watch)
+        arrivals += held.layers
+        notes += held.notes
+        backgrounds += held.backgrounds
+    return Brought(tuple(arrivals), (), tuple(notes), tuple(backgrounds))
+
+
+def _with_background(document: Document, found: Sequence[PicturePart], notes: list[str]) -> Document:
+    """Put the first of what was found under everything, unless there is a background; the others are told."""
+    taken = found[:1] if document.background is None else ()
+    notes += [
+        f"{shown(each.path)}: the layer {each.address!r} was left out, as there is a background already"
+        for each in found[len(taken) :]
+    ]
+    return set_background(document, taken[0]) if taken else document
+
+
+def _looks(arrivals: Sequence[NewCels], canvas: Box, watch: Progress) -> tuple[MeasuredFigure, ...]:
+    return tuple(look_at(arrival.cels.drawings, canvas, watch) for arrival in arrivals)
+
+
+def _natural_size(background: PictureSource | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
+    if background is not None:
+        info = probe(background)
+        size = (info.width_px, info.height_px)
+    elif arrivals:
+        size = (max(each.size_px[0] for each in arrivals), max(each.size_px[1] for each in arrivals))
+    else:
+        size = DEFAULT_SIZE_PX
+    if max(size) > MAX_SIDE_PX:
+        raise InputProblem(
+            f"a canvas of {size[0]} × {size[1]} px, as the pictures have it, is larger than {MAX_SIDE_PX} px; "
+            "please give a size"
+        )
+    return size
+
+
+def put_in(document: Document, read: Brought) -> Imported:
+    """Return the document with the characters on top; for the first ones ground, lamp and the cut's length are set.
+
+    Raises
+    ------
+    UsageProblem
+        A name is no name for a layer.
+    """
+    is_first = not document.layers
+    stage = document.canvas.box
+    notes = list(read.notes)
+    document = _with_background(document, read.backgrounds, notes)
+    looks: dict[str, MeasuredFigure] = {}
+    for arrival, seen in zip(read.arrivals, read.looks, strict=True):
+        look = replace(seen, figure=seen.figure.on(stage)) if seen.figure else seen
+        document = add_layer(document, arrival.name, arrival.cels, look.figure.box if look.figure else stage)
+        layer = document.layers[-1]
+        looks[layer.id] = look
+        told = (note for note in look.notes if note not in arrival.notes)
+        notes += [*arrival.notes, *told, *_notes_on(layer.name, arrival, look.figure, stage)]
+    if is_first and read.arrivals:
+        document = _with_length(document, read.arrivals)
+        document = _with_ground_and_lamp(document, looks)
+    return Imported(document, tuple(notes), tuple(looks))
+
+
+def _with_length(document: Document, arrivals: Sequence[NewCels]) -> Document:
+    longest = max(arrival.length_frames for arrival in arrivals)
+    length = STILL_LENGTH_FRAMES if longest == 1 else longest
+    canvas = document.canvas
+    return set_canvas(document, replace(canvas, length_frames=max(length, canvas.length_frames)))
+
+
+def _notes_on(name: str, arrival: NewCels, figure: Figure | None, stage: Box) -> list[str]:
+    width, height = arrival.size_px
+    notes = []
+    if width > stage.width or height > stage.height:
+        canvas = f"{stage.width} × {stage.height}"
+        notes.append(f"{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px")
+    if figure is None:
+        notes.append(f"{name}: there is nothing solid in its drawings; the whole canvas was taken as the figure")
+    elif figure.is_cut_off:
+        notes.append(
+            f"{name}: the figure reaches the lower edge of its drawing, where the ground was put; "
+            "if its feet are cut off, move the ground to where they would stand"
+        )
+    return notes
+
+
+def _with_ground_and_lamp(document: Document, looks: Mapping[str, MeasuredFigure]) -> Document:
+    """Put the ground under the lowest figure, and the lamp where it gives a good shadow of all."""
+    stage = document.canvas.box
+    figures = [look.figure for look in looks.values() if look.figure is not None]
+    if not figures:
+        return set_constant(document, Address(GROUND_POSITION), (stage.width / 2, float(stage.height)))
+    lowest = max(figures, key=lambda figure: figure.foot[1])
+    document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
+    later = np.concatenate([look.later for look in looks.values()])
+    place = first_light(stage, camera_at(document, 1), ground_at(document, 1), figures, later)
+    return set_constant(document, Address(LIGHT_POSITION), place)

@@ -1,0 +1,117 @@
+"""A timesheet on a document: its columns find their layers by name, its cels their drawings by number."""
+
+import re
+import unicodedata
+from collections.abc import Iterable
+from dataclasses import replace
+
+from kagezou.document.edits import set_canvas, set_exposures
+from kagezou.document.model import Document, Drawing, Exposure, Layer
+from kagezou.importing.cels_of_files import printable
+from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+
+_NUMBERED = re.compile(r"[^0-9.]*?[_\-. ]?0*([0-9]{1,6})([a-z]{0,2})")
+_SHOWN_CELS = 5
+
+
+def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[str]]:
+    """Return the document exposed as the sheet says and as long, and notes about what does not match.
+
+    A cel that no drawing has stays empty. A layer without a column keeps its exposures.
+    """
+    notes: list[str] = []
+    free = list(document.layers)
+    for track in sheet.tracks:
+        layer = _layer_for(track.name, free)
+        if layer is None:
+            if track.entries:
+                notes.append(f"no layer of that name is left for the timesheet's column {track.name!r}")
+            continue
+        free.remove(layer)
+        exposures, missing = _exposed(layer, track)
+        document = set_exposures(document, layer.id, exposures)
+        if missing:
+            more = ", …" if len(missing) > _SHOWN_CELS else ""
+            notes.append(
+                f"{layer.name}: the timesheet asks for cels that are not among its drawings and stay empty: "
+                f"{', '.join(missing[:_SHOWN_CELS])}{more}"
+            )
+    notes += [f"{layer.name}: the timesheet has no column for it; it keeps its timing" for layer in free]
+    return set_canvas(document, replace(document.canvas, length_frames=sheet.length_frames)), notes
+
+
+def _layer_for(name: str, layers: Iterable[Layer]) -> Layer | None:
+    """Return the layer of that name, or else the only one whose name ends with it as a word."""
+    wanted = _plain(printable(name)) if name else ""
+    exact = [layer for layer in layers if _plain(layer.name) == wanted]
+    if exact or not wanted:
+        return exact[0] if exact else None
+    near = [layer for layer in layers if _plain(layer.name).endswith(f" {wanted}")]
+    numbered = [layer for layer in layers if re.fullmatch(re.escape(wanted) + r" [0-9]+", _plain(layer.name))]
+    if len(near) == 1:
+        return near[0]
+    return numbered[0] if numbered else None
+
+
+def _plain(name: str) -> str:
+    # A sheet may have full-width letters and figures.
+    return unicodedata.normalize("NFKC", name).strip().casefold()
+
+
+def _exposed(layer: Layer, track: SheetTrack) -> tuple[tuple[Exposure, ...], list[str]]:
+    """Return the exposures of a column and the cels, once each, that the layer has no drawing of."""
+    drawings = _Drawings(layer.cels.drawings)
+    exposures: list[Exposure] = []
+    missing: list[str] = []
+    for frame, cel in track.entries:
+        index = None if cel is None else drawings.index_of(cel, track.name)
+        if cel is not None and index is None and cel not in missing:
+            missing.append(cel)
+        if not exposures or exposures[-1].drawing != index:
+            exposures.append(Exposure(frame + 1, index))
+    return tuple(exposures), missing
+
+
+class _Drawings:
+    """The drawings of a layer by all that a sheet may call them; the first of two with one name counts."""
+
+    def __init__(self, drawings: tuple[Drawing, ...]) -> None:
+        self._by_name: dict[str, int] = {}
+        self._by_number: dict[tuple[int, str], int] = {}
+        for index, drawing in enumerate(drawings):
+            for name in {_plain(drawing.name), _plain(drawing.name if drawing.part else drawing.path.stem)}:
+                self._by_name.setdefault(name, index)
+            number = _number_in(_plain(drawing.name))
+            if number is not None:
+                self._by_number.setdefault(number, index)
+
+    def index_of(self, cel: str, column: str) -> int | None:
+        """Return the drawing that a column's cel is: by name, else by number with or without the column's name."""
+        name = _plain(cel)
+        if name in self._by_name:
+            return self._by_name[name]
+        number = _number_in(name.removeprefix(_plain(column))) or _number_in(name)
+        return None if number is None else self._by_number.get(number)
+
+
+def _number_in(name: str) -> tuple[int, str] | None:
+    found = _NUMBERED.fullmatch(name)
+    return (int(found[1]), found[2]) if found else None
+
+
+def sheet_of(document: Document, name: str) -> Timesheet:
+    """Return the timesheet of a document: a column a layer, its drawings by their names."""
+    length = document.canvas.length_frames
+    tracks = tuple(SheetTrack(layer.name, _entries(layer, length)) for layer in document.layers)
+    return Timesheet(name, length, tracks)
+
+
+def _entries(layer: Layer, length: int) -> tuple[tuple[int, str | None], ...]:
+    """Return the entries within the cut; what was exposed before it began is what it begins with."""
+    found: dict[int, str | None] = {}
+    for exposure in layer.cels.exposures:
+        if exposure.frame > length:
+            break
+        cel = None if exposure.drawing is None else layer.cels.drawings[exposure.drawing].name
+        found[max(exposure.frame - 1, 0)] = cel
+    return tuple(sorted(found.items()))

@@ -1,0 +1,120 @@
+"""Files of shortcuts: the sets that come with the program, and those the user hands on."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from kagezou.document.property import Words
+from kagezou.errors import InputProblem, ProjectProblem
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import shown
+from kagezou.io.project.json import JsonRow, Reader, formatted, parse
+from kagezou.locations import resource_folder
+
+SUFFIX = ".json"
+VERSION = 1
+MAX_BYTES = 1 << 18
+_MOST_COMMANDS = 1000
+_MOST_KEYS = 8
+_LONGEST = 80
+
+Keys = Mapping[str, tuple[str, ...]]
+"""The keys of commands by the commands' names, as Qt writes keys: ``Ctrl+Shift+P``."""
+
+
+@dataclass(frozen=True, slots=True)
+class KeySet:
+    """Shortcuts under a name; commands it does not name keep the table's own.
+
+    Parameters
+    ----------
+    code
+        Its file's name without order and suffix.
+    name
+        What people read.
+    keys
+        The keys that differ from the table's.
+    """
+
+    code: str
+    name: Words
+    keys: Keys
+
+
+def bundled_key_sets() -> tuple[KeySet, ...]:
+    """Return the sets that come with the program, the program's own first."""
+    folder = resource_folder() / "shortcuts"
+    return tuple(load_key_set(path) for path in sorted(folder.iterdir()) if path.suffix == SUFFIX)
+
+
+def load_key_set(path: Path) -> KeySet:
+    """Read a set of shortcuts.
+
+    Raises
+    ------
+    InputProblem
+        If it cannot be read or is none; one sentence naming the file and the place.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise InputProblem(f"{shown(path)} cannot be read: {error.strerror or error}") from error
+    try:
+        if len(data) > MAX_BYTES:
+            raise ProjectProblem("it is too large for shortcuts")
+        return _key_set(Reader(parse(data.decode())), path.stem.lstrip("0123456789-"))
+    except UnicodeDecodeError as error:
+        raise InputProblem(f"{shown(path)} does not hold shortcuts: it is not UTF-8 text") from error
+    except ProjectProblem as problem:
+        raise InputProblem(f"{shown(path)} does not hold shortcuts: {problem}") from problem
+
+
+def save_key_set(path: Path, key_set: KeySet) -> None:
+    """Write a set of shortcuts as a whole.
+
+    Raises
+    ------
+    OutputProblem, DiskFullProblem
+        If it cannot be written; what was there is still there.
+    """
+    record = {
+        "shortcuts": VERSION,
+        "name": JsonRow({"en": key_set.name.en, "ja": key_set.name.ja}),
+        "keys": {name: JsonRow(list(keys)) for name, keys in key_set.keys.items()},
+    }
+    write_bytes(path, formatted(record).encode())
+
+
+def keys_from_text(text: str) -> Keys:
+    """Return the keys that a text of :func:`text_of_keys` holds.
+
+    Raises
+    ------
+    ProjectProblem
+        If it holds something else.
+    """
+    return _keys(Reader(parse(text)))
+
+
+def text_of_keys(keys: Keys) -> str:
+    """Return keys as one line of text."""
+    return json.dumps({name: list(each) for name, each in keys.items()})
+
+
+def _key_set(reader: Reader, code: str) -> KeySet:
+    found = reader.record(("shortcuts", "name", "keys"))
+    found["shortcuts"].whole(VERSION, VERSION)
+    names = found["name"].record(("en", "ja"))
+    return KeySet(code, Words(names["en"].text(_LONGEST), names["ja"].text(_LONGEST)), _keys(found["keys"]))
+
+
+def _keys(reader: Reader) -> Keys:
+    members = reader.members()
+    if len(members) > _MOST_COMMANDS:
+        raise reader.problem(f"it names more than {_MOST_COMMANDS} commands")
+    return MappingProxyType(
+        {name: tuple(each.text(_LONGEST) for each in keys.items(_MOST_KEYS)) for name, keys in members.items()}
+    )

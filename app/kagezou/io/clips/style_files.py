@@ -1,0 +1,163 @@
+"""Style files: those that come with the program, and the user's own beside them."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from kagezou.animation.track import Value
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.property import Property, Words
+from kagezou.document.style import NOT_OF_A_STYLE, Style
+from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import shown
+from kagezou.io.project.json import Reader, parse
+from kagezou.locations import resource_folder
+
+SUFFIX = ".json"
+VERSION = 1
+MAX_BYTES = 1 << 20
+_TALLEST_PX = 100_000.0
+
+
+@dataclass(frozen=True, slots=True)
+class StyleFile:
+    """A style and where it lies."""
+
+    style: Style
+    path: Path
+    is_own: bool
+    """Whether it is the user's, and may be taken away."""
+
+
+def bundled_styles() -> tuple[StyleFile, ...]:
+    """Return the styles that come with the program."""
+    return tuple(StyleFile(load_style(path), path, is_own=False) for path in _files(resource_folder() / "styles"))
+
+
+def own_styles(folder: Path) -> tuple[tuple[StyleFile, ...], tuple[Problem, ...]]:
+    """Return the styles in the user's folder, and what is wrong with files that cannot be read."""
+    found: list[StyleFile] = []
+    problems: list[Problem] = []
+    for path in _files(folder):
+        try:
+            found.append(StyleFile(load_style(path), path, is_own=True))
+        except Problem as problem:
+            problems.append(problem)
+    return tuple(found), tuple(problems)
+
+
+def load_style(path: Path) -> Style:
+    """Read a style.
+
+    Raises
+    ------
+    InputProblem
+        If it cannot be read or is no style; one sentence naming the file and the place.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise InputProblem(f"{shown(path)} cannot be read: {error.strerror or error}") from error
+    try:
+        if len(data) > MAX_BYTES:
+            raise ProjectProblem("it is too large for a style")
+        return _style(Reader(parse(data.decode())))
+    except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
+        cause = "it is not UTF-8 text" if isinstance(problem, UnicodeDecodeError) else str(problem)
+        raise InputProblem(f"{shown(path)} is not a style: {cause}") from problem
+
+
+def save_style(folder: Path, style: Style) -> Path:
+    """Write a style into a folder, under its name; one of the same name is replaced.
+
+    Raises
+    ------
+    UsageProblem
+        If the name cannot be one.
+    OutputProblem, DiskFullProblem
+        If it cannot be written; what was there is still there.
+    """
+    name = style.name.en.strip()
+    stem = "".join(letter if letter.isalnum() or letter in " -_" else "_" for letter in name).strip()
+    if not stem or len(stem) > 80:
+        raise UsageProblem(f"a style cannot be named {name[:60]!r}: a name is 1 to 80 letters and digits")
+    path = folder / f"{stem}{SUFFIX}"
+    folder.mkdir(parents=True, exist_ok=True)
+    write_bytes(path, dumps_style(style).encode())
+    return path
+
+
+def dumps_style(style: Style) -> str:
+    """Return a style as the text of its file."""
+    name = style.name.en.strip()
+    record: dict[str, object] = {
+        "style": VERSION,
+        "name": {"en": name, "ja": style.name.ja.strip() or name},
+        "figure_px": style.figure_px,
+        "values": dict(style.values),
+    }
+    if style.scene:
+        record["scene"] = dict(style.scene)
+    return json.dumps(record, ensure_ascii=False, indent=2) + "\n"
+
+
+def loads_style(text: str) -> Style | None:
+    """Return the style that a text is, such as one from the clipboard; None if it is none."""
+    try:
+        return _style(Reader(parse(text))) if len(text) <= MAX_BYTES else None
+    except (ProjectProblem, UsageProblem):
+        return None
+
+
+def _files(folder: Path) -> list[Path]:
+    try:
+        return sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
+    except FileNotFoundError:
+        return []
+
+
+def _style(reader: Reader) -> Style:
+    found = reader.record(("style", "name", "figure_px", "values"), ("scene",))
+    found["style"].whole(VERSION, VERSION)
+    names = found["name"].record(("en", "ja"))
+    layer_lines = {name: line for name, line in OF_LAYER.items() if name not in NOT_OF_A_STYLE}
+    height = found["figure_px"]
+    if (
+        isinstance(height.value, bool)
+        or not isinstance(height.value, (int, float))
+        or not 1 <= height.value <= _TALLEST_PX
+    ):
+        raise height.refused(f"a height from 1 to {_TALLEST_PX:g} px")
+    return Style(
+        Words(_name(names["en"]), _name(names["ja"])),
+        float(height.value),
+        _values(found["values"], layer_lines),
+        _values(found["scene"], OF_DOCUMENT) if "scene" in found else MappingProxyType({}),
+    )
+
+
+def _name(reader: Reader) -> str:
+    text = reader.value
+    if not isinstance(text, str) or not text.strip() or not text.isprintable() or len(text) > 80:
+        raise reader.refused("a name of 1 to 80 printable characters")
+    return text
+
+
+def _height(reader: Reader) -> float:
+    height = reader.value
+    if isinstance(height, bool) or not isinstance(height, (int, float)) or not 1 <= height <= _TALLEST_PX:
+        raise reader.refused(f"a height from 1 to {_TALLEST_PX:g} px")
+    return float(height)
+
+
+def _values(reader: Reader, lines: Mapping[str, Property]) -> Mapping[str, Value]:
+    values: dict[str, Value] = {}
+    for name, each in reader.members().items():
+        if name not in lines:
+            raise reader.problem(f"the key {name!r} is no property that a style can set")
+        values[name] = lines[name].canonical(each.value)
+    return MappingProxyType(values)

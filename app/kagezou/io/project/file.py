@@ -1,0 +1,121 @@
+"""The project file: one UTF-8 JSON text with relative paths, safe to read from a stranger and easy to compare.
+
+Loading looks at nothing but the file itself: the pictures it names are not touched, nothing runs, nothing is written.
+`FORMAT.md` beside this module describes every key.
+"""
+
+import hashlib
+import os
+import re
+from pathlib import Path
+from typing import Final
+
+from kagezou.document import invariants
+from kagezou.document.model import Document
+from kagezou.errors import ProjectProblem
+from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.faults import cause_of, shown
+from kagezou.io.project.json import Reader, formatted, parse
+from kagezou.io.project.paths import absolute
+from kagezou.io.project.reading import document_of
+from kagezou.io.project.versions import upgraded
+from kagezou.io.project.writing import tree_of
+
+_VERSION: Final = re.compile(r"(.+)_(\d{2,5})")
+
+MAX_BYTES: Final = 64 << 20
+"""A project larger than this is refused before it is read."""
+
+
+def load(path: Path) -> Document:
+    """Return the document of the project at ``path``; its pictures have absolute paths and are not looked at.
+
+    Raises
+    ------
+    ProjectProblem
+        The file is missing, unreadable, damaged or from a newer program: one sentence with the file's name and the
+        JSON path of what is wrong.
+    """
+    try:
+        return loads(_text_at(path), absolute(path).parent)
+    except OSError as error:
+        raise ProjectProblem(f"{shown(path)}: {cause_of(error)}") from error
+    except ProjectProblem as problem:
+        raise ProjectProblem(f"{shown(path)}: {problem}") from problem
+
+
+def fingerprint(path: Path) -> str:
+    """Return what tells the content of a file from another, whatever its clock says; empty if there is no such file."""
+    try:
+        with path.open("rb") as stream:
+            return hashlib.file_digest(stream, "sha256").hexdigest()
+    except OSError:
+        return ""
+
+
+def next_version(path: Path) -> Path:
+    """Return the path of the next version of a project that is not there yet: ``walk`` → ``walk_002``, and so on."""
+    found = _VERSION.fullmatch(path.stem)
+    name, number, digits = (found[1], int(found[2]), len(found[2])) if found else (path.stem, 1, 3)
+    while True:
+        number += 1
+        wanted = path.with_name(f"{name}_{number:0{digits}d}{path.suffix}")
+        if not wanted.exists():
+            return wanted
+
+
+def save(document: Document, path: Path) -> None:
+    """Write the project as a whole or not at all; what was there is kept as ``NAME~``.
+
+    Raises
+    ------
+    ProjectProblem
+        The document cannot be kept in a project that loads again.
+    DiskFullProblem, OutputProblem
+        The file cannot be written; the old one is still there.
+    """
+    folder = absolute(path).parent
+    try:
+        text = dumps(document, folder)
+        loads(text, folder)
+    except ProjectProblem as problem:
+        raise ProjectProblem(f"{shown(path)}: cannot be saved: {problem}") from problem
+    write_bytes(path, text.encode("utf-8"), keep_previous=True)
+
+
+def dumps(document: Document, folder: Path) -> str:
+    """Return the text of a project file that lies in ``folder``.
+
+    Raises
+    ------
+    ProjectProblem
+        A picture lies where a project cannot name it.
+    """
+    return formatted(tree_of(document, absolute(folder)))
+
+
+def loads(text: str, folder: Path) -> Document:
+    """Return the document of a project's text; relative paths start at ``folder``.
+
+    Raises
+    ------
+    ProjectProblem
+        With the JSON path of what is wrong.
+    """
+    document = document_of(Reader(upgraded(parse(text))), absolute(folder))
+    invariants.check(document)
+    return document
+
+
+def _text_at(path: Path) -> str:
+    try:
+        if path.exists() and not path.is_file():
+            raise ProjectProblem("it is not a file")
+        with path.open("rb") as stream:
+            if os.fstat(stream.fileno()).st_size > MAX_BYTES:
+                raise ProjectProblem(f"it is larger than {MAX_BYTES >> 20} MB, which no project is")
+            return stream.read(MAX_BYTES + 1).decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise ProjectProblem(f"it is not UTF-8 text (byte {error.start + 1})") from error
+    except ValueError as error:  # a NUL in the name
+        raise ProjectProblem("it cannot be the name of a file") from error

@@ -1,0 +1,91 @@
+"""Path mapping: where the files of one machine lie on another, by the rules that Open Job Description hands over."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
+
+from kagezou.document.model import Document, Drawing, PicturePart, PictureSource
+from kagezou.errors import InputProblem, ProjectProblem
+from kagezou.io.files.faults import input_problem, shown
+from kagezou.io.project.json import Reader, parse
+
+_MOST_RULES = 10_000
+_MOST_CHARACTERS = 32_768
+_FORMATS = {"POSIX": PurePosixPath, "WINDOWS": PureWindowsPath}
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """What lies below ``source``, as its own system writes paths, lies below ``destination`` here."""
+
+    source: PurePath
+    destination: Path
+
+
+def read_rules(path: Path) -> tuple[Rule, ...]:
+    """Return the rules of a file of the form ``pathmapping-1.0``; one without rules has none.
+
+    Raises
+    ------
+    InputProblem
+        It cannot be read, or is something else: one sentence.
+    """
+    try:
+        tree = parse(path.read_bytes().decode("utf-8"))
+    except OSError as error:
+        raise input_problem(path, error) from error
+    except (UnicodeDecodeError, ProjectProblem) as problem:
+        raise InputProblem(f"{shown(path)}: these are no rules of path mapping: {problem}") from problem
+    try:
+        return _rules(Reader(tree))
+    except ProjectProblem as problem:
+        raise InputProblem(f"{shown(path)}: {problem}") from problem
+
+
+def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:
+    """Return the document with its pictures and sets where the rules say; of several the first that fits counts."""
+    if not rules:
+        return document
+
+    def moved(drawing: Drawing) -> Drawing:
+        return replace(drawing, path=mapped(drawing.path, rules))
+
+    layers = tuple(
+        replace(layer, cels=replace(layer.cels, drawings=tuple(moved(each) for each in layer.cels.drawings)))
+        for layer in document.layers
+    )
+    pieces = tuple(
+        piece if piece.source is None else replace(piece, source=mapped(piece.source, rules))
+        for piece in document.pieces
+    )
+    return replace(document, layers=layers, background=_mapped_source(document.background, rules), pieces=pieces)
+
+
+def _mapped_source(source: PictureSource | None, rules: tuple[Rule, ...]) -> PictureSource | None:
+    if isinstance(source, PicturePart):
+        return replace(source, path=mapped(source.path, rules))
+    return None if source is None else mapped(source, rules)
+
+
+def mapped(path: Path, rules: tuple[Rule, ...]) -> Path:
+    """Return where a path lies by the first rule that fits, else itself."""
+    for rule in rules:
+        as_written = type(rule.source)(str(path))
+        if as_written.is_relative_to(rule.source):
+            return rule.destination.joinpath(*as_written.relative_to(rule.source).parts)
+    return path
+
+
+def _rules(reader: Reader) -> tuple[Rule, ...]:
+    members = reader.members()
+    if not members:
+        return ()
+    found = reader.record(["version", "path_mapping_rules"])
+    found["version"].word(["pathmapping-1.0"])
+    return tuple(_rule(each) for each in found["path_mapping_rules"].items(_MOST_RULES))
+
+
+def _rule(reader: Reader) -> Rule:
+    found = reader.record(["source_path_format", "source_path", "destination_path"])
+    kind = _FORMATS[found["source_path_format"].word(list(_FORMATS))]
+    source = kind(found["source_path"].text(_MOST_CHARACTERS))
+    return Rule(source, Path(found["destination_path"].text(_MOST_CHARACTERS)))

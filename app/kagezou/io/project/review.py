@@ -1,0 +1,94 @@
+"""What people say about a cut, in the project file: work area, markers and notes."""
+
+from collections.abc import Mapping, Set
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+from kagezou.document.model import Document, Marker, Note
+from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.review import MAX_TEXT_CHARACTERS
+from kagezou.io.project import fields as fields
+from kagezou.io.project.json import JsonRow, Reader
+from kagezou.io.project.versions import Tree
+
+_MAX_FRAME: Final = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Review:
+    """The parts of a document that are read here."""
+
+    work_area: tuple[int, int] | None
+    markers: tuple[Marker, ...]
+    notes: tuple[Note, ...]
+
+
+def review_tree(document: Document) -> Tree:
+    """Return what is said about the cut; what nobody said is not written."""
+    said: Tree = {}
+    if document.work_area is not None:
+        said["work_area"] = JsonRow(list(document.work_area))
+    if document.markers:
+        said["markers"] = [JsonRow([each.frame, each.comment, each.duration_frames]) for each in document.markers]
+    if document.notes:
+        said["notes"] = [_note_row(note) for note in document.notes]
+    return said
+
+
+def read_review(found: Mapping[str, Reader], layer_ids: Set[str]) -> Review:
+    """Return what is said about the cut, from the members of a project.
+
+    Raises
+    ------
+    ProjectProblem
+        With the JSON path of the first thing that is wrong.
+    """
+    area = _work_area(found["work_area"]) if "work_area" in found else None
+    markers = _markers(found["markers"]) if "markers" in found else ()
+    notes = found["notes"].items(fields.MAX_ROWS) if "notes" in found else ()
+    return Review(area, markers, tuple(_note(each, layer_ids) for each in notes))
+
+
+def _note_row(note: Note) -> JsonRow:
+    return JsonRow({
+        "frame": note.frame,
+        "layer": note.layer_id,
+        "property": note.property,
+        "text": note.text,
+        "author": note.author,
+    })  # fmt: skip
+
+
+def _work_area(reader: Reader) -> tuple[int, int]:
+    first, last = (end.whole(1, _MAX_FRAME) for end in reader.items(2, least=2))
+    if last < first:
+        raise reader.problem(f"frame {last} does not come after frame {first}")
+    return first, last
+
+
+def _markers(reader: Reader) -> tuple[Marker, ...]:
+    markers = []
+    for row in reader.items(fields.MAX_ROWS):
+        frame, comment, duration = row.items(3, least=3)
+        said = comment.text(MAX_TEXT_CHARACTERS, least=0)
+        markers.append(Marker(frame.whole(1, _MAX_FRAME), said, duration.whole(0, _MAX_FRAME)))
+    for index, (before, after) in enumerate(pairwise(markers), start=1):
+        if after.frame <= before.frame:
+            place = Reader(after.frame, f"{reader.place}[{index}][0]")
+            raise place.problem(f"frame {after.frame} does not come after frame {before.frame}")
+    return tuple(markers)
+
+
+def _note(reader: Reader, layer_ids: Set[str]) -> Note:
+    found = reader.record(list(fields.NOTE))
+    layer = None if found["layer"].value is None else found["layer"].text(fields.MAX_NAME_CHARACTERS)
+    if layer is not None and layer not in layer_ids:
+        raise found["layer"].problem("there is no such layer")
+    return Note(
+        frame=found["frame"].whole(1, _MAX_FRAME),
+        property=found["property"].word(list(OF_DOCUMENT if layer is None else OF_LAYER)),
+        text=found["text"].text(MAX_TEXT_CHARACTERS),
+        layer_id=layer,
+        author=found["author"].text(fields.MAX_NAME_CHARACTERS, least=0),
+    )

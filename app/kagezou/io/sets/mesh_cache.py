@@ -1,0 +1,164 @@
+"""Meshes of imported sets: read from glTF, OBJ, PLY, STL and USD, checked, and kept in memory.
+
+What a file claims is compared with what it holds before a decoder allocates anything; pictures in it are never loaded.
+"""
+
+import threading
+from collections import OrderedDict
+from io import BytesIO
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from kagezou.errors import InputProblem
+from kagezou.geometry.mesh import Mesh
+from kagezou.geometry.mesh_making import mesh_of
+from kagezou.io.files.faults import input_problem
+from kagezou.io.sets.bounded_bytes import bytes_of, state_of
+from kagezou.io.sets.gltf_meshes import packed_gltf
+from kagezou.io.sets.obj import bare_obj
+from kagezou.io.sets.usd import read_usd
+
+MESH_SUFFIXES: Final = (".glb", ".gltf", ".obj", ".ply", ".stl", ".usd", ".usda", ".usdc", ".usdz")
+MAX_TRIANGLES: Final = 5_000_000
+DEFAULT_LIMIT_BYTES: Final = 512 << 20
+
+_GLTF: Final = (".glb", ".gltf")
+_USD: Final = (".usd", ".usda", ".usdc", ".usdz")
+_FARTHEST: Final = 1e9
+
+_State = tuple[Path, int, int]
+"""A file, its size and its time of change."""
+
+
+class MeshCache:
+    """Meshes read from files, bounded by memory, the least lately used going first; any thread may ask.
+
+    A file is known by path, size and time of change, so an edited one is read again.
+
+    Parameters
+    ----------
+    limit_bytes
+        The memory that kept meshes may take together; a larger one is delivered but not kept.
+    """
+
+    def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
+        self._limit_bytes = limit_bytes
+        self._kept: OrderedDict[_State, Mesh] = OrderedDict()
+        self._reading: dict[_State, threading.Lock] = {}
+        self._lock = threading.Lock()
+
+    def mesh(self, path: Path) -> Mesh:
+        """Return the mesh of a file.
+
+        Raises
+        ------
+        InputProblem
+            It cannot be read.
+        """
+        key = (path, *state_of(path))
+        if (kept := self._found(key)) is not None:
+            return kept
+        with self._lock:
+            reading = self._reading.setdefault(key, threading.Lock())
+        # Two threads that want one mesh wait for one reading; other meshes are had meanwhile.
+        try:
+            with reading:
+                if (kept := self._found(key)) is None:
+                    kept = read_mesh(path)
+                    self._keep(key, kept)
+        finally:
+            with self._lock:
+                self._reading.pop(key, None)
+        return kept
+
+    def _found(self, key: _State) -> Mesh | None:
+        with self._lock:
+            kept = self._kept.get(key)
+            if kept is not None:
+                self._kept.move_to_end(key)
+            return kept
+
+    def _keep(self, key: _State, mesh: Mesh) -> None:
+        with self._lock:
+            for other in [each for each in self._kept if each[0] == key[0]]:
+                del self._kept[other]
+            self._kept[key] = mesh
+            while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
+                self._kept.popitem(last=False)
+
+
+def is_mesh(path: Path) -> bool:
+    """Whether a file is an imported set by its name."""
+    return path.suffix.lower() in MESH_SUFFIXES
+
+
+def read_mesh(path: Path) -> Mesh:
+    """Read all the triangles of a file as one mesh, every node where it stands.
+
+    Raises
+    ------
+    InputProblem
+        The file is missing, broken, of an unknown kind or too large, or has no triangles.
+    """
+    state_of(path)
+    suffix = path.suffix.lower()
+    if suffix not in MESH_SUFFIXES:
+        raise input_problem(path, f"this is no set that can be read, only {', '.join(MESH_SUFFIXES)}")
+    if suffix in _USD:
+        vertices, triangles = read_usd(path, MAX_TRIANGLES)
+    elif suffix in _GLTF:
+        vertices, triangles = _read_by_trimesh(path, packed_gltf(path, MAX_TRIANGLES), "glb")
+    else:
+        vertices, triangles = _read_by_trimesh(path, bytes_of(path), suffix.removeprefix("."))
+    return _checked(path, vertices, triangles)
+
+
+def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
+    """Decode a file from memory, so that the decoder has no way to whatever else the file names."""
+    import trimesh
+
+    try:
+        # Degenerate triangles are divided by nothing in there.
+        with np.errstate(all="ignore"):
+            data = bare_obj(data) if kind == "obj" else data
+            scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True, process=False)
+            found = scene.to_mesh()
+    except MemoryError as error:
+        raise input_problem(path, "there is not enough memory for this set") from error
+    # What a decoder raises for a broken file is of any kind.
+    except Exception as error:
+        raise input_problem(
+            path, "it cannot be read as a set: the file is damaged or not what its name says"
+        ) from error
+    return found.vertices, found.faces
+
+
+def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
+    """Return a mesh whose numbers make sense, its equal vertices made one."""
+    points, corners = np.asarray(vertices, np.float64), np.asarray(triangles)
+    if not points.size or not corners.size:
+        raise input_problem(path, "there are no triangles in it")
+    if points.shape[1:] != (3,) or corners.shape[1:] != (3,) or corners.dtype.kind not in "iu":
+        raise input_problem(path, "it is damaged: its corners are no points in space")
+    if len(corners) > MAX_TRIANGLES:
+        raise too_many(path, len(corners), MAX_TRIANGLES)
+    if corners.min() < 0 or corners.max() >= len(points):
+        raise input_problem(path, "it is damaged: a triangle names a corner that is not there")
+    is_used = np.zeros(len(points), bool)
+    is_used[corners] = True
+    used = points[is_used]
+    if not np.isfinite(used).all():
+        raise input_problem(path, "it is damaged: a corner is not a number")
+    if np.abs(used).max() > _FARTHEST:
+        raise input_problem(path, f"a corner lies more than {_FARTHEST:g} units away")
+    mesh = mesh_of(points, corners)
+    if not len(mesh.triangles):
+        raise input_problem(path, "there are no triangles in it but some without an area")
+    return mesh
+
+
+def too_many(path: Path, count: int, most: int) -> InputProblem:
+    """Return the problem of a set with more triangles than can be worked with."""
+    return input_problem(path, f"it has {count} triangles, more than the {most} that can be worked with")

@@ -1,0 +1,180 @@
+"""The covered parts of each layer's shadow, kept as long as nothing that shapes them changes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kagezou.geometry.box import Box
+from kagezou.geometry.mesh import Mesh
+from kagezou.io.images.cel_cache import CelSource
+from kagezou.io.images.reading import Matte
+from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.mattes import Mattes, PlacedMatte
+from kagezou.render.gpu.targets import Format, Target, Texture
+from kagezou.render.meshes.display import Display, SetPicture
+from kagezou.render.passes.cast import CastPass
+from kagezou.render.passes.filter import ShapePass
+from kagezou.render.passes.received import ReceivedCoverage, ReceivedLayers
+from kagezou.render.sets.distance import DistancePass
+from kagezou.render.sets.set_pass import SetPass
+from kagezou.scene.pieces import PieceScene, SetCast
+from kagezou.scene.scene import LayerScene, Scene, ShadowCast
+
+
+@dataclass(slots=True)
+class Coverage:
+    """A target (16 bit, canvas size) and the box within it that may hold shadow.
+
+    ``distances`` are those on a set, from the contact line of a cast, where a look asks for them.
+    """
+
+    target: Target
+    box: Box | None = None
+    cast: ShadowCast | None = None
+    matte: Matte | None = None
+    meshes: tuple[Mesh, ...] = ()
+    distances: Target | None = None
+    measured_cast: ShadowCast | None = None
+
+    @property
+    def measured(self) -> Texture | None:
+        """The distances of the cast that is drawn."""
+        return self.distances.texture if self.distances is not None and self.measured_cast is self.cast else None
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self.target.close()
+        if self.distances is not None:
+            self.distances.close()
+
+
+class ShadowLayers:
+    """Casts a layer's shadow unless the last one of the same cast is still there."""
+
+    def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, matte_budget_bytes: int) -> None:
+        self._cels = cels
+        self._mattes = Mattes(boxes, matte_budget_bytes)
+        self._cast = CastPass(boxes)
+        self._shape = ShapePass(boxes, self._cast)
+        self._set = SetPass(boxes, self._cast, self._shape, meshes)
+        self._distance = DistancePass(boxes, self._cast)
+        self._received = ReceivedLayers(boxes, self._cast, cels, self._mattes)
+        self._of_set: Coverage | None = None
+        self._seen: Coverage | None = None
+        self._meshes = meshes
+        self._set_cast: tuple[SetCast, tuple[Mesh, ...]] | None = None
+        self._by_layer: dict[str, Coverage] = {}
+        self.casts_drawn = 0
+        self.filters_drawn = 0
+
+    @property
+    def meshes_seen(self) -> tuple[int, int]:
+        """How often the camera's view of meshes has been drawn, and how many lights' views."""
+        return self._set.meshes_seen
+
+    def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
+        """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
+        return (
+            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.source), scene.canvas)
+        )
+
+    def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
+        """Return the covered parts of a layer's shadow, or None where it has none."""
+        if layer.cast is None:
+            return None
+        kept = self._kept(scene.canvas, layer.id)
+        matte = self._cels.matte(layer.cast.drawing.source)
+        meshes = self._meshes_of(layer.cast.pieces)
+        if kept.cast != layer.cast or kept.matte is not matte or kept.meshes != meshes:
+            placed = self._mattes.placed(matte, scene.canvas)
+            # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.
+            old, kept.box, kept.cast = kept.box, scene.canvas, None
+            plain = self._shape.draw if layer.cast.is_filtered else self._cast.draw
+            draw = self._set.draw if layer.cast.pieces else plain
+            kept.box = draw(layer.cast, placed, kept.target, old)
+            kept.cast, kept.matte, kept.meshes = layer.cast, matte, meshes
+            self.casts_drawn += 1
+            self.filters_drawn += layer.cast.is_filtered
+        if layer.cast.pieces and not layer.look.is_plain and kept.box is not None:
+            self._measure(kept)
+        return kept if kept.box is not None else None
+
+    def received(self, scene: Scene, layer: LayerScene) -> tuple[ReceivedCoverage, ...]:
+        """Return the covered parts of a character, on which others cast, by the looks of their shadows."""
+        return self._received.coverages(scene, layer)
+
+    def set_coverage(self, scene: Scene) -> Coverage | None:
+        """Return the covered parts of the shadow of the set itself, or None where it has none."""
+        if scene.set_shadow is None:
+            return None
+        kept = _fitting(self._of_set, scene.canvas)
+        cast = (scene.set_shadow.cast, self._meshes_of(scene.set_shadow.cast.pieces))
+        if kept is not self._of_set or self._set_cast != cast:
+            self._of_set = kept
+            old, kept.box, self._set_cast = kept.box, scene.canvas, None
+            kept.box = self._set.draw_own(scene.set_shadow.cast, kept.target, old)
+            self._set_cast = cast
+            self.casts_drawn += 1
+        return kept if kept.box is not None else None
+
+    def seen_of_set(self, canvas: Box, cast: SetCast) -> Coverage:
+        """Return where the pieces that cast are seen, or, where none does, the ground."""
+        kept = self._seen = _fitting(self._seen, canvas)
+        kept.box = self._set.draw_seen(cast, kept.target)
+        return kept
+
+    def set_pictures(self, scene: Scene, displays: Sequence[Display]) -> tuple[SetPicture, ...]:
+        """Return what is to be shown of meshes themselves, those under the background first."""
+        return self._set.pictures(SetCast(scene.camera, scene.ground, scene.pieces, ()), scene.canvas, displays)
+
+    def forget_except(self, scene: Scene) -> None:
+        """Give back the memory of layers that the scene no longer has, and of meshes where it has none."""
+        if not any(piece.mesh for piece in scene.pieces):
+            self._set.forget_meshes()
+        alive = {layer.id for layer in scene.layers}
+        for layer_id in [each for each in self._by_layer if each not in alive]:
+            self._by_layer.pop(layer_id).close()
+        self._received.forget_except(alive)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        for coverage in self._by_layer.values():
+            coverage.close()
+        self._by_layer.clear()
+        for kept in (self._of_set, self._seen):
+            if kept is not None:
+                kept.target.close()
+        self._received.close()
+        self._distance.close()
+        self._set.close()
+        self._shape.close()
+        self._cast.close()
+        self._mattes.close()
+
+    def _measure(self, kept: Coverage) -> None:
+        """Find how far from the contact line each pixel is, unless that is known."""
+        if kept.cast is None or kept.measured_cast is kept.cast:
+            return
+        if kept.distances is None:
+            kept.distances = Target(kept.target.box.width, kept.target.box.height, Format.FLOAT)
+        self._distance.draw(kept.cast, kept.distances)
+        kept.measured_cast = kept.cast
+
+    def _meshes_of(self, pieces: tuple[PieceScene, ...]) -> tuple[Mesh, ...]:
+        """Return the meshes of pieces, which are told by identity: a changed file gives another one."""
+        return tuple(self._meshes.mesh(piece.mesh.path) for piece in pieces if piece.mesh is not None)
+
+    def _kept(self, canvas: Box, layer_id: str) -> Coverage:
+        kept = self._by_layer[layer_id] = _fitting(self._by_layer.get(layer_id), canvas)
+        return kept
+
+
+def _fitting(kept: Coverage | None, canvas: Box) -> Coverage:
+    """Return what was kept, or an empty one where nothing was or the canvas has another size."""
+    if kept is not None and kept.target.box == canvas:
+        return kept
+    if kept is not None:
+        kept.close()
+    target = Target(canvas.width, canvas.height, Format.ALPHA16)
+    target.clear()
+    return Coverage(target)

@@ -1,0 +1,41 @@
+"""Drawing boxes given in canvas px."""
+
+from ctypes import c_void_p
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.geometry.box import Box
+from kagezou.render.gpu.gl import GL, deleted, made
+
+_CORNERS = (0, 1, 2, 1, 2, 3, 0, 1, 2, 3, 0, 3)
+"""Two triangles of a box (left, top, right, bottom), as pairs (x, y)."""
+
+
+class Boxes:
+    """One small vertex buffer that every pass draws from."""
+
+    def __init__(self) -> None:
+        self._array = made(GL.glGenVertexArrays)
+        self._buffer = made(GL.glGenBuffers)
+        GL.glBindVertexArray(self._array)
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
+        GL.glEnableVertexAttribArray(0)
+        GL.glVertexAttribPointer(0, 2, GL.GL_FLOAT, False, 8, c_void_p(0))  # noqa: FBT003 - the call's own order
+
+    def draw(self, boxes: NDArray[np.float64]) -> None:
+        """Draw boxes (N, 4): left, top, right, bottom in canvas px, with the program in use."""
+        points = np.ascontiguousarray(boxes[:, _CORNERS], dtype=np.float32)
+        GL.glBindVertexArray(self._array)
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
+        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
+        GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
+
+    def draw_one(self, box: Box) -> None:
+        """Draw one box with the program in use."""
+        self.draw(np.array([[box.left, box.top, box.right, box.bottom]], dtype=np.float64))
+
+    def close(self) -> None:
+        """Give the memory back."""
+        deleted(GL.glDeleteBuffers, self._buffer)
+        deleted(GL.glDeleteVertexArrays, self._array)

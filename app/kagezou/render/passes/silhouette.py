@@ -1,0 +1,141 @@
+"""A filtered shadow as a silhouette: seen from the light it stands on the card, in the place of the drawing.
+
+Round bodies and meshes have no plane to be laid flat in. What falls on them is cast anew, by the drawing whose shadow
+on the ground would be the filtered one: so it goes on over every receiver without a seam.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from kagezou.geometry.box import Box
+from kagezou.geometry.shadow import Cast, cast_card
+from kagezou.geometry.vectors import Matrix
+from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.mattes import MatteTexture, PlacedMatte, drawn_from
+from kagezou.render.gpu.program import Program
+from kagezou.render.gpu.targets import Format, Target
+from kagezou.render.passes.filter import Blurred, ShapePass
+from kagezou.render.prepare.filter_job import LARGEST_PLANE_PX, BlurView, FilterJob
+from kagezou.render.prepare.occupancy import Occupancy
+from kagezou.scene.scene import ShadowCast
+
+_AROUND_PX = 256
+"""How far beyond the canvas a silhouette may reach."""
+
+_RIM_PX = 2
+_SQUARE_PX = 32
+
+
+@dataclass(frozen=True, slots=True)
+class Silhouette:
+    """A cast whose drawing has been replaced by its filtered silhouette."""
+
+    cast: ShadowCast
+    matte: PlacedMatte
+
+
+class SilhouettePass:
+    """Draws the silhouettes of filtered shadows; the last one is kept until the next."""
+
+    def __init__(self, boxes: Boxes, shaper: ShapePass) -> None:
+        self._boxes = boxes
+        self._shaper = shaper
+        self._placed = Program("common/box.vert", "passes/placed.frag")
+        self._neighbours = Program("common/box.vert", "common/neighbours.frag")
+        self._shape: Target | None = None
+        self._sharp: Target | None = None
+        self._on_card: MatteTexture | None = None
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self._placed.close()
+        self._neighbours.close()
+        for each in (self._shape, self._sharp, self._on_card):
+            if each is not None:
+                each.close()
+
+    def drawn(self, blurred: Blurred, canvas: Box) -> Silhouette | None:
+        """Return the silhouette of a filtered shadow; None where it has none.
+
+        Several lights have no common one. What is about as high as the lamp or higher casts no shadow on the ground
+        that could be filtered, or one that runs out so far that it is cut off: its silhouette would be headless.
+        """
+        job = blurred.job
+        views = list(_views(job, canvas)) if len(job.cast.lights) == 1 else []
+        if len(views) != len(job.cast.card.pieces):
+            return None
+        shape, sharp = self._targets(canvas)
+        shape.clear()
+        self._place(job, sharp)
+        for view in views:
+            self._shaper.show(blurred, view, shape, sharp)
+        # The outermost texels are what is found beyond.
+        size = shape.box
+        for rim in (
+            Box(0, 0, size.right, _RIM_PX),
+            Box(0, size.bottom - _RIM_PX, size.right, size.bottom),
+            Box(0, 0, _RIM_PX, size.bottom),
+            Box(size.right - _RIM_PX, 0, size.right, size.bottom),
+        ):
+            shape.clear(rim)
+        if self._on_card is not None:
+            self._on_card.close()
+        texture = drawn_from(shape.texture, Format.RGBA16, self._boxes, self._neighbours, {})
+        self._on_card = MatteTexture(texture, Occupancy(shape.read(size), 0))
+        placed = PlacedMatte(self._on_card, size.moved(-_AROUND_PX, -_AROUND_PX))
+        return Silhouette(_with_its_edge(job.cast), placed)
+
+    def _place(self, job: FilterJob, sharp: Target) -> None:
+        """Draw the drawing itself, for where the shadow is left as it is."""
+        sharp.bind()
+        job.matte.texture.bind(0)
+        corner = (float(job.matte.box.left + _AROUND_PX), float(job.matte.box.top + _AROUND_PX))
+        self._placed.use({"u_target_size_px": sharp.size_px, "u_matte": 0, "u_corner_px": corner})
+        self._boxes.draw_one(sharp.box)
+
+    def _targets(self, canvas: Box) -> tuple[Target, Target]:
+        width, height = (
+            -(-(side + 2 * _AROUND_PX) // _SQUARE_PX) * _SQUARE_PX for side in (canvas.width, canvas.height)
+        )
+        if self._shape is None or self._sharp is None or self._shape.box != Box(0, 0, width, height):
+            for old in (self._shape, self._sharp):
+                if old is not None:
+                    old.close()
+            self._shape, self._sharp = (Target(width, height, Format.ALPHA16) for _ in range(2))
+        assert self._sharp is not None
+        return self._shape, self._sharp
+
+
+def _views(job: FilterJob, canvas: Box) -> Iterator[BlurView]:
+    """Yield how each piece of the card shows the ground's shadow, seen from the light; none where it is not wholly."""
+    cast = job.cast
+    corners = _corners_of(job.matte.box)
+    for piece, found in zip(
+        cast.card.pieces, cast_card(cast.camera, cast.receivers[0], cast.card, cast.lights[0]), strict=False
+    ):
+        blurred_from_art = np.linalg.inv(_art_from_blurred(found, job))
+        u, v, w = blurred_from_art @ corners
+        if (w <= 1e-6 * np.abs(w).max()).any() or (np.maximum(np.abs(u), np.abs(v)) > LARGEST_PLANE_PX * w).any():
+            return
+        left = max(piece.left, float(canvas.left - _AROUND_PX)) + _AROUND_PX
+        right = min(piece.right, float(canvas.right + _AROUND_PX)) + _AROUND_PX
+        box = Box(round(left), 0, round(right), canvas.height + 2 * _AROUND_PX)
+        shift = np.array([[1.0, 0.0, _AROUND_PX], [0.0, 1.0, _AROUND_PX], [0.0, 0.0, 1.0]])
+        yield BlurView(job, cast.receivers[0], shift @ np.linalg.inv(blurred_from_art), box, is_silhouette=True)
+
+
+def _art_from_blurred(found: Cast, job: FilterJob) -> Matrix:
+    return np.asarray(found.art_from_canvas @ job.canvas_from_plane)
+
+
+def _corners_of(box: Box) -> Matrix:
+    """Return the corners (3, 4) of a box, homogeneous."""
+    xs, ys = (box.left, box.right, box.right, box.left), (box.top, box.top, box.bottom, box.bottom)
+    return np.array([xs, ys, (1, 1, 1, 1)], dtype=np.float64)
+
+
+def _with_its_edge(cast: ShadowCast) -> ShadowCast:
+    """Return the cast with its alpha taken as it is where its edge is soft, which a level would make crisp again."""
+    return replace(cast, translucent=cast.edge is not None)

@@ -1,0 +1,129 @@
+"""The numbers of a cast as the shaders want them: float32, around an origin of their own so that they stay exact."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import radians, sin
+
+import numpy as np
+
+from kagezou.geometry.ground import Plane
+from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG, foot_of, grazing_strength
+from kagezou.geometry.shadow import Cast, SpaceCast
+from kagezou.geometry.vectors import Matrix, Vector4, dot, height_over
+from kagezou.render.gpu.mattes import PlacedMatte
+from kagezou.render.gpu.program import Uniform
+from kagezou.render.gpu.targets import LAST_LEVEL
+
+NO_SWITCHES: frozenset[str] = frozenset()
+LAMP_IS_LOW = frozenset({"LAMP_IS_LOW"})
+TRANSLUCENT = frozenset({"TRANSLUCENT"})
+
+_NO_LIMIT = np.array([0.0, 0.0, 0.0, 1.0])
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """The convex part (N, 2) of the canvas a cast may touch, and the canvas px around which its numbers are given."""
+
+    region: Matrix
+
+    @cached_property
+    def origin(self) -> Matrix:
+        """A pixel centre in the middle of the region, (2,)."""
+        return np.asarray(np.floor(self.region.mean(axis=0)) + 0.5)
+
+    @cached_property
+    def canvas_from_pixel(self) -> Matrix:
+        """The (3, 3) shift from px around the origin to canvas px."""
+        x, y = self.origin
+        return np.array([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
+
+
+@dataclass(frozen=True, slots=True)
+class Grazing:
+    """How high a light stands over a receiver: for the sun everywhere, for a lamp seen from each point."""
+
+    is_lamp: bool
+    height: float
+    foot_uv: tuple[float, float]
+
+    @staticmethod
+    def of(receiver: Plane, light: Vector4) -> "Grazing":
+        """Return how a light stands over a receiver."""
+        height = height_over(receiver.equation, light)
+        if light[3] == 0:
+            return Grazing(is_lamp=False, height=height, foot_uv=(0.0, 0.0))
+        x, y, z = foot_of(receiver, light[:3])
+        away = (x - receiver.origin[0], y - receiver.origin[1], z - receiver.origin[2])
+        return Grazing(is_lamp=True, height=height, foot_uv=(dot(away, receiver.u), dot(away, receiver.v)))
+
+    def switches(self, receiver_from_canvas: Matrix, frame: Frame) -> frozenset[str]:
+        """Return the switches of ``common/grazing.glsl``."""
+        return LAMP_IS_LOW if self.is_lamp and self._is_low_over(receiver_from_canvas, frame.region) else NO_SWITCHES
+
+    def uniforms(self, receiver_from_canvas: Matrix, frame: Frame) -> dict[str, Uniform]:
+        """Return what ``common/grazing.glsl`` wants."""
+        return {
+            "u_strength": 1.0 if self.is_lamp else grazing_strength(self.height),
+            "u_receiver_from_pixel": _balanced(receiver_from_canvas @ frame.canvas_from_pixel),
+            "u_lamp_on_receiver": (*self.foot_uv, self.height),
+            "u_grazing_sine": (sin(radians(GRAZING_DARK_DEG)), sin(radians(GRAZING_FULL_DEG))),
+        }
+
+    def _is_low_over(self, receiver_from_canvas: Matrix, region: Matrix) -> bool:
+        """Whether the lamp fades anywhere in a convex region: it does at a corner if it does at all."""
+        u, v, w = receiver_from_canvas @ np.column_stack([region, np.ones(len(region))]).T
+        away = np.hypot(u / w - self.foot_uv[0], v / w - self.foot_uv[1])
+        return bool((self.height < np.hypot(away, self.height) * sin(radians(GRAZING_FULL_DEG))).any())
+
+
+FULL_STRENGTH = Grazing(is_lamp=False, height=1.0, foot_uv=(0.0, 0.0))
+"""A light that stands high enough everywhere."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Edges:
+    """What ``passes/cast.frag`` wants to know of a cast and a matte."""
+
+    cast: Cast
+    matte: PlacedMatte
+    frame: Frame
+
+    @property
+    def _texel_from_pixel(self) -> Matrix:
+        box = self.matte.box
+        texel_from_canvas = np.array([[1.0, 0.0, -box.left], [0.0, 1.0, -box.top], [0.0, 0.0, 1.0]])
+        return _balanced(texel_from_canvas @ self.cast.art_from_canvas @ self.frame.canvas_from_pixel)
+
+    def uniforms(self) -> dict[str, Uniform]:
+        """Return the uniforms that every variant has, for a matte on unit 0."""
+        return {
+            "u_matte": 0,
+            "u_means": 1,
+            "u_texel_from_pixel": self._texel_from_pixel,
+            "u_last_level": LAST_LEVEL,
+        }
+
+    def limits(self) -> dict[str, Uniform]:
+        """Return the uniforms of the variants at a limit."""
+        canvas_from_pixel = self.frame.canvas_from_pixel
+        return {
+            "u_side": self.cast.side @ canvas_from_pixel,
+            "u_left_fold": self.cast.left_fold @ canvas_from_pixel,
+            "u_right_fold": self.cast.right_fold @ canvas_from_pixel,
+            "u_horizon": self.cast.horizon @ canvas_from_pixel,
+        }
+
+
+def card_uniforms(cast: SpaceCast, matte: PlacedMatte, world_from_local: Matrix) -> dict[str, Uniform]:
+    """Return what ``common/card_in_space.glsl`` wants of a card piece, for a matte on unit 0 and a (4, 4) shift."""
+    corner = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
+    rows = corner @ cast.art_from_world @ world_from_local
+    forms = (cast.side, cast.left_fold, cast.right_fold)
+    limits = [_NO_LIMIT if form is None else form @ world_from_local for form in forms]
+    return {"u_matte": 0, "u_texel_rows": rows / np.abs(rows[2]).max(), "u_limits": np.array(limits)}
+
+
+def _balanced(matrix: Matrix) -> Matrix:
+    """Scale a homography so that w = ±1 at its origin, which keeps its float32 copy precise there."""
+    return np.asarray(matrix / max(abs(float(matrix[2, 2])), 1e-12 * float(np.abs(matrix).max())))

@@ -1,0 +1,191 @@
+"""The charts of a job: which faces of a set its shadow reaches, laid flat, and how much of each picture is known."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of
+from kagezou.geometry.ground import canvas_from_plane
+from kagezou.geometry.sets.bodies import Body, Facet, Solid
+from kagezou.geometry.sets.laid_flat import FlatFace, lines_of
+from kagezou.geometry.sets.regions import Group
+from kagezou.geometry.sets.unfolding import unfolded
+from kagezou.geometry.vectors import Matrix, height_over
+from kagezou.render.gpu.mattes import PlacedMatte
+from kagezou.render.prepare.band_atlas import Strip, laid_out
+from kagezou.render.prepare.filter_job import BlurView, Chart, FilterJob, beyond_of, extent_of
+from kagezou.render.prepare.filter_uniforms import MAX_BANDS, inverse
+from kagezou.scene.scene import ShadowCast
+
+_MOST_CHARTS = 6
+
+_APART = 0.6
+"""How far apart faces lie on a chart, as a part of how far they go on beyond their edges."""
+
+_TALLEST_TEXELS = 8192
+"""No driver's textures are smaller; under a low light there is room for few charts, or none but the ground's."""
+
+_MARGIN_PX = 4.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Receivers:
+    """The bodies whose faces receive, by their numbers, and what blockers take of the ground, on the canvas."""
+
+    bodies: dict[int, Body]
+    unlit: tuple[Group, ...] = ()
+
+
+def flat_faces(cast: ShadowCast, receivers: Receivers) -> list[FlatFace]:
+    """Return the flat faces that are lit by any light; a sheet's side that the eye sees."""
+    found: list[FlatFace] = []
+    for index, body in receivers.bodies.items():
+        if not isinstance(body, Solid):
+            continue
+        for facet in body.facets:
+            is_turned = body.is_sheet and float(np.dot(facet.equation, cast.camera.eye)) < 0
+            face = _flat_face(index, facet, is_turned=is_turned)
+            if any(height_over(face.plane.equation, light) > 0 for light in cast.lights):
+                found.append(face)
+    return found
+
+
+@lru_cache(maxsize=1024)
+def _flat_face(index: int, facet: Facet, *, is_turned: bool) -> FlatFace:
+    """Return a facet as a receiver; kept, as what is known of it is."""
+    return FlatFace(index, facet.plane(is_turned=is_turned), np.array(facet.corners))
+
+
+def charted(job: FilterJob, receivers: Receivers) -> FilterJob:
+    """Return a job with its charts: the ground alone, and those with the faces that its shadow reaches laid flat."""
+    flat = laid_out(bands_of(job.blur, job.extent))
+    alone = replace(job, charts=(Chart(job.extent, flat),))
+    faces = tuple(face for face in flat_faces(job.cast, receivers) if _is_reached(job, face))
+    for most in range(_MOST_CHARTS if faces else 0, 1, -1):
+        development = unfolded(job.plane, faces, most, _APART * beyond_of(job, alone.charts[0]))
+        if len(development.charts) == 1:
+            return alone
+        job = replace(job, development=development)
+        extents = [job.extent, *(_extent(job, number) for number in range(1, len(development.charts)))]
+        bands = [bands_of(job.blur, extent) for extent in extents]
+        strips = laid_out(band for each in bands for band in each)
+        if strips and len(strips) <= MAX_BANDS and strips[-1].box.bottom <= _TALLEST_TEXELS:
+            return replace(job, charts=tuple(_split(extents, bands, strips)))
+    return alone
+
+
+def counted_texels(
+    job: FilterJob, receivers: Receivers, chart: Chart, strip: Strip, margin: int
+) -> NDArray[np.bool_] | None:
+    """Return which texels of a strip's shown part, without a margin, belong to the whole unfolded shadow; None for all.
+
+    Of the ground alone what is lit, of every other chart the sheets that are looked up on it.
+    """
+    if len(job.charts) == 1:
+        return None
+    shown = strip.shown
+    columns = np.arange(shown.left + margin, shown.right - margin) + 0.5
+    rows = np.arange(shown.top + margin, shown.bottom - margin) + 0.5
+    x, y = np.meshgrid(columns, rows)
+    texels = np.stack([x, y, np.ones_like(x)])
+    stretch = np.eye(3)
+    stretch[:2, :2] = job.ground_from_blurred
+    if chart.number == 0:
+        places = np.tensordot(job.canvas_from_plane @ strip.plane_from_atlas, texels, axes=1)
+        return ~_within(receivers.unlit, places)
+    places = np.tensordot(stretch @ strip.plane_from_atlas, texels, axes=1)
+    result = np.zeros(x.shape, np.bool_)
+    for sheet in job.development.sheets:
+        if sheet.chart == chart.number and sheet.is_looked_up:
+            result |= np.logical_and.reduce(
+                [np.tensordot(line, places, axes=1) >= 0 for line in lines_of(sheet.corners)]
+            )
+    return result
+
+
+def _within(groups: Sequence[Group], places: Matrix) -> NDArray[np.bool_]:
+    """Return which homogeneous canvas places (3, H, W) lie within any of some groups."""
+    result = np.zeros(places.shape[1:], np.bool_)
+    for region in (region for group in groups for region in group.regions):
+        inside = places[2] > 0
+        for line in region.lines:
+            inside &= np.tensordot(line, places, axes=1) >= 0
+        if region.conic is not None:
+            inside &= np.einsum("ihw,ij,jhw->hw", places, region.conic, places) >= 0
+        result |= inside
+    return result
+
+
+def _split(extents: Sequence[Extent], bands: Sequence[tuple[Band, ...]], strips: Sequence[Strip]) -> Iterator[Chart]:
+    first = 0
+    for number, (extent, each) in enumerate(zip(extents, bands, strict=True)):
+        yield Chart(extent, tuple(strips[first : first + len(each)]), number)
+        first += len(each)
+
+
+def _reach(blur: Blur, farthest: float) -> float:
+    return REACH_SIGMAS * blur.sigma_at(farthest) + _MARGIN_PX
+
+
+def _is_reached(job: FilterJob, face: FlatFace) -> bool:
+    """Whether the shadow, or its blur, may lie on a face."""
+    corners = face.local(face.corners)
+    shadow = _shadow_on(job.cast, job.matte, face, np.eye(3))
+    if shadow is None:
+        return False
+    farthest = max(abs(job.extent.low), abs(job.extent.high)) + float(np.ptp(corners, axis=0).sum())
+    return _cut(corners, _grown(shadow, _reach(job.blur, farthest))) is not None
+
+
+def _shadow_on(cast: ShadowCast, matte: PlacedMatte, face: FlatFace, plane_from_flat: Matrix) -> Extent | None:
+    """Return where the shadow lies on a face's plane."""
+    on_canvas = canvas_from_plane(cast.camera, face.plane) @ plane_from_flat
+    return extent_of(replace(cast, receivers=(face.plane,)), matte, on_canvas)
+
+
+def _extent(job: FilterJob, number: int) -> Extent:
+    """Return the part of a chart that has to be known: the reached part of its sheets and what is blurred into that."""
+    development = job.development
+    stretch = job.ground_from_blurred
+    parts: list[Extent] = []
+    for index in development.charts[number]:
+        sheet = development.sheets[index]
+        if sheet.chart != number or not sheet.is_looked_up:
+            continue
+        view = BlurView.of_sheet(job, index, job.matte.box)
+        cast = replace(job.cast, receivers=(view.receiver,))
+        corners = sheet.corners @ inverse(stretch).T
+        shadow = extent_of(cast, job.matte, view.canvas_from_blurred)
+        farthest = float(np.abs(corners[:, 1]).max())
+        reached = None if shadow is None else _cut(corners, _grown(shadow, _reach(job.blur, farthest)))
+        if reached is not None:
+            parts.append(reached)
+    if not parts:
+        return Extent(0.0, 0.0, 1.0, 1.0)
+    around = Extent(
+        min(each.left for each in parts),
+        min(each.low for each in parts),
+        max(each.right for each in parts),
+        max(each.high for each in parts),
+    )
+    u, v = job.moved_px
+    return _grown(around, _reach(job.blur, max(abs(around.low), abs(around.high))) + max(u, v))
+
+
+def _grown(extent: Extent, by: float) -> Extent:
+    return Extent(extent.left - by, extent.low - by, extent.right + by, extent.high + by)
+
+
+def _cut(corners: Matrix, extent: Extent) -> Extent | None:
+    """Return the part of an extent that the box around corners (N, 2) holds."""
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    cut = Extent(
+        max(extent.left, float(low[0])),
+        max(extent.low, float(low[1])),
+        min(extent.right, float(high[0])),
+        min(extent.high, float(high[1])),
+    )
+    return cut if cut.right > cut.left and cut.high > cut.low else None

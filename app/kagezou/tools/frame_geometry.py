@@ -1,0 +1,100 @@
+"""What handles are placed by and drags start from: one frame of a document, worked out once."""
+
+from dataclasses import dataclass
+from math import cos, radians, sin
+
+from kagezou.animation.track import Value
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.document.edits import set_value
+from kagezou.document.model import Document, Layer
+from kagezou.document.property import Property
+from kagezou.geometry.camera import Camera
+from kagezou.geometry.card import Card
+from kagezou.geometry.ground import Plane
+from kagezou.geometry.vectors import Point2, Vector3, Vector4
+from kagezou.scene.evaluate import camera_at, card_at, contact_of, ground_at, light_at
+from kagezou.scene.piece_frames import PieceFrame, piece_frame
+from kagezou.tools.view import CanvasView
+
+
+@dataclass(frozen=True, slots=True)
+class FrameGeometry:
+    """One frame seen by one person: the document, the layer worked on, the view, and the geometry that follows.
+
+    ``layer`` and ``card`` are both None where no layer is worked on, ``piece_id`` where no set piece is; ``piece`` is
+    None also where that piece is not seen. The view gives handles on arms their constant length on screen.
+    """
+
+    document: Document
+    frame: int
+    view: CanvasView
+    layer: Layer | None
+    camera: Camera
+    ground: Plane
+    light: Vector4
+    card: Card | None
+    piece_id: str | None = None
+    piece: PieceFrame | None = None
+
+    @classmethod
+    def of(
+        cls, document: Document, frame: int, layer_id: str | None, view: CanvasView, piece_id: str | None = None
+    ) -> "FrameGeometry":
+        """Work a frame out; KeyError where the document has no such layer or set piece."""
+        camera, ground = camera_at(document, frame), ground_at(document, frame)
+        layer = None if layer_id is None else document.layer(layer_id)
+        card = None if layer is None else card_at(layer, frame, camera, ground)
+        piece = None if piece_id is None else piece_frame(document.piece(piece_id), frame, camera, ground)
+        light = light_at(document, frame, ground)
+        return cls(document, frame, view, layer, camera, ground, light, card, piece_id, piece)
+
+    @property
+    def is_sun(self) -> bool:
+        """Whether the light is the sun rather than a lamp."""
+        return self.light[3] == 0
+
+    @property
+    def contact(self) -> Vector3:
+        """Where the character stands on the ground, world px; without a layer the ground's position."""
+        return self.ground.origin if self.card is None else contact_of(self.card, self.ground)
+
+    @property
+    def along(self) -> Point2:
+        """The ground line's direction on the canvas, unit length, to the right."""
+        roll = radians(self.number(properties.GROUND_ROLL))
+        return (cos(roll), sin(roll))
+
+    @property
+    def across(self) -> Point2:
+        """The direction on the canvas square to the ground line, unit length, downward."""
+        x, y = self.along
+        return (-y, x)
+
+    def address(self, line: Property) -> Address:
+        """Return where a property of the document, or of the layer or set piece worked on, lives."""
+        if line.name in properties.OF_PIECE:
+            return Address(line, piece_id=self.piece_id)
+        return Address(line, self.layer.id if self.layer is not None and line.name in properties.OF_LAYER else None)
+
+    def value(self, line: Property, document: Document | None = None) -> Value:
+        """Return the value at the frame, here or in another version of the document."""
+        return value_of(document or self.document, self.address(line), self.frame)
+
+    def number(self, line: Property, document: Document | None = None) -> float:
+        """Return the value of a number."""
+        value = self.value(line, document)
+        assert isinstance(value, float), value
+        return value
+
+    def points(self, line: Property) -> tuple[Point2, ...]:
+        """Return the value of a list of points."""
+        value = self.value(line)
+        assert isinstance(value, tuple), value
+        return tuple(point for point in value if isinstance(point, tuple))
+
+    def edited(self, line: Property, raw: object, document: Document | None = None) -> Document:
+        """Return the document with a property set at the frame; numbers are kept to the property's range."""
+        if isinstance(raw, float):
+            raw = min(max(raw, line.low), line.high)
+        return set_value(document or self.document, self.address(line), raw, self.frame)

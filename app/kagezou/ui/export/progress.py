@@ -1,0 +1,147 @@
+"""Exporting beside the window: a thread that draws, and its progress in the status bar."""
+
+import threading
+from time import monotonic
+
+from PySide6.QtCore import QThread, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
+
+from kagezou.errors import Problem
+from kagezou.export.work import ExportOutcome, Work
+from kagezou.ui.system.icons import icon
+from kagezou.ui.system.offscreen_context import OffscreenSurface
+from kagezou.ui.system.sentences import sentence_of, spoken
+from kagezou.ui.widgets.message_bar import MessageBar, Severity
+
+_KEY = "export"
+_NOTES = "export notes"
+
+
+class ExportJob(QThread):
+    """One export; its document may meanwhile be edited further, for documents never change.
+
+    Parameters
+    ----------
+    work
+        What carries it out.
+    """
+
+    progressed = Signal(int, int)
+    done = Signal(object)
+    failed = Signal(str)
+
+    def __init__(self, work: Work) -> None:
+        super().__init__()
+        self._work = work
+        self._surface = OffscreenSurface()
+        self._stop = threading.Event()
+
+    def cancel(self) -> None:
+        """Stop after the pictures in hand; what is written is whole."""
+        self._stop.set()
+
+    def run(self) -> None:
+        try:
+            outcome = self._work(self._surface.open, self.progressed.emit, self._stop.is_set)
+        except Problem as problem:
+            self.failed.emit(sentence_of(problem))
+        else:
+            self.done.emit(outcome)
+
+
+class Exporting(QWidget):
+    """Progress and a way to stop, for the status bar; hidden while nothing is exported.
+
+    Parameters
+    ----------
+    bar
+        Where the end is said.
+    """
+
+    def __init__(self, bar: MessageBar) -> None:
+        super().__init__()
+        self._bar = bar
+        self._job: ExportJob | None = None
+        self._began_s = 0.0
+        self._stopping = False
+        self._words = QLabel(self.tr("Exporting"))
+        self._progress = QProgressBar()
+        self._progress.setFixedWidth(180)
+        self._progress.setFormat("%v / %m")
+        self._stop = QToolButton()
+        self._stop.setIcon(icon("close"))
+        self._stop.setToolTip(self.tr("Cancel the export"))
+        self._stop.setAccessibleName(self.tr("Cancel the export"))
+        self._stop.clicked.connect(self.cancel)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 1, 4, 1)
+        row.setSpacing(4)
+        for widget in (self._words, self._progress, self._stop):
+            row.addWidget(widget)
+        self.hide()
+
+    @property
+    def is_running(self) -> bool:
+        """Whether an export is under way."""
+        return self._job is not None
+
+    def start(self, work: Work) -> None:
+        """Carry an export out beside the window."""
+        if self._job is not None:
+            self.say_running()
+            return
+        job = ExportJob(work)
+        job.progressed.connect(self._show_progress)
+        job.done.connect(self._say_done)
+        job.failed.connect(lambda sentence: self._bar.say(_KEY, sentence))
+        job.finished.connect(self._end)
+        self._job = job
+        self._progress.setRange(0, 0)
+        self._began_s = monotonic()
+        self._words.setText(self.tr("Exporting"))
+        self.show()
+        job.start(QThread.Priority.LowPriority)
+
+    def say_running(self) -> None:
+        """Say that something has to wait for the export."""
+        self._bar.say(_KEY, self.tr("An export is still running."), Severity.NOTE)
+
+    def cancel(self) -> None:
+        """Stop soon."""
+        if self._job is not None:
+            self._stopping = True
+            self._words.setText(self.tr("Stopping"))
+            self._job.cancel()
+
+    def finish(self) -> None:
+        """Stop and wait, before the window goes."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job.wait()
+
+    def _show_progress(self, finished: int, whole: int) -> None:
+        self._progress.setRange(0, whole)
+        self._progress.setValue(finished)
+        left_s = (monotonic() - self._began_s) * (whole - finished) / max(finished, 1)
+        if not self._stopping:
+            words = self.tr("Exporting, %1 s left").replace("%1", f"{left_s:.0f}")
+            self._words.setText(words)
+
+    def _say_done(self, outcome: ExportOutcome) -> None:
+        if outcome.notes:
+            self._bar.say(_NOTES, "\n".join(map(spoken, outcome.notes)), Severity.WARNING)
+        else:
+            self._bar.withdraw(_NOTES)
+        if outcome.problem:
+            self._bar.say(_KEY, spoken(outcome.problem))
+        elif outcome.cancelled:
+            words = self.tr("Export stopped; %n file(s) are written and whole.", "", outcome.written)
+            self._bar.say(_KEY, words, Severity.NOTE)
+        else:
+            words = self.tr("Exported %n file(s) to %1", "", outcome.files)
+            self._bar.say(_KEY, words.replace("%1", str(outcome.where)), Severity.NOTE)
+
+    def _end(self) -> None:
+        self._job = None
+        self._stopping = False
+        self.hide()

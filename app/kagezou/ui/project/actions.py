@@ -1,0 +1,250 @@
+"""What the commands about files do: ask, act, and say in the message bar what went wrong."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QApplication
+
+from kagezou.errors import Problem
+from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
+from kagezou.importing.staging import CharacterSource
+from kagezou.io.pixels.signatures import is_psd
+from kagezou.io.project.file import next_version
+from kagezou.io.project.recovery_file import RecoveredWork, forget
+from kagezou.ui.project.dialogs import Answer, Dialogs
+from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, arrivals_of, whole_sequence
+from kagezou.ui.project.load import AnyLoad
+from kagezou.ui.project.loading import Loading
+from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.project.project_lock import ProjectLock
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.settings import Settings
+from kagezou.ui.widgets.message_bar import MessageBar, Severity
+
+_KEY = "project"
+
+
+class ProjectActions(QObject):
+    """New, open, save, import, and the question before unsaved work goes.
+
+    Parameters
+    ----------
+    open_project
+        The project.
+    dialogs
+        Who asks.
+    bar
+        Where problems are said.
+    settings
+        Where recent projects are remembered.
+    """
+
+    recent_changed = Signal()
+    set_read = Signal(Path, object)
+    """A set was read from a file, with its cameras, a tuple of SetCamera."""
+
+    def __init__(self, open_project: OpenProject, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
+        super().__init__()
+        self._open_project = open_project
+        self.dialogs = dialogs
+        self._bar = bar
+        self._settings = settings
+        self.loading = Loading(self._say, self._is_free)
+        self._lock = ProjectLock()
+        open_project.path_changed.connect(lambda: self._lock.hold(open_project.path))
+        self._lock.hold(open_project.path)
+
+    def new(self) -> None:
+        """Begin a project from a folder of cels."""
+        if self.may_leave() and (folder := self.dialogs.folder_of_cels()):
+            self._load(self._open_project.new((CharacterSource(None, folder),)))
+
+    def open(self) -> None:
+        """Open another project."""
+        if self.may_leave() and (path := self.dialogs.project_to_open()):
+            self.open_path(path)
+
+    def open_recent(self, path: Path) -> None:
+        """Open a project of before."""
+        if self.may_leave():
+            self.open_path(path)
+
+    def open_path(self, path: Path) -> bool:
+        """Open a project without asking about the old one; false if it turns out at once that it cannot be opened.
+
+        A timesheet, which drawing programs start us with, begins a project of the drawings beside it, and a PSD file
+        one of what is in it.
+        """
+        if is_psd(path):
+            return self._load(self._open_project.new((CharacterSource(None, path),)))
+        if path.suffix.lower() in TIMESHEET_SUFFIXES:
+            return self._load(self._open_project.new_by(path))
+        holder = self._lock.holder_of(path)
+        if holder and not self.dialogs.open_twice(path.name, holder):
+            return False
+        load = self._open_project.open(path)
+
+        def put(found: object) -> None:
+            load.put(found)
+            self._remember(path)
+
+        return self._load(replace(load, put=put))
+
+    def save(self) -> bool:
+        """Save where it was saved before, or ask; false if it is not saved after that."""
+        path = self._open_project.path
+        if path is None:
+            return self.save_as()
+        if self._open_project.is_changed_outside(path) and not self.dialogs.overwrite_changed(path.name):
+            return False
+        return self._save_to(path)
+
+    def save_increment(self) -> bool:
+        """Save as the next version beside the old one; false if it is not saved after that."""
+        path = self._open_project.path
+        return self._save_to(next_version(path)) if path else self.save_as()
+
+    def recover(self, work: RecoveredWork, file: Path) -> None:
+        """Open unsaved work again; what was put aside goes once it is there."""
+        if not self.may_leave():
+            return
+
+        self.loading.cancel()
+
+        def bring_back() -> None:
+            self._open_project.recover(work)
+            forget(file)
+
+        self._try(bring_back)
+
+    def put_away(self) -> None:
+        """Leave the project to others."""
+        self._lock.release()
+
+    def save_as(self) -> bool:
+        """Ask where to save."""
+        suggested = self._open_project.path.name if self._open_project.path else self.project_name + PROJECT_SUFFIX
+        path = self.dialogs.project_to_save(suggested)
+        return self._save_to(path) if path else False
+
+    def import_folder(self) -> None:
+        """Bring in a folder of cels as a layer."""
+        if folder := self.dialogs.folder_of_cels():
+            self.bring([folder])
+
+    def import_pictures(self) -> None:
+        """Bring in pictures; of one numbered picture the whole sequence comes."""
+        paths = self.dialogs.pictures()
+        if len(paths) == 1:
+            self._load(self._open_project.bring((CharacterSource(None, whole_sequence(paths[0])),)))
+        elif paths:
+            self.bring(paths)
+
+    def set_background(self) -> None:
+        """Put a picture under everything."""
+        if path := self.dialogs.background():
+            self._load(self._open_project.put_background(path))
+
+    def remove_background(self) -> None:
+        """Take the background away."""
+        self._try(self._open_project.remove_background)
+
+    def read_ahead(self) -> None:
+        """Bring the drawings of the work area into memory."""
+        self._load(self._open_project.reading_ahead())
+
+    def time_by(self, path: Path) -> bool:
+        """Expose the drawings as a timesheet says, or begin a project of the drawings beside it."""
+        return self._load(self._open_project.time_by(path))
+
+    def import_timesheet(self) -> None:
+        """Ask for a timesheet."""
+        if path := self.dialogs.timesheet():
+            self.time_by(path)
+
+    def import_set(self) -> None:
+        """Ask for a set from a 3-D program."""
+        if path := self.dialogs.set_file():
+            self.bring([path])
+
+    def export_timesheet(self) -> None:
+        """Ask where to write the timesheet."""
+        if path := self.dialogs.timesheet_to_save(f"{self.project_name}.xdts"):
+            self._try(lambda: self._open_project.write_timesheet(path, self.project_name))
+
+    def bring(self, paths: Iterable[Path]) -> None:
+        """Take what was dropped: a project is opened, cels become layers, a lone opaque picture the background."""
+        given = list(paths)
+        arrivals = arrivals_of(given)
+        if arrivals.project is not None:
+            self.open_recent(arrivals.project)
+        elif arrivals.timesheet is not None:
+            self.time_by(arrivals.timesheet)
+        elif arrivals.set_file is not None:
+            self._load(self._open_project.read_set(arrivals.set_file, self.set_read.emit))
+        elif arrivals.background is not None:
+            self._load(self._open_project.put_background(arrivals.background))
+        elif arrivals.characters:
+            self._load(self._open_project.bring(arrivals.characters))
+        elif given:
+            names = ", ".join(path.name for path in given[:3])
+            words = self.tr("%1: neither a project, a folder of cels, a set nor a picture that can be read")
+            self._bar.say(_KEY, words.replace("%1", names), Severity.WARNING)
+
+    def may_leave(self) -> bool:
+        """Whether the project may be put away: it is saved, saved now, or given up."""
+        if self._open_project.is_saved:
+            return True
+        answer = self.dialogs.unsaved(self.project_name)
+        return self.save() if answer is Answer.SAVE else answer is Answer.DISCARD
+
+    @property
+    def project_name(self) -> str:
+        """What the window calls the project."""
+        return self._open_project.path.stem if self._open_project.path else self.tr("Untitled")
+
+    def _save_to(self, path: Path) -> bool:
+        saved = self._try(lambda: self._open_project.save(path))
+        if saved and self._open_project.path:
+            self._remember(self._open_project.path)
+            self._bar.say("saved", self.tr("Saved %1").replace("%1", self._open_project.path.name), Severity.NOTE)
+        return saved
+
+    def _remember(self, path: Path) -> None:
+        self._settings.remember_project(path)
+        self.recent_changed.emit()
+
+    def _load(self, load: AnyLoad) -> bool:
+        """Load beside the window; what would put away work that is newer than the question asks again."""
+        over = self._open_project.bridge.document
+
+        def put(found: object) -> None:
+            if load.replaces and self._open_project.bridge.document is not over and not self.may_leave():
+                return
+            load.put(found)
+            self._bar.withdraw(_KEY)
+
+        return self.loading.start(replace(load, put=put))
+
+    def _is_free(self) -> bool:
+        """Whether the open project can take something: nobody drags, and no question about it is open."""
+        question = QApplication.activeModalWidget()
+        is_ours = question is not None and question.parentWidget() is self.loading.window()
+        return not self._open_project.bridge.session.is_in_gesture and not is_ours
+
+    def _try(self, do: Callable[[], object]) -> bool:
+        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
+        try:
+            do()
+        except Problem as problem:
+            self._say(problem)
+            return False
+        finally:
+            QApplication.restoreOverrideCursor()
+        self._bar.withdraw(_KEY)
+        return True
+
+    def _say(self, problem: Problem) -> None:
+        self._bar.say(_KEY, sentence_of(problem))

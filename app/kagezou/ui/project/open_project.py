@@ -1,0 +1,273 @@
+"""The project on the open_project: where its file lies, and opening, saving and bringing things in.
+
+What takes time comes as a ``Load``: read beside the window, then put in place at once.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from kagezou.document.edits import set_background
+from kagezou.document.model import Canvas, Document, PictureSource
+from kagezou.errors import Problem
+from kagezou.geometry.set_camera import SetCamera
+from kagezou.importing.progress import LoadPhase, Progress
+from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
+from kagezou.importing.staging import Brought, CharacterSource, Imported, brought, exposed, new_document, put_in
+from kagezou.importing.timesheet_on_document import sheet_of
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.project import file as project_file
+from kagezou.io.project.recovery_file import RecoveredWork
+from kagezou.io.sets.cameras import cameras_of
+from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.io.sheets.timesheet import Timesheet
+from kagezou.io.sheets.xdts import read_timesheet, write_xdts
+from kagezou.session.session import Session
+from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
+from kagezou.ui.project.load import AnyLoad, Load
+from kagezou.ui.system.bridge import Bridge
+
+BLANK_SIZE_PX = (1920, 1080)
+
+
+class OpenProject(QObject):
+    """One project at a time. Every method and every load may raise a Problem; then everything is as it was.
+
+    Outlives the window, which is made anew when the language changes.
+    """
+
+    path_changed = Signal()
+    noted = Signal(str)
+    """Something the user should know about what came in, one sentence."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.cels = CelCache()
+        self.meshes = MeshCache()
+        self.bridge = Bridge(Session(blank_document()))
+        self._path: Path | None = None
+        self._seen = ""
+
+    @property
+    def path(self) -> Path | None:
+        """Where the project was opened from or saved to."""
+        return self._path
+
+    @property
+    def is_blank(self) -> bool:
+        """Whether there is nothing to see."""
+        return _is_blank(self.bridge.document)
+
+    @property
+    def is_saved(self) -> bool:
+        """Whether nothing would be lost."""
+        return self.bridge.session.is_saved
+
+    def clear(self) -> None:
+        """Begin with nothing."""
+        self._put(Session(blank_document()), None)
+
+    def new(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
+        """Begin a project with characters; it has no file yet and counts as unsaved."""
+
+        def read(watch: Progress) -> Imported:
+            return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
+
+        return Load(_names(sources), read, lambda staged: self._begin(self.tr("New from cels"), staged), replaces=True)
+
+    def open(self, path: Path) -> AnyLoad:
+        """Open a project file."""
+
+        def read(watch: Progress) -> tuple[Document, str]:
+            watch(LoadPhase.FINDING, 0, 0)
+            seen, document = project_file.fingerprint(path), project_file.load(path)
+            self._read_first(document, watch)
+            return document, seen
+
+        def put(found: tuple[Document, str]) -> None:
+            self._put(Session(found[0]), path)
+            self._seen = found[1]
+
+        return Load(path.name, read, put, replaces=True)
+
+    def recover(self, work: RecoveredWork) -> None:
+        """Put unsaved work back as it was put aside; it counts as unsaved."""
+        session = Session(blank_document())
+        session.edit(self.tr("Recover unsaved work"), work.document)
+        self._put(session, work.path)
+        self._seen = project_file.fingerprint(work.path) if work.path else ""
+
+    def is_changed_outside(self, path: Path) -> bool:
+        """Whether saving to ``path`` would undo what others saved there since it was opened."""
+        now = project_file.fingerprint(path)
+        return path == self._path and now not in ("", self._seen)
+
+    def save(self, path: Path) -> None:
+        """Write the project; a name without suffix gets one."""
+        whole = path if path.suffix.lower() == PROJECT_SUFFIX else path.with_name(path.name + PROJECT_SUFFIX)
+        session = self.bridge.session
+        project_file.save(session.document, whole)
+        self._seen = project_file.fingerprint(whole)
+        self._path = whole
+        session.mark_saved()
+        self.path_changed.emit()
+
+    def bring(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
+        """Add characters as one step; into nothing they come with a canvas, a ground and a lamp of their own."""
+
+        def read(watch: Progress) -> Imported | Brought:
+            over = self.bridge.document
+            if _is_blank(over):
+                return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
+            return brought(sources, over.canvas.box, watch)
+
+        def put(found: Imported | Brought) -> None:
+            if isinstance(found, Brought):
+                # The document may have gone on meanwhile; what was read fits any.
+                self._edit(self.tr("Import character"), put_in(self.bridge.document, found))
+            elif self.is_blank:
+                self._edit(self.tr("Import character"), found)
+            else:
+                self.bring(sources).at_once()
+
+        return Load(_names(sources), read, put)
+
+    def read_set(self, path: Path, put: Callable[[Path, tuple[SetCamera, ...]], None]) -> AnyLoad:
+        """Read a set from a file, so that it is there when ``put`` puts it into the picture."""
+
+        def read(_watch: Progress) -> tuple[SetCamera, ...]:
+            self.meshes.mesh(path)
+            return cameras_of(path, self.bridge.document.canvas.frame_rate)
+
+        return Load(path.name, read, lambda cameras: put(path, cameras))
+
+    def time_by(self, path: Path) -> AnyLoad:
+        """Expose the drawings as a timesheet says; with nothing open they are looked for beside it."""
+
+        def read(watch: Progress) -> Imported | Timesheet:
+            return self._first_seen(document_of_sheet(path, watch), watch) if self.is_blank else read_timesheet(path)
+
+        def put(found: Imported | Timesheet) -> None:
+            if isinstance(found, Timesheet):
+                self._edit(self.tr("Apply timesheet"), exposed(self.bridge.document, found))
+            elif self.is_blank:
+                self._begin(self.tr("New from timesheet"), found)
+            else:
+                self.time_by(path).at_once()
+
+        return Load(path.name, read, put)
+
+    def write_timesheet(self, path: Path, name: str) -> None:
+        """Write when which drawing is exposed, as XDTS; a name without suffix gets one."""
+        whole = path if path.suffix.lower() == ".xdts" else path.with_name(path.name + ".xdts")
+        write_xdts(whole, sheet_of(self.bridge.document, name))
+
+    def new_by(self, sheet: Path) -> AnyLoad:
+        """Begin a project of the drawings beside a timesheet; it has no file yet and counts as unsaved."""
+
+        def read(watch: Progress) -> Imported:
+            return self._first_seen(document_of_sheet(sheet, watch), watch)
+
+        return Load(sheet.name, read, lambda staged: self._begin(self.tr("New from timesheet"), staged), replaces=True)
+
+    def put_background(self, path: Path) -> AnyLoad:
+        """Put a picture under everything; into nothing it brings its size."""
+
+        def read(watch: Progress) -> Document:
+            over = self.bridge.document
+            document = new_document((), background=path, watch=watch).document if _is_blank(over) else over
+            self._read_first(set_background(document, path), watch)
+            return document
+
+        def put(found: Document) -> None:
+            document = found if self.is_blank else self.bridge.document
+            self.bridge.session.edit(self.tr("Set background"), set_background(document, path))
+
+        return Load(path.name, read, put)
+
+    def reading_ahead(self) -> AnyLoad:
+        """Decode the drawings of the work area, as many as memory is meant to hold, so that they play smoothly."""
+
+        def read(watch: Progress) -> None:
+            sources = played_drawings(self.bridge.document)
+            for index, source in enumerate(sources):
+                watch(LoadPhase.READING, index, len(sources))
+                try:
+                    size = self.cels.cel(source).nbytes
+                except Problem:
+                    continue
+                if self.cels.nbytes + size > self.cels.limit_bytes:
+                    break
+
+        return Load(self.tr("the work area"), read, lambda _nothing: None, gives_way=True)
+
+    def remove_background(self) -> None:
+        """Leave nothing under the characters."""
+        session = self.bridge.session
+        session.edit(self.tr("Set background"), set_background(session.document, None))
+
+    def _begin(self, step: str, staged: Imported) -> None:
+        """Open a new project, which has no file yet."""
+        session = Session(blank_document())
+        session.edit(step, staged.document)
+        self._put(session, None)
+        self._say(staged.notes)
+
+    def _first_seen(self, staged: Imported, watch: Progress) -> Imported:
+        self._read_first(staged.document, watch)
+        return staged
+
+    def _read_first(self, document: Document, watch: Progress) -> None:
+        """Read what the first frame shows, so that the viewport finds it there."""
+        wanted: list[Callable[[], object]] = []
+        if document.background is not None:
+            wanted.append(partial(self.cels.background, document.background))
+        first = (layer.cels.drawing_at(1) for layer in document.layers)
+        wanted += [partial(self.cels.cel, drawing.source) for drawing in first if drawing is not None]
+        wanted += [partial(self.meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
+        for index, read in enumerate(wanted):
+            watch(LoadPhase.READING, index, len(wanted))
+            try:
+                read()
+            except Problem:
+                # The viewport meets the same file, and says what is wrong with it.
+                continue
+
+    def _edit(self, step: str, staged: Imported) -> None:
+        session = self.bridge.session
+        session.edit(step, staged.document)
+        if staged.layer_ids:
+            session.select(staged.layer_ids[-1])
+        self._say(staged.notes)
+
+    def _put(self, session: Session, path: Path | None) -> None:
+        self._path = path
+        self.bridge.open(session)
+        self.path_changed.emit()
+
+    def _say(self, notes: tuple[str, ...]) -> None:
+        for note in notes:
+            self.noted.emit(note)
+
+
+def _is_blank(document: Document) -> bool:
+    return not document.layers and not document.pieces and document.background is None
+
+
+def _names(sources: tuple[CharacterSource, ...]) -> str:
+    first = sources[0].path.name if sources else ""
+    return f"{first}, …" if len(sources) > 1 else first
+
+
+def played_drawings(document: Document) -> tuple[PictureSource, ...]:
+    """Return the drawings of the work area, each once, in the order in which they are seen."""
+    first, last = document.played
+    seen = (layer.cels.drawing_at(frame) for frame in range(first, last + 1) for layer in document.layers)
+    return tuple(dict.fromkeys(drawing.source for drawing in seen if drawing is not None))
+
+
+def blank_document() -> Document:
+    """Return a document with nothing in it."""
+    return Document(Canvas(*BLANK_SIZE_PX))

@@ -1,0 +1,93 @@
+"""What the commands on the set do: pieces come, are copied and go; each is one step with a name."""
+
+from PySide6.QtCore import QCoreApplication, QObject, Signal
+
+from kagezou.document.address import Address, track_of
+from kagezou.document.edits import set_constant
+from kagezou.document.model import Document
+from kagezou.document.set_pieces import copy_piece, remove_piece
+from kagezou.document.set_properties import PIECE_POSITION
+from kagezou.errors import Problem
+from kagezou.tools.placing import add_placed
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import choice_word
+
+_COPY_AWAY = 0.04
+"""How far aside a copy stands, as a part of the canvas' width."""
+
+
+class SetCommands(QObject):
+    """Adding, copying and removing set pieces.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    """
+
+    refused = Signal(str)
+    """One sentence on why nothing happened."""
+
+    def __init__(self, bridge: Bridge) -> None:
+        super().__init__()
+        self._bridge = bridge
+
+    def add(self, kind: str) -> None:
+        """Put a piece where it is seen, and work on it."""
+        bridge = self._bridge
+        layer_id = bridge.layer_id
+        try:
+            document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, kind, choice_word(kind))
+        except Problem as problem:
+            self.refused.emit(sentence_of(problem))
+            return
+        self._edit(words_for_adding(kind), document, piece_id)
+
+    def duplicate(self) -> None:
+        """Put a second piece like the one worked on a little aside, and work on that."""
+        piece_id = self._bridge.piece_id
+        if piece_id is None:
+            return
+        try:
+            document = copy_piece(self._bridge.document, piece_id)
+        except Problem as problem:
+            self.refused.emit(sentence_of(problem))
+            return
+        twin = document.pieces[-1].id
+        self._edit(self.tr("Duplicate set piece"), _aside(document, twin), twin)
+
+    def remove(self) -> None:
+        """Take the piece worked on out of the set."""
+        piece_id = self._bridge.piece_id
+        if piece_id is not None:
+            self._bridge.session.edit(self.tr("Remove set piece"), remove_piece(self._bridge.document, piece_id))
+
+    def _edit(self, name: str, document: Document, piece_id: str) -> None:
+        # The piece is chosen within the step, so that redo brings it back chosen.
+        with self._bridge.session.gesture(name) as gesture:
+            gesture.show(document)
+            self._bridge.session.select_piece(piece_id)
+
+
+def words_for_adding(kind: str) -> str:
+    """Return the name of the step that adds a piece."""
+    spoken = {
+        "wall": QCoreApplication.translate("SetCommands", "Add wall"),
+        "box": QCoreApplication.translate("SetCommands", "Add box"),
+        "steps": QCoreApplication.translate("SetCommands", "Add steps"),
+        "ramp": QCoreApplication.translate("SetCommands", "Add ramp"),
+        "cylinder": QCoreApplication.translate("SetCommands", "Add cylinder"),
+        "sphere": QCoreApplication.translate("SetCommands", "Add sphere"),
+    }
+    return spoken.get(kind, QCoreApplication.translate("SetCommands", "Add set piece"))
+
+
+def _aside(document: Document, piece_id: str) -> Document:
+    address = Address(PIECE_POSITION, piece_id=piece_id)
+    track = track_of(document, address)
+    if track.is_keyed or not isinstance(track.constant, tuple):
+        # What moves keeps its way.
+        return document
+    x, y = (part for part in track.constant if isinstance(part, float))
+    return set_constant(document, address, (x + round(_COPY_AWAY * document.canvas.width_px), y))

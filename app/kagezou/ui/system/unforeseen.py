@@ -1,0 +1,84 @@
+"""What nobody foresaw: errors that reach the top and Qt's own warnings are written down and said, never swallowed."""
+
+import logging
+import sys
+import threading
+import traceback
+from logging.handlers import RotatingFileHandler
+from pathlib import Path
+from types import TracebackType
+
+from platformdirs import user_log_path
+from PySide6.QtCore import QMessageLogContext, QObject, QtMsgType, Signal, qInstallMessageHandler
+
+from kagezou.errors import Problem
+from kagezou.ui.system.sentences import sentence_of
+
+_LEVELS = {
+    QtMsgType.QtDebugMsg: logging.DEBUG,
+    QtMsgType.QtInfoMsg: logging.INFO,
+    QtMsgType.QtWarningMsg: logging.WARNING,
+    QtMsgType.QtCriticalMsg: logging.ERROR,
+    QtMsgType.QtFatalMsg: logging.CRITICAL,
+}
+LOG_BYTES = 1 << 20
+
+log = logging.getLogger("kagezou")
+
+
+class UnforeseenErrors(QObject):
+    """Hooks into Python and Qt; ``happened`` carries one sentence for the message bar.
+
+    The signal may be sent from any thread; Qt brings it to the window's own.
+    """
+
+    happened = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.log_file: Path | None = None
+
+    def watch(self) -> None:
+        """Begin to write down and to tell."""
+        self.log_file = _log_to_file()
+        sys.excepthook = self._unhandled
+        threading.excepthook = self._unhandled_in_thread
+        qInstallMessageHandler(self._from_qt)
+
+    def _unhandled(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        if issubclass(kind, KeyboardInterrupt):
+            sys.__excepthook__(kind, error, trace)
+            return
+        log.error("unhandled: %s", "".join(traceback.format_exception(kind, error, trace)))
+        self.happened.emit(self._sentence(error))
+
+    def _unhandled_in_thread(self, arguments: threading.ExceptHookArgs) -> None:
+        if arguments.exc_value is not None:
+            self._unhandled(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
+
+    def _sentence(self, error: BaseException) -> str:
+        if isinstance(error, Problem):
+            return sentence_of(error)
+        words = self.tr("Something went wrong inside the program (%1). Save your project. Details: %2")
+        where = str(self.log_file) if self.log_file else self.tr("no log could be written")
+        return words.replace("%1", f"{type(error).__name__}: {error}"[:200]).replace("%2", where)
+
+    def _from_qt(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
+        log.log(_LEVELS.get(kind, logging.WARNING), "Qt: %s", text)
+        if kind in (QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg):
+            self.happened.emit(text)
+
+
+def _log_to_file() -> Path | None:
+    """Write to a file of the user's; where that is impossible the terminal alone has to do."""
+    log.setLevel(logging.INFO)
+    log.addHandler(logging.StreamHandler())
+    try:
+        path = user_log_path("kagezou", appauthor=False, ensure_exists=True) / "window.log"
+        handler = RotatingFileHandler(path, maxBytes=LOG_BYTES, backupCount=2, encoding="utf-8")
+    except OSError as error:
+        log.warning("no log file: %s", error)
+        return None
+    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(message)s"))
+    log.addHandler(handler)
+    return path

@@ -1,0 +1,76 @@
+"""Decoding the next drawings while the cut plays, so that the first time through is as smooth as the second."""
+
+from PySide6.QtCore import QObject, QRunnable, QThreadPool
+
+from kagezou.document.model import Document, PictureSource
+from kagezou.errors import Problem
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.time.playback import Player
+
+AHEAD_FRAMES = 12
+
+
+class Prefetch(QObject):
+    """Keeps the drawings of the next frames coming.
+
+    Parameters
+    ----------
+    bridge, player
+        What plays.
+    cels
+        Where decoded drawings are kept; drawings that are there already cost nothing.
+    """
+
+    def __init__(self, bridge: Bridge, player: Player, cels: CelCache) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._player = player
+        self._cels = cels
+        self._asked: set[PictureSource] = set()
+        self._pool = QThreadPool(self)
+        # One beside the window's own thread: on two cores a second would take the picture's time.
+        self._pool.setMaxThreadCount(1)
+        player.playing_changed.connect(self._begin)
+        bridge.frame_changed.connect(self._go_on)
+
+    def finish(self) -> None:
+        """Drop what has not begun and wait for the rest."""
+        self._pool.clear()
+        self._pool.waitForDone()
+
+    def _begin(self, playing: bool) -> None:
+        self._asked.clear()
+        if playing:
+            self._go_on()
+        else:
+            self._pool.clear()
+
+    def _go_on(self) -> None:
+        if not self._player.is_playing:
+            return
+        for source in upcoming(self._bridge.document, self._bridge.frame):
+            if source not in self._asked:
+                self._asked.add(source)
+                self._pool.start(_Decoding(self._cels, source))
+
+
+class _Decoding(QRunnable):
+    def __init__(self, cels: CelCache, source: PictureSource) -> None:
+        super().__init__()
+        self._cels, self._source = cels, source
+
+    def run(self) -> None:
+        try:
+            self._cels.cel(self._source)
+        except Problem:
+            # The viewport meets the same file when its frame comes, and says what is wrong.
+            return
+
+
+def upcoming(document: Document, frame: int) -> list[PictureSource]:
+    """Return the drawings of the frames after ``frame``, around the end, in the order they are needed."""
+    length = document.canvas.length_frames
+    frames = [(frame + ahead - 1) % length + 1 for ahead in range(1, min(AHEAD_FRAMES, length) + 1)]
+    found = (layer.cels.drawing_at(each) for each in frames for layer in document.layers)
+    return list(dict.fromkeys(drawing.source for drawing in found if drawing is not None))

@@ -1,0 +1,125 @@
+"""The strip under the picture: the buttons of playback, the frame and the rate."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
+
+from kagezou.animation.timecode import parse_frame, sheet_text
+from kagezou.errors import UsageProblem
+from kagezou.ui.commands.table import plain
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.icons import icon_size
+from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.time.playback import Player
+
+
+class FrameField(QLineEdit):
+    """The frame as a number to read and to type: ``84``, ``3+12``, ``+6``."""
+
+    def __init__(self, bridge: Bridge) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setAccessibleName(self.tr("Frame"))
+        self.setToolTip(self.tr("Frame; type 84, 3+12 (seconds + frames) or +6"))
+        self.setFixedWidth(self.fontMetrics().horizontalAdvance("0000000") + 16)
+        self.editingFinished.connect(self._accept)
+        bridge.frame_changed.connect(self._show)
+        bridge.session_replaced.connect(self._show)
+        self._show()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self._show()
+            self.clearFocus()
+            return
+        super().keyPressEvent(event)
+
+    def _accept(self) -> None:
+        rate = self._bridge.document.canvas.frame_rate
+        try:
+            frame = parse_frame(self.text(), self._bridge.frame, rate)
+        except UsageProblem as problem:
+            self.setToolTip(sentence_of(problem))
+            frame = self._bridge.frame
+        self._bridge.session.go_to(frame)
+        self._show()
+        if self.hasFocus():
+            self.clearFocus()
+
+    def _show(self) -> None:
+        self.setText(str(self._bridge.frame))
+
+
+class Transport(QWidget):
+    """Playback buttons, frame field, length and the rate that is really reached."""
+
+    def __init__(self, bridge: Bridge, player: Player, actions: list[QAction | None]) -> None:
+        super().__init__()
+        self.setObjectName("transport")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._bridge = bridge
+        self._player = player
+        self.frame_field = FrameField(bridge)
+        self._position = QLabel()
+        self._rate = QLabel()
+        self._rate.setAccessibleName(self.tr("Frames a second"))
+        self._rate.setMinimumWidth(self.fontMetrics().horizontalAdvance("000.0 / 000.00 fps ") + 8)
+        self._rate.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._lay_out(actions)
+        bridge.frame_changed.connect(self._show_position)
+        bridge.document_changed.connect(self._show_position)
+        bridge.session_replaced.connect(self._show_rate_wanted)
+        player.rate_measured.connect(self._show_rate)
+        player.playing_changed.connect(self._show_rate_wanted)
+        self._show_position()
+        self._show_rate_wanted()
+
+    def ask_frame(self) -> None:
+        """Let a frame be typed."""
+        self.frame_field.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.frame_field.selectAll()
+
+    def _lay_out(self, actions: list[QAction | None]) -> None:
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 3, 8, 4)
+        row.setSpacing(2)
+        row.addWidget(self.frame_field)
+        row.addSpacing(6)
+        row.addWidget(self._position)
+        row.addStretch(1)
+        for action in actions:
+            if action is None:
+                row.addSpacing(8)
+            else:
+                row.addWidget(_button(action))
+        row.addStretch(1)
+        row.addWidget(self._rate)
+
+    def _show_position(self) -> None:
+        canvas = self._bridge.document.canvas
+        here = sheet_text(self._bridge.frame, canvas.frame_rate)
+        whole = sheet_text(canvas.length_frames, canvas.frame_rate)
+        self._position.setText(f"/ {canvas.length_frames}    {here} / {whole}")
+
+    def _show_rate_wanted(self) -> None:
+        self._rate.setText(f"{self._wanted} fps")
+
+    def _show_rate(self, frames_per_second: float) -> None:
+        kept = frames_per_second >= 0.97 * float(self._bridge.document.canvas.frame_rate)
+        # The word says it too: colour alone does not reach everyone.
+        note = "" if kept else " " + self.tr("(slow)")
+        self._rate.setText(f"{frames_per_second:.1f} / {self._wanted} fps{note}")
+
+    @property
+    def _wanted(self) -> str:
+        return f"{float(self._bridge.document.canvas.frame_rate):.5g}"
+
+
+def _button(action: QAction) -> QToolButton:
+    button = QToolButton()
+    button.setDefaultAction(action)
+    button.setIconSize(icon_size(button.fontMetrics()))
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    button.setAccessibleName(plain(action.text()))
+    return button

@@ -1,0 +1,49 @@
+"""A dock whose title bar is drawn by Qt, so that a pen can drag it back where the system's own bars ignore pens."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QToolButton, QWidget
+
+from kagezou.ui.system.icons import icon, icon_size
+
+
+class Dock(QDockWidget):
+    """A panel at the window's side.
+
+    Parameters
+    ----------
+    name
+        Its name for the saved layout.
+    title
+        What people read.
+    content
+        The panel.
+    """
+
+    def __init__(self, name: str, title: str, content: QWidget) -> None:
+        super().__init__(title)
+        self.setObjectName(name)
+        self.setWidget(content)
+        self.setTitleBarWidget(self._title_bar(title))
+
+    def _title_bar(self, title: str) -> QWidget:
+        bar = QWidget()
+        bar.setObjectName("dock_title")
+        bar.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        row = QHBoxLayout(bar)
+        row.setContentsMargins(0, 0, 3, 0)
+        row.setSpacing(0)
+        row.addWidget(QLabel(title), 1)
+        row.addWidget(_button("float", self.tr("Float or dock"), lambda: self.setFloating(not self.isFloating())))
+        row.addWidget(_button("close", self.tr("Close"), self.close))
+        return bar
+
+
+def _button(name: str, words: str, do: object) -> QToolButton:
+    button = QToolButton()
+    button.setIcon(icon(name))
+    button.setIconSize(icon_size(button.fontMetrics(), small=True))
+    button.setToolTip(words)
+    button.setAccessibleName(words)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    button.clicked.connect(do)
+    return button

@@ -1,0 +1,70 @@
+"""The status bar: a hint at the left, canvas, zoom and what draws at the right."""
+
+from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
+
+from kagezou.ui.system.bridge import Bridge
+
+
+class Status(QStatusBar):
+    """Says quietly what is looked at.
+
+    Parameters
+    ----------
+    bridge
+        The session shown.
+    extra
+        A widget beside the hint, such as an export's progress.
+    """
+
+    def __init__(self, bridge: Bridge, extra: QWidget) -> None:
+        super().__init__()
+        self._bridge = bridge
+        self._hint = QLabel()
+        self._canvas = QLabel()
+        self._zoom = QLabel()
+        self._resolution = QLabel()
+        self._resolution.setToolTip(self.tr("Preview resolution; exports are always full"))
+        self._device = QLabel()
+        self.setSizeGripEnabled(False)
+        self.addWidget(self._hint, 1)
+        for widget in (extra, *self.labels):
+            self.addPermanentWidget(widget)
+        bridge.document_changed.connect(self._show_document)
+        bridge.selection_changed.connect(self._show_document)
+        self._show_document()
+
+    @property
+    def labels(self) -> tuple[QLabel, ...]:
+        """What stands at the right, from left to right."""
+        return (self._resolution, self._device, self._canvas, self._zoom)
+
+    def show_zoom(self, percent: float) -> None:
+        """Say how large the picture is shown."""
+        self._zoom.setText(f"{percent:.0f} %" if percent >= 10 else f"{percent:.1f} %")
+
+    def show_divisor(self, divisor: int) -> None:
+        """Say when the picture is drawn at a part of its resolution: it is how many px across become one."""
+        self._resolution.setText(f"1/{divisor}" if divisor > 1 else "")
+
+    def show_device(self, name: str, is_software: bool) -> None:
+        """Say when the processor draws instead of a graphics card."""
+        self._device.setText(self.tr("software rendering") if is_software else "")
+        self._device.setToolTip(name)
+
+    def _show_document(self) -> None:
+        document = self._bridge.document
+        canvas = document.canvas
+        self._canvas.setText(f"{canvas.width_px} × {canvas.height_px}")
+        is_blank = not document.layers and document.background is None
+        for label in self.labels:
+            label.setVisible(not is_blank)
+        if self._bridge.piece_id is not None:
+            self._hint.setText(
+                self.tr("Drag an edge to move the set piece, the arrows to size it, the lever at its front to turn it")
+            )
+        elif not document.layers:
+            self._hint.setText("")
+        else:
+            self._hint.setText(
+                self.tr("Drag the lamp to move the shadow; double-click on the character to add a grounding point")
+            )

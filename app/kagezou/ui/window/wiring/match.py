@@ -1,0 +1,34 @@
+"""Who tells whom about matching the camera to the background picture."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication
+
+from kagezou.ui.widgets.message_bar import Severity
+
+if TYPE_CHECKING:
+    from kagezou.ui.window.main_window import MainWindow
+
+_TOPIC = "match-camera"
+
+
+def connect_match(window: "MainWindow") -> None:
+    """Connect the switch that puts floor edges and horizon in the place of all other handles."""
+    actions, hand, bar = window.actions_of, window.viewport.hand, window.bar
+
+    def switch(on: bool) -> None:
+        hand.match_camera(on=on)
+        if not on:
+            bar.withdraw(_TOPIC)
+            return
+        actions["handles"].setChecked(True)
+        words = QCoreApplication.translate(
+            "Match",
+            "Lay the two orange lines along edges of the floor that run away, the two blue ones along edges square to "
+            "them. The dash-dotted line is the horizon. Esc ends it.",
+        )
+        bar.say(_TOPIC, words, Severity.NOTE)
+
+    actions.on_toggled("match_camera", switch)
+    hand.laid_down.connect(lambda: actions["match_camera"].setChecked(False))
+    window.open_project.bridge.session_replaced.connect(lambda: actions["match_camera"].setChecked(False))

@@ -1,0 +1,254 @@
+"""render, demo, bench and doctor as a person or a farm calls them."""
+
+import io
+import json
+import subprocess
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from kagezou import __main__
+from kagezou.cli import examination
+from kagezou.cli.bench import operations, throughput
+from kagezou.cli.bench.hills import write_hills
+from kagezou.cli.demo import pose, stage
+from kagezou.cli.demo.figure import drawn
+from kagezou.cli.demo.scenery import painted
+from kagezou.cli.terminal import Json
+from kagezou.cli.verbs import demo, doctor
+from kagezou.errors import GraphicsProblem
+from kagezou.io.images.reading import read_cel
+from kagezou.render.gpu.context import GraphicsContext
+from tests.cli.projects import Shell, make_drawings
+
+
+def test_render_prints_its_folders(shell: Shell, project: Path) -> None:
+    out = project.parent / "out"
+    assert shell.ok("render", project, "-o", out, "--composite") == f"{out / 'Hero_shadow'}\n{out / 'composite'}\n"
+    assert len(list((out / "composite").glob("composite_000?.png"))) == 3
+
+
+def test_render_as_one_object(shell: Shell, project: Path) -> None:
+    out = project.parent / "out"
+    words = ["render", project, "-o", out, "--frames", "2-3", "--layer", "Hero", "--format", "exr", "--json"]
+    report = shell.json(*words)
+    assert (report["files"], report["written"], report["trusted"], report["whole"]) == (2, 2, 0, True)
+    assert report["folders"] == [str(out / "Hero_shadow")]
+    assert report["names"] == {"Hero": "Hero"}
+    assert shell.json(*words, "--skip-existing")["trusted"] == 2
+
+
+def test_render_names_every_missing_drawing(shell: Shell, project: Path) -> None:
+    for number in (1, 3):
+        (project.parent / "hero" / f"walk_000{number}.png").unlink()
+    said = shell.fails(3, "render", project, "-o", project.parent / "out")
+    assert said.startswith("2 drawings are missing: ")
+
+
+def test_render_that_keeps_going_says_what_failed(shell: Shell, project: Path) -> None:
+    (project.parent / "hero" / "walk_0002.png").write_bytes(b"no picture")
+    assert shell("render", project, "-o", project.parent / "out", "--keep-going", "--json") == 8
+    report = json.loads(shell.out)
+    assert [each["frames"] for each in report["failed"]] == [[2]]
+    first, last = shell.said.splitlines()
+    assert first.startswith("kagezou: frame 2: ")
+    assert last == "kagezou: 1 of 3 frames failed"
+
+
+def test_render_tells_the_names_that_files_carry(shell: Shell, tmp_path: Path) -> None:
+    drawings = make_drawings(tmp_path / "d", 1)
+    shell.ok("new", tmp_path / "p.kage", "--character", f"a/b={drawings}", "--fps", "12")
+    assert shell("render", tmp_path / "p.kage", "-o", tmp_path / "out", "--frames", "1") == 0
+    assert shell.said == "kagezou: note: layer 'a/b' is written as 'a_b', which every system accepts\n"
+
+
+def test_render_into_a_file_is_refused(shell: Shell, project: Path) -> None:
+    assert "walk.kage" in shell.fails(4, "render", project, "-o", project)
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def no_opengl() -> GraphicsContext:
+    raise GraphicsProblem("no OpenGL 3.3 is to be had")
+
+
+def test_render_without_opengl_is_told(shell: Shell, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(__main__, "open_context", no_opengl)
+    assert "no OpenGL" in shell.fails(6, "render", project, "-o", project.parent / "out")
+
+
+def test_every_sample_becomes_a_project_and_renders(shell: Shell, samples: Path, tmp_path: Path) -> None:
+    """Whatever lies in the samples' folders; only notes may be said."""
+    pictures = {path.parent for suffix in ("png", "webp", "tga") for path in samples.rglob(f"*.{suffix}")}
+    characters = sorted(folder for folder in pictures if "bg" not in folder.relative_to(samples).parts[0])
+    assert len(characters) >= 6
+    for number, folder in enumerate(characters):
+        path = tmp_path / f"{number}.kage"
+        assert shell("new", path, "--character", f"A={folder}") == 0, shell.said
+        assert all(line.startswith("kagezou: note: ") for line in shell.said.splitlines()), shell.said
+        shell.ok("render", path, "-o", tmp_path / str(number), "--frames", "1", "--composite")
+        shadows = list((tmp_path / str(number)).glob("*_shadow/*_0001.png"))
+        assert shadows
+        if "shadow" not in folder.name:  # an artist's own shadow layer is too thin to cast one
+            assert any(read_cel(shadow).matte.box is not None for shadow in shadows), folder
+
+
+@pytest.fixture
+def short_demo(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two small drawings instead of all of them, but the real project and the real rendering."""
+    monkeypatch.setattr(stage, "FRAMES", 2)
+    monkeypatch.setattr(stage, "SIZE_PX", 1000)
+    monkeypatch.setattr(stage.make_drawings, "__defaults__", (2,))
+
+
+@pytest.mark.usefixtures("short_demo")
+def test_the_demo_makes_a_project_and_renders_it(shell: Shell, tmp_path: Path) -> None:
+    assert shell("demo", tmp_path / "demo") == 0
+    assert shell.said == f"kagezou: to open it in the window: kagezou {tmp_path / 'demo' / 'demo.kage'}\n"
+    assert shell.out.splitlines()[0] == f"project    {tmp_path / 'demo' / 'demo.kage'}"
+    first = read_cel(tmp_path / "demo" / "render" / "Child_shadow" / "Child_shadow_0001.png")
+    assert first.matte.box is not None
+    assert shell.json("info", tmp_path / "demo" / "demo.kage", "--json")["keyed"][0]["path"] == "light.position"
+
+
+@pytest.mark.usefixtures("short_demo")
+def test_the_demo_opens_the_window_when_told_to(shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[Path | None] = []
+
+    def open_window(project: Path | None) -> int:
+        opened.append(project)
+        return 0
+
+    monkeypatch.setattr(__main__, "open_window", open_window)
+    assert shell("demo", tmp_path, "--window") == 0
+    assert opened == [tmp_path / "demo.kage"]
+
+
+def test_the_demo_never_opens_a_window_where_no_one_is_watching(monkeypatch: pytest.MonkeyPatch) -> None:
+    from kagezou.cli.entry_points import EntryPoints
+
+    with_display = EntryPoints(no_opengl, lambda _project: 0, has_display=True)
+    assert not demo._window_is_wanted(None, with_display)
+    assert demo._window_is_wanted(wish=True, doors=with_display)
+    assert not demo._window_is_wanted(wish=False, doors=with_display)
+    monkeypatch.setattr("sys.stdout", Terminal())
+    assert demo._window_is_wanted(None, with_display)
+    assert not demo._window_is_wanted(None, EntryPoints(no_opengl, lambda _project: 0, has_display=False))
+
+
+def test_the_demo_drawings_are_clean_cels() -> None:
+    drawing = drawn(pose.pose_at(36), 1000, 1000)
+    alpha = drawing[..., 3]
+    assert 0.05 < (alpha == 255).mean() < 0.4
+    soft = (alpha > 0) & (alpha < 255)
+    assert 0 < soft.mean() < 0.02
+    assert not alpha[[0, -1]].any()
+    assert not alpha[:, [0, -1]].any()
+    assert (drawn(pose.pose_at(36), 1000, 1000) == drawing).all()
+    # Straight alpha: the soft rim has the colour of the ink, not a blend with black.
+    assert abs(drawing[soft][:, :3].astype(int).mean(axis=0) - (58, 38, 48)).max() < 12
+
+
+def test_the_child_stands_on_the_ground_and_leaves_it() -> None:
+    feet = [max(pose.pose_at(frame).near.ankle[1], pose.pose_at(frame).far.ankle[1]) for frame in range(1, 49)]
+    assert all(abs(y - (pose.GROUND_Y - 27)) < 20 for y in feet[:28])
+    assert min(feet) < pose.GROUND_Y - 100
+    places = [pose.body_at(frame)[0] for frame in range(48)]
+    assert all(0 <= after - before < 20 for before, after in pairwise(places))
+
+
+def test_the_background_is_opaque_at_any_size() -> None:
+    picture = painted(320, 180)
+    assert picture.shape == (180, 320, 4)
+    assert (picture[..., 3] == 255).all()
+
+
+def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(operations.measured, "__defaults__", (3,))
+    monkeypatch.setattr(throughput.measured, "__defaults__", (1,))
+    drawings = make_drawings(tmp_path / "d", 8)
+    report = shell.json("bench", "--json", "--input", drawings, "--size", "80x60", "--workers", "2")
+    assert report["size"] == [80, 60]
+    assert report["copy_ms"] > 0
+    names = [each["name"] for each in report["operations"]]
+    places = ["ground position", "declination", "roll", "tilt", "grounding point"]
+    simplifying = ["simplify", "distance", "light, simplified", "light, simplified, waves", "wave", "softness", "fade"]
+    assert names == ["light", *places, "opacity", *simplifying, "light on a set", "light on a mesh set", "frame step"]
+    for each in report["operations"]:
+        assert each["fps"] == pytest.approx(1000 / each["median_ms"], rel=0.02)
+        assert each["ratio"] == pytest.approx(each["median_ms"] / report["copy_ms"], rel=0.05)
+    for export in (report["export"], report["export_two_layers"]):
+        assert export["of_floor"] == pytest.approx(export["fps"] / export["floor_fps"], rel=0.02)
+    assert report["export_two_layers"]["size"] == [80, 60]
+    assert shell("bench", "--input", drawings) == 0
+    assert "frame step" in shell.out
+
+
+def test_no_round_of_an_operation_shows_what_another_has(project: Path, tmp_path: Path) -> None:
+    from kagezou.io.project.file import load
+    from kagezou.scene.evaluate import evaluate
+
+    document = load(project)
+    for name, change in operations._changes(document, write_hills(tmp_path / "hills.ply")):
+        rounds = 3 if name == "frame step" else operations.ROUNDS + 4
+        scenes = [evaluate(*change(document, number)) for number in range(rounds)]
+        assert len(set(scenes)) == rounds, name
+
+
+def test_doctor_says_that_all_is_well(shell: Shell) -> None:
+    report = shell.json("doctor", "--json")
+    assert report["can_render"]
+    assert report["graphics"]["max_texture_px"] >= 4096
+    assert report["formats"] == {"png": True, "tga": True, "tif": True, "exr": True}
+    text = shell.ok("doctor")
+    assert "renderer" in text
+    assert text.endswith("this machine can render\n")
+
+
+@pytest.mark.parametrize(
+    ("program", "problem"),
+    [
+        ("import time; time.sleep(9)", "did not answer"),
+        ("import os; os.abort()", "crashed (signal 6)"),
+        ("import sys; sys.exit('kagezou: no OpenGL at all')", "no OpenGL at all"),
+        ("import sys; sys.exit(9)", "ended with code 9"),
+    ],
+)
+def test_doctor_survives_what_a_driver_does(
+    shell: Shell, monkeypatch: pytest.MonkeyPatch, program: str, problem: str
+) -> None:
+    really = subprocess.run
+
+    def run(command: list[str], **options: object) -> object:
+        return really([command[0], "-c", program], **options)  # type: ignore[call-overload]
+
+    monkeypatch.setattr(subprocess, "run", run)
+    monkeypatch.setattr(doctor, "PROBE_LIMIT_S", 2.0)
+    monkeypatch.setattr(examination, "_is_debian", lambda: True)
+    assert shell("doctor") == 6
+    assert shell.said == ""
+    assert problem in shell.out
+    assert "sudo apt-get install --no-install-recommends libgl1-mesa-dri" in shell.out
+    assert shell.out.endswith("this machine cannot render\n")
+
+
+def test_doctor_names_the_packages_of_missing_libraries(monkeypatch: pytest.MonkeyPatch) -> None:
+    release = {"ID": "ubuntu", "ID_LIKE": "debian", "VERSION_ID": "24.04"}
+    monkeypatch.setattr("platform.freedesktop_os_release", lambda: release)
+    report: dict[str, Json] = {
+        "graphics": {"renderer": "x"},
+        "window": {"qt_platforms": [], "missing_libraries": ["libglib-2.0.so.0", "libxcb-cursor.so.0"]},
+        "formats": {"png": "it cannot be used: no"},
+        "folders": {"state": "/x cannot be written to: no"},
+    }
+    said = list(examination.advice(report, can_render=True))
+    assert any(line.endswith("libglib2.0-0t64 libxcb-cursor0") for line in said)
+    assert any("PySide6-Essentials is not installed" in line for line in said)
+    assert any(line.startswith("png: ") for line in said)
+    assert any(line.startswith("state: ") for line in said)
+    release["VERSION_ID"] = "22.04"
+    assert any("libglib2.0-0 " in line for line in examination.advice(report, can_render=True))

@@ -1,0 +1,154 @@
+"""A project of a timesheet alone, and the timesheet of a project."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from kagezou.document.edits import set_canvas, set_exposures
+from kagezou.document.model import Document, Exposure
+from kagezou.errors import InputProblem
+from kagezou.importing.sheet_project import document_of_sheet
+from kagezou.importing.staging import Imported
+from kagezou.importing.timesheet_on_document import sheet_of, timed
+from kagezou.io.images.writing import write_rgba
+from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.io.sheets.xdts import write_xdts
+
+SHEET = Timesheet(
+    "c012",
+    36,
+    (
+        SheetTrack("A", ((0, "1"), (6, "3"), (12, None), (20, "2"))),
+        SheetTrack("B", ((0, None), (4, "1"))),
+        SheetTrack("C", ((0, "1"),)),
+    ),
+)
+
+
+def drawing(path: Path) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    rgba = np.zeros((48, 64, 4), np.uint8)
+    rgba[10:40, 20:40] = 255
+    write_rgba(path, rgba)
+
+
+@pytest.fixture
+def sheet(tmp_path: Path) -> Path:
+    for number in (1, 2, 3):
+        drawing(tmp_path / "a" / f"{number:04d}.png")
+        drawing(tmp_path / f"B_{number}.png")
+    write_xdts(tmp_path / "c012.xdts", SHEET)
+    return tmp_path / "c012.xdts"
+
+
+def test_columns_find_folders_in_any_case_and_files_of_their_name(sheet: Path) -> None:
+    staged = document_of_sheet(sheet)
+    document = staged.document
+    assert [layer.name for layer in document.layers] == ["A", "B"]
+    assert document.canvas.length_frames == 36
+    assert document.layers[0].cels.exposures == (
+        Exposure(1, 0),
+        Exposure(7, 2),
+        Exposure(13, None),
+        Exposure(21, 1),
+    )
+    assert document.layers[1].cels.drawing_at(5) is not None
+    assert document.layers[1].cels.drawing_at(4) is None
+    assert any("column 'C'" in note for note in staged.notes)
+
+
+def test_without_any_drawings_it_says_what_was_looked_for(tmp_path: Path) -> None:
+    write_xdts(tmp_path / "c012.xdts", SHEET)
+    with pytest.raises(InputProblem, match=r"c012\.xdts: beside it there are no drawings .*A, B, C") as caught:
+        document_of_sheet(tmp_path / "c012.xdts")
+    assert "\n" not in str(caught.value)
+
+
+def test_the_timesheet_of_a_project_times_it_the_same(sheet: Path) -> None:
+    document = document_of_sheet(sheet).document
+    written = sheet_of(document, "c012")
+    assert written.tracks == SHEET.tracks[:2]
+    again, notes = timed(document, written)
+    assert notes == []
+    assert again == document
+
+
+def test_what_was_exposed_before_the_cut_is_what_it_begins_with(sheet: Path) -> None:
+    document = document_of_sheet(sheet).document
+    early = set_exposures(document, "layer-1", (Exposure(-5, 0), Exposure(-1, 2), Exposure(9, 1)))
+    assert sheet_of(early, "").tracks[0].entries == ((0, "3"), (8, "2"))
+
+
+def test_what_lies_behind_the_end_of_the_cut_is_not_in_its_sheet(sheet: Path) -> None:
+    document = document_of_sheet(sheet).document
+    short = set_canvas(document, replace(document.canvas, length_frames=12))
+    assert sheet_of(short, "").tracks[0].entries == ((0, "1"), (6, "3"))
+
+
+def test_numbers_that_a_sheet_does_not_ask_for_are_nothing_to_speak_of(tmp_path: Path) -> None:
+    for number in (1, 7):
+        drawing(tmp_path / "A" / f"{number}.png")
+    write_xdts(tmp_path / "c.xdts", Timesheet("c", 24, (SheetTrack("A", ((0, "7"), (4, "1"))),)))
+    assert document_of_sheet(tmp_path / "c.xdts").notes == ()
+    write_xdts(tmp_path / "c.xdts", Timesheet("c", 24, (SheetTrack("A", ((0, "7"), (4, "2"))),)))
+    (note,) = document_of_sheet(tmp_path / "c.xdts").notes
+    assert note.endswith("stay empty: 2")
+
+
+def cels_of(document: Document) -> list[tuple[str, list[tuple[int, str | None]]]]:
+    """Return the layers' names, and which file is exposed from which frame on."""
+    made = []
+    for layer in document.layers:
+        drawings = layer.cels.drawings
+        shown = [
+            (each.frame, None if each.drawing is None else drawings[each.drawing].path.name)
+            for each in layer.cels.exposures
+        ]
+        made.append((layer.name, shown))
+    return made
+
+
+def opened(folder: Path, *tracks: SheetTrack) -> Imported:
+    write_xdts(folder / "c012.xdts", Timesheet("c012", 24, tracks))
+    return document_of_sheet(folder / "c012.xdts")
+
+
+def test_inserted_drawings_and_retakes_beside_the_sheet_are_found(tmp_path: Path) -> None:
+    for name in ("A_0001", "A_0001a", "A_0002R", "AB_0001"):
+        drawing(tmp_path / f"{name}.png")
+    staged = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "1a"), (8, "2r"))))
+    assert staged.notes == ()
+    assert cels_of(staged.document) == [("A", [(1, "A_0001.png"), (5, "A_0001a.png"), (9, "A_0002R.png")])]
+
+
+def test_a_folder_whose_files_are_called_in_two_ways_is_one_column(tmp_path: Path) -> None:
+    for name in ("A_0001", "a0002", "A-0003", "A_line_0001"):
+        drawing(tmp_path / "A" / f"{name}.png")
+    staged = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "2"), (8, "3"))))
+    assert cels_of(staged.document)[0][1] == [(1, "A_0001.png"), (5, "a0002.png"), (9, "A-0003.png")]
+    drawing(tmp_path / "A" / "A0001.png")
+    names = [name for name, _ in cels_of(opened(tmp_path, SheetTrack("A", ((0, "1"),))).document)]
+    assert len(names) == 3, "two files of one number are two sequences, as ever"
+
+
+def test_columns_of_one_name_share_their_drawings(tmp_path: Path) -> None:
+    for number in (1, 2):
+        drawing(tmp_path / "A" / f"{number}.png")
+    staged = opened(tmp_path, SheetTrack("A", ((0, "1"),)), SheetTrack("A", ((0, None), (6, "2"))), SheetTrack("A", ()))
+    assert staged.notes == ()
+    assert cels_of(staged.document) == [("A", [(1, "1.png")]), ("A 2", [(1, None), (7, "2.png")])]
+    again, notes = timed(staged.document, sheet_of(staged.document, ""))
+    assert (again, notes) == (staged.document, [])
+
+
+def test_odd_names_and_full_width_figures_are_understood(tmp_path: Path) -> None:
+    name = "A\"'\u2028🎈"
+    drawing(tmp_path / name / "1.png")
+    drawing(tmp_path / name / "2.png")
+    drawing(tmp_path / "_Cell" / "B" / "b001.png")
+    odd = SheetTrack(name, ((0, "１"), (3, "Ａ２")))
+    staged = opened(tmp_path, odd, SheetTrack("../../B", ((0, "1"),)), SheetTrack("B", ((0, "1"),)))
+    assert cels_of(staged.document) == [("A\"'_🎈", [(1, "1.png"), (4, "2.png")]), ("B", [(1, "b001.png")])]
+    assert any("'../../B'" in note for note in staged.notes)

@@ -1,0 +1,122 @@
+"""Timesheets on documents: columns find layers, cels find drawings."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from kagezou.document import edits, invariants
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
+from kagezou.errors import InputProblem
+from kagezou.geometry.box import Box
+from kagezou.importing.staging import CharacterSource, new_document, with_timesheet
+from kagezou.importing.timesheet_on_document import timed
+from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from tests.importing.cel_files import write_walk
+
+FIGURE = Box(0, 0, 9, 9)
+
+
+def document_with(**layers: list[str]) -> Document:
+    """Return a document with layers of drawings; files are called like the layer and the drawing."""
+    document = Document(Canvas(10, 10, length_frames=99))
+    for key, cels in layers.items():
+        name = key.replace("_", " ")
+        drawings = tuple(Drawing(cel, Path(f"/c/{name}_{cel}.png")) for cel in cels)
+        document = edits.add_layer(document, name, Cels(drawings, (Exposure(1, 0),)), FIGURE)
+    return document
+
+
+def exposed(document: Document, *tracks: SheetTrack, length: int = 24) -> tuple[list[tuple[Exposure, ...]], list[str]]:
+    changed, notes = timed(document, Timesheet("c", length, tracks))
+    invariants.check(changed)
+    return [layer.cels.exposures for layer in changed.layers], notes
+
+
+def test_cels_are_found_by_number_not_by_place() -> None:
+    track = SheetTrack("A", ((0, "5"), (6, "2"), (12, None), (18, "5")))
+    (exposures,), notes = exposed(document_with(A=["2", "5"]), track)
+    assert exposures == (Exposure(1, 1), Exposure(7, 0), Exposure(13, None), Exposure(19, 1))
+    assert notes == []
+
+
+@pytest.mark.parametrize("cel", ["12a", "12A", "0012a", "A12a", "a_0012A", "A-12a", "cut12a", "A_12a"])
+def test_a_cel_may_be_called_in_many_ways(cel: str) -> None:
+    (exposures,), notes = exposed(document_with(A=["12", "12a"]), SheetTrack("A", ((0, cel),)))
+    assert exposures == (Exposure(1, 1),)
+    assert notes == []
+
+
+def test_a_cel_may_be_called_by_its_file() -> None:
+    document = document_with(A=["5", "x"])
+    drawings = (Drawing("5", Path("/c/A1.5.png")), Drawing("x", Path("/c/x.png")))
+    layer = document.layers[0]
+    document = edits.remove_layer(document, layer.id)
+    document = edits.add_layer(document, "A", Cels(drawings, ()), FIGURE)
+    (exposures,), _ = exposed(document, SheetTrack("A", ((0, "A1.5"), (3, "X"))))
+    assert exposures == (Exposure(1, 0), Exposure(4, 1))
+
+
+def test_missing_cels_stay_empty_and_are_told_once() -> None:
+    cels = tuple((frame, str(cel)) for frame, cel in enumerate((1, 7, 1, 8, 9, 10, 11, 12, 7)))
+    (exposures,), notes = exposed(document_with(A=["1"]), SheetTrack("A", cels))
+    assert exposures == (Exposure(1, 0), Exposure(2, None), Exposure(3, 0), Exposure(4, None))
+    assert notes == [
+        "A: the timesheet asks for cels that are not among its drawings and stay empty: 7, 8, 9, 10, 11, …"
+    ]
+
+
+def test_a_decimal_is_no_number_of_another_cel() -> None:
+    _, notes = exposed(document_with(A=["1", "5"]), SheetTrack("A", ((0, "A1.5"),)))
+    assert len(notes) == 1
+
+
+def test_columns_find_layers_by_name() -> None:
+    document = document_with(B=["1"], Hero_A=["1"])
+    two, three = ((1, "1"),), ((2, "1"),)
+    exposures, notes = exposed(document, SheetTrack(" a ", two), SheetTrack("b", three))
+    assert exposures == [(Exposure(3, 0),), (Exposure(2, 0),)]
+    assert notes == []
+
+
+def test_two_columns_of_one_name_find_two_layers() -> None:
+    document = document_with(A=["1"], A_2=["1"])
+    exposures, _ = exposed(document, SheetTrack("A", ((1, "1"),)), SheetTrack("A", ((2, "1"),)))
+    assert exposures == [(Exposure(2, 0),), (Exposure(3, 0),)]
+
+
+def test_what_does_not_match_is_told() -> None:
+    document = document_with(A=["1"], Hero_C=["1"], Prop_C=["1"])
+    tracks = (SheetTrack("A", ()), SheetTrack("C", ((0, "1"),)), SheetTrack("", ()), SheetTrack("Z", ()))
+    exposures, notes = exposed(document, *tracks)
+    assert exposures == [(), (Exposure(1, 0),), (Exposure(1, 0),)]
+    assert notes == [
+        "no layer of that name is left for the timesheet's column 'C'",
+        "Hero C: the timesheet has no column for it; it keeps its timing",
+        "Prop C: the timesheet has no column for it; it keeps its timing",
+    ]
+
+
+def test_the_sheet_decides_the_length() -> None:
+    document, _ = timed(document_with(A=["1"]), Timesheet("c", 36, ()))
+    assert document.canvas.length_frames == 36
+
+
+def test_a_sheet_on_a_new_document(tmp_path: Path) -> None:
+    document = new_document([CharacterSource("A", write_walk(tmp_path / "walk", [1, 2, 4]))]).document
+    table = {
+        "duration": 12,
+        "timeTableHeaders": [{"fieldId": 0, "names": ["A"]}],
+        "fields": [
+            {"fieldId": 0, "tracks": [{"trackNo": 0, "frames": [{"frame": 2, "data": [{"id": 0, "values": ["4"]}]}]}]}
+        ],
+    }
+    sheet = tmp_path / "c.xdts"
+    text = json.dumps({"timeTables": [table]})
+    sheet.write_text(f"exchangeDigitalTimeSheet Save Data\n{text}", encoding="utf-8")
+    staged = with_timesheet(document, sheet)
+    assert staged.document.layers[0].cels.exposures == (Exposure(3, 2),)
+    assert (staged.notes, staged.layer_ids) == ((), ("layer-1",))
+    assert staged.document.canvas.length_frames == 12
+    with pytest.raises(InputProblem, match=r"none\.xdts: it does not exist"):
+        with_timesheet(document, tmp_path / "none.xdts")

@@ -1,0 +1,336 @@
+"""Exporting from the window: every kind, what is told beforehand, and what is remembered."""
+
+import json
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QRadioButton
+from pytestqt.qtbot import QtBot
+
+from kagezou.document import review
+from kagezou.document.edits import set_exposures
+from kagezou.errors import UsageProblem
+from kagezou.export.plan import ExportKind, ExportPlan, Place, dumps_plan, loads_plan, preview, sound
+from kagezou.export.presets import presets_in, rename_preset, save_preset
+from kagezou.export.work import work_of
+from kagezou.ui.export import dialog as export_dialog
+from kagezou.ui.export.dialog import ExportDialog
+from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.window.main_window import MainWindow
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> Place:
+    return Place(tmp_path / "out", tmp_path / "walk.kage", "walk")
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, filled: OpenProject, place: Place) -> ExportDialog:
+    made = ExportDialog(filled.bridge.document, ExportPlan(), place, place.folder.with_name("presets"))
+    qtbot.addWidget(made)
+    made.show()
+    return made
+
+
+def lines(dialog: ExportDialog) -> list[str]:
+    return [dialog.preview.item(row).text() for row in range(dialog.preview.count())]
+
+
+def data_of(box: QComboBox) -> list[object]:
+    return [box.itemData(row) for row in range(box.count())]
+
+
+def pick(box: QComboBox, value: object) -> None:
+    """Choose from a box as a hand does."""
+    box.setCurrentIndex(box.findData(value))
+    box.activated.emit(box.currentIndex())
+
+
+def choose(dialog: ExportDialog, words: str) -> None:
+    next(button for button in dialog.findChildren(QRadioButton) if button.text() == words).click()
+
+
+def tick(dialog: ExportDialog, words: str) -> None:
+    boxes = [box for box in dialog.findChildren(QCheckBox) if words in box.text() and box.isVisible()]
+    assert boxes, words
+    boxes[0].click()
+
+
+def test_the_preview_follows_every_choice(dialog: ExportDialog) -> None:
+    assert lines(dialog) == ["Walker_shadow/  6 × .png"]
+    tick(dialog, "Composite")
+    dialog.change(format="exr")
+    assert lines(dialog) == ["Walker_shadow/  6 × .exr", "composite/  6 × .exr"]
+    assert dialog.options.depth_box.currentData() == 16
+    choose(dialog, "After Effects")
+    tick(dialog, "near the feet")
+    assert lines(dialog) == [
+        "walk.jsx",
+        "shadows/Walker_shadow/  6 × .exr",
+        "matte_core/Walker_shadow/  6 × .exr",
+        "characters/Walker/  6 × .png",
+    ]
+    tick(dialog, "every set piece")
+    tick(dialog, "Copy characters")
+    tick(dialog, "Each different shadow once")
+    assert lines(dialog)[1:] == [
+        "shadows/Walker_shadow/  6 × .exr",
+        "matte_core/Walker_shadow/  .exr",
+        "matte_receivers/ground_matte/  .exr",
+    ]
+    choose(dialog, "Render farm job")
+    assert lines(dialog)[:4] == ["template.json", "parameter_values.json", "asset_references.json", "1 × 10"]
+    assert lines(dialog)[4:] == ["    Walker_shadow/  6 × .exr", "    composite/  6 × .exr"]
+    assert dialog.go.isEnabled()
+
+
+def test_only_what_a_kind_knows_is_asked(dialog: ExportDialog) -> None:
+    def seen() -> str:
+        return " ".join(box.text() for box in dialog.findChildren(QCheckBox) if box.isVisible())
+
+    assert "near the feet" not in seen()
+    choose(dialog, "After Effects")
+    assert "near the feet" in seen()
+    assert "Composite" not in seen()
+    assert data_of(dialog.options.format_box) == ["png", "exr"]
+
+
+def test_mattes_of_what_is_fallen_on_are_written_for_any_compositor(dialog: ExportDialog) -> None:
+    tick(dialog, "the ground and every set piece")
+    assert lines(dialog) == ["Walker_shadow/  6 × .png", "ground_matte/  6 × .png"]
+
+
+def test_a_farm_makes_layered_frames_too(dialog: ExportDialog) -> None:
+    choose(dialog, "Render farm job")
+    tick(dialog, "Composite")
+    tick(dialog, "All layers of a frame in one file")
+    assert data_of(dialog.options.format_box) == ["psd", "exr"]
+    box = next(box for box in dialog.findChildren(QCheckBox) if "Composite" in box.text())
+    assert not box.isEnabled()
+    assert box.toolTip() == "One file with all layers has it already."
+    assert dialog.go.isEnabled(), "a composite asked for before stands not in the way"
+    tick(dialog, "All layers of a frame in one file")
+    assert data_of(dialog.options.format_box) == ["png", "tga", "tiff", "exr"]
+    assert box.isEnabled()
+    assert box.isChecked()
+
+
+def test_layered_frames_show_their_layers(dialog: ExportDialog) -> None:
+    choose(dialog, "Layered frames")
+    assert data_of(dialog.options.format_box) == ["psd", "exr"]
+    assert lines(dialog) == ["layered/  6 × .psd", "    Walker", "    Walker_shadow"]
+    assert dialog.options.depth_box.isEnabled()
+    assert data_of(dialog.options.depth_box) == [8, 16]
+    assert dialog.plan.depth == 8
+    pick(dialog.options.format_box, "exr")
+    assert lines(dialog)[0] == "layered/  6 × .exr"
+    assert dialog.plan.depth == 16
+    assert not dialog.options.depth_box.isEnabled()
+    assert dialog.options.depth_box.toolTip() == "EXR has no other depth."
+    pick(dialog.options.format_box, "psd")
+    assert dialog.plan.depth == 8, "16 was not chosen"
+    pick(dialog.options.depth_box, 16)
+    assert dialog.plan.depth == 16
+
+
+def test_a_video_shows_the_picture_or_a_shadow(dialog: ExportDialog) -> None:
+    dialog.change(format="tiff", depth=16)
+    choose(dialog, "Video")
+    assert lines(dialog) == ["walk.mp4  6 @ 24 fps  240 × 200"]
+    assert not dialog.options.depth_box.isVisible()
+    pick(dialog.options.format_box, "mov")
+    assert data_of(dialog.options.video_box) == ["", "Walker"]
+    pick(dialog.options.video_box, "Walker")
+    assert lines(dialog) == ["walk_Walker_shadow.mov  6 @ 24 fps  240 × 200"]
+    choose(dialog, "Shadow layers")
+    assert dialog.plan.format == "tiff", "each kind keeps its format"
+    choose(dialog, "Video")
+    assert dialog.plan.format == "mov"
+
+
+def test_what_cannot_be_chosen_says_why(
+    qtbot: QtBot, filled: OpenProject, place: Place, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(export_dialog, "video_is_there", lambda: False)
+    plan = ExportPlan(ExportKind.VIDEO, format="mov", video_layer="Walker", only_work_area=True)
+    made = ExportDialog(filled.bridge.document, plan, place, place.folder)
+    qtbot.addWidget(made)
+    made.show()
+    assert made.plan.kind is ExportKind.LAYERS
+    video = next(button for button in made.findChildren(QRadioButton) if button.text() == "Video")
+    assert not video.isEnabled()
+    assert any("pip install 'kagezou[video]'" in label.text() for label in made.findChildren(QLabel))
+    area = next(box for box in made.findChildren(QCheckBox) if "work area" in box.text())
+    assert area.text() == "Only the work area (the cut has none)"
+    assert (area.isEnabled(), area.isChecked()) == (False, False)
+    assert made.presets.remove_button.toolTip() == "Choose one of your presets first."
+
+
+class TestPresets:
+    def test_a_preset_is_saved_chosen_renamed_and_removed(self, dialog: ExportDialog, place: Place) -> None:
+        row = dialog.presets
+        assert row.box.currentText() == "None saved yet"
+        assert not row.rename_button.isEnabled()
+        dialog.change(kind=ExportKind.AFTER_EFFECTS, mattes=("core",), copies=False)
+        row.save("撮影へ / AE")
+        assert row.box.currentText() == "撮影へ / AE"
+        dialog.change(kind=ExportKind.LAYERS)
+        assert row.box.currentText() == "Choices of your own"
+        row.save("plain")
+        assert [row.box.itemText(each) for each in range(row.box.count())] == ["plain", "撮影へ / AE"]
+        row.box.setCurrentIndex(1)
+        row.box.activated.emit(1)
+        assert dialog.plan == ExportPlan(ExportKind.AFTER_EFFECTS, mattes=("core",), copies=False)
+        core = next(box for box in dialog.findChildren(QCheckBox) if "near the feet" in box.text())
+        assert core.isChecked()
+        assert next(
+            button for button in dialog.findChildren(QRadioButton) if button.text() == "After Effects"
+        ).isChecked()
+        row.rename("to AE")
+        assert row.box.currentText() == "to AE"
+        assert len(list(place.folder.with_name("presets").iterdir())) == 2
+        row.remove()
+        assert row.box.currentText() == "Choices of your own"
+        assert [preset.name for preset in presets_in(place.folder.with_name("presets"))[0]] == ["plain"]
+
+    def test_a_name_is_saved_over_and_two_names_of_one_file_are_kept_apart(self, tmp_path: Path) -> None:
+        first = save_preset(tmp_path, "a/b", ExportPlan())
+        second = save_preset(tmp_path, "a_b", ExportPlan(depth=16))
+        again = save_preset(tmp_path, " a/b ", ExportPlan(format="tga"))
+        assert first.path == again.path != second.path
+        assert {preset.name: preset.plan.format for preset in presets_in(tmp_path)[0]} == {"a/b": "tga", "a_b": "png"}
+        with pytest.raises(UsageProblem, match="already"):
+            rename_preset(tmp_path, again, "a_b")
+
+    @pytest.mark.parametrize("name", ["", "   ", "x" * 81, "a\nb"])
+    def test_what_is_no_name_is_refused(self, dialog: ExportDialog, name: str) -> None:
+        dialog.presets.save(name)
+        assert "1 to 80 printable characters" in dialog.says.text()
+        assert dialog.presets.box.currentText() == "None saved yet"
+
+    @pytest.mark.parametrize(
+        ("text", "words"),
+        [
+            ("{", "not whole JSON"),
+            ('{"export_preset": 2, "name": "a", "plan": {}}', "export_preset"),
+            ('{"export_preset": 1, "name": "", "plan": {}}', "printable characters"),
+            ("[" * 70000, "too large"),
+        ],
+    )
+    def test_a_broken_file_is_told_and_the_others_are_there(
+        self, qtbot: QtBot, filled: OpenProject, place: Place, tmp_path: Path, text: str, words: str
+    ) -> None:
+        save_preset(tmp_path / "presets", "good", ExportPlan())
+        (tmp_path / "presets" / "bad.json").write_text(text, encoding="utf-8")
+        made = ExportDialog(filled.bridge.document, ExportPlan(), place, tmp_path / "presets")
+        qtbot.addWidget(made)
+        assert "bad.json is not an export preset" in made.says.text()
+        assert words in made.says.text()
+        assert made.presets.box.currentText() == "good"
+        assert made.go.isEnabled()
+
+    def test_a_preset_of_a_layer_that_is_not_here_shows_the_picture(self, dialog: ExportDialog) -> None:
+        dialog.show_plan(ExportPlan(ExportKind.VIDEO, format="mov", video_layer="Somebody"))
+        assert lines(dialog) == ["walk.mov  6 @ 24 fps  240 × 200"]
+
+
+def test_a_farm_needs_a_saved_project_and_every_export_a_folder(
+    qtbot: QtBot, filled: OpenProject, tmp_path: Path
+) -> None:
+    made = ExportDialog(
+        filled.bridge.document, ExportPlan(ExportKind.FARM), Place(tmp_path, None, "Untitled"), tmp_path
+    )
+    qtbot.addWidget(made)
+    made.show()
+    assert made.says.text() == "A farm renders a saved project; save this one first"
+    assert not made.go.isEnabled()
+    choose(made, "Shadow layers")
+    assert made.go.isEnabled()
+    made.folder.setText(" ")
+    assert made.says.text() == "Choose a folder."
+    assert not made.go.isEnabled()
+
+
+def test_the_work_area_alone(filled: OpenProject, place: Place) -> None:
+    document = review.set_work_area(filled.bridge.document, 2, 4)
+    assert preview(document, ExportPlan(only_work_area=True), place) == ("Walker_shadow/  3 × .png",)
+    assert preview(document, ExportPlan(), place) == ("Walker_shadow/  6 × .png",)
+
+
+def test_nothing_to_export_is_said(open_project: OpenProject, place: Place) -> None:
+    with pytest.raises(UsageProblem, match="nothing to render"):
+        preview(open_project.bridge.document, ExportPlan(), place)
+
+
+@pytest.mark.parametrize(
+    "plan",
+    [
+        ExportPlan(),
+        ExportPlan(ExportKind.AFTER_EFFECTS, per_drawing=True, mattes=("core", "lit"), copies=False),
+        ExportPlan(ExportKind.FARM, only_work_area=True, format="tiff", depth=16, chunk=24),
+        ExportPlan(ExportKind.VIDEO, format="mov", video_layer="主役"),
+    ],
+)
+def test_a_plan_is_remembered(plan: ExportPlan) -> None:
+    assert loads_plan(dumps_plan(plan)) == plan
+
+
+@pytest.mark.parametrize("text", ["", "{", "[1]", '{"kind": "film", "chunk": "x", "mattes": 3, "format": "bmp"}'])
+def test_what_is_no_plan_is_the_usual_one(text: str) -> None:
+    assert loads_plan(text) == ExportPlan()
+
+
+def test_a_plan_is_made_sound() -> None:
+    assert sound(ExportPlan(format="tga", depth=16)).depth == 8
+    assert sound(ExportPlan(ExportKind.AFTER_EFFECTS, format="tiff")).format == "png"
+    assert sound(ExportPlan(chunk=0)).chunk == 1
+    assert sound(ExportPlan(ExportKind.LAYERED)).format == "psd"
+    assert sound(ExportPlan(ExportKind.LAYERED, format="exr")).depth == 16
+    assert sound(ExportPlan(ExportKind.LAYERED, format="psd", depth=16)).depth == 16
+    assert sound(ExportPlan(ExportKind.VIDEO, format="exr", depth=16)) == ExportPlan(ExportKind.VIDEO, format="mp4")
+
+
+@pytest.mark.parametrize(
+    ("kind", "made"),
+    [
+        (ExportKind.LAYERS, "walker_shadow/walker_shadow_0006.png"),
+        (ExportKind.LAYERED, "layered/layered_0006.psd"),
+        (ExportKind.VIDEO, "walk.mp4"),
+        (ExportKind.AFTER_EFFECTS, "walk.jsx"),
+        (ExportKind.FARM, "template.json"),
+    ],
+)
+def test_the_window_exports_each_kind_beside_itself(
+    qtbot: QtBot, walking: MainWindow, tmp_path: Path, kind: ExportKind, made: str
+) -> None:
+    walking.open_project.save(tmp_path / "walk.kage")
+    walking.settings.set_word("export_plan", dumps_plan(ExportPlan(kind)))
+    walking.settings.remember_folder("export", tmp_path)
+    walking.actions_of["export"].trigger()
+    dialog = walking.findChild(ExportDialog)
+    assert dialog is not None
+    assert dialog.plan.kind is kind
+    dialog.go.click()
+    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
+    assert (tmp_path / "walk_export" / made).exists()
+    assert "Exported" in walking.bar.text
+    assert json.loads(walking.settings.word("export_plan", ""))["kind"] == kind
+    assert not list((tmp_path / "walk_export").rglob("*.part*"))
+
+
+def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot: QtBot, place: Place) -> None:
+    plan = ExportPlan(ExportKind.AFTER_EFFECTS, copies=False)
+    shown = walking.open_project.bridge.document.layers[0].cels.drawings
+    middle = shown[2].path
+    middle.rename(middle.with_name("aside.png"))
+    document = walking.open_project.bridge.document
+    layer = document.layers[0]
+    kept = tuple(each for each in layer.cels.exposures if each.drawing != 2)
+    walking.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
+    walking.exporting.start(work_of(walking.open_project.bridge.document, plan, place))
+    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
+    assert walking.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
+    middle.with_name("aside.png").rename(middle)
+    walking.exporting.start(work_of(walking.open_project.bridge.document, plan, place))
+    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
+    assert "Exported" in walking.bar.text

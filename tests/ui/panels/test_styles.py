@@ -1,0 +1,79 @@
+"""Styles in the window: pictures of the present drawing, one step to put one on, the user's own."""
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QImage
+from pytestqt.qtbot import QtBot
+
+from kagezou.document import properties
+from kagezou.document.address import Address, value_of
+from kagezou.ui.panels.style_list import StyleList
+from kagezou.ui.window.main_window import MainWindow
+
+
+@pytest.fixture
+def styles(qtbot: QtBot, walking: MainWindow) -> StyleList:
+    walking.docks[2].raise_()
+    made = walking.styles
+    last = made.list.count() - 1
+    with qtbot.waitSignal(made.pictures.made, timeout=10_000, check_params_cb=lambda index, _: index == last):
+        made.reload()
+    return made
+
+
+def simplify(window: MainWindow) -> object:
+    bridge = window.open_project.bridge
+    return value_of(bridge.document, Address(properties.SIMPLIFY, bridge.layer_id), bridge.frame)
+
+
+def test_every_style_has_a_picture_of_its_own(styles: StyleList) -> None:
+    pictures = [styles.list.item(row).icon().pixmap(64, 64).toImage() for row in range(styles.list.count())]
+    seen = {bytes(each.convertToFormat(QImage.Format.Format_RGB32).constBits()) for each in pictures}
+    assert len(seen) == styles.list.count() >= 7
+    assert all(np.frombuffer(each, np.uint8).std() > 5 for each in seen)
+
+
+def test_a_click_is_one_step(walking: MainWindow, styles: StyleList) -> None:
+    before = walking.open_project.bridge.document
+    styles.apply(1)
+    assert simplify(walking) != 0.0
+    assert walking.open_project.bridge.session.undo_name == "Style: Simple"
+    walking.open_project.bridge.session.undo()
+    assert walking.open_project.bridge.document is before
+
+
+def test_a_look_becomes_a_style_and_goes_again(walking: MainWindow, styles: StyleList) -> None:
+    styles.apply(1)
+    count = styles.list.count()
+    styles.save("朝の影")
+    assert styles.list.count() == count + 1
+    assert styles.list.item(count).text() == "朝の影"
+    kept = simplify(walking)
+    styles.apply(0)
+    styles.apply(count)
+    assert simplify(walking) == pytest.approx(kept)
+    styles.list.setCurrentRow(0)
+    styles.remove_current()
+    assert styles.list.count() == count + 1
+    styles.list.setCurrentRow(count)
+    styles.remove_current()
+    assert styles.list.count() == count
+
+
+def test_what_cannot_be_kept_is_said(styles: StyleList) -> None:
+    said: list[str] = []
+    styles.failed.connect(said.append)
+    styles.save("")
+    assert len(said) == 1
+
+
+def test_no_pictures_are_drawn_behind_another_panel(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[object] = []
+    monkeypatch.setattr(walking.styles.pictures, "ask", asked.append)
+    walking.open_project.bridge.session.go_to(3)
+    qtbot.wait(700)
+    assert asked == [], "the layers lie before the styles"
+    walking.panel_layout.show("styles")
+    qtbot.waitUntil(lambda: len(asked) == 1)

@@ -1,0 +1,373 @@
+"""Loading beside the window: the window lives on, a load can be given up, fails in one sentence, and waits its turn."""
+
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from time import sleep
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from kagezou.document.address import Address
+from kagezou.document.edits import set_constant
+from kagezou.document.properties import GROUND_ROLL
+from kagezou.document.review import set_work_area
+from kagezou.errors import InputProblem
+from kagezou.importing import cels_of_files
+from kagezou.importing.progress import Cancelled, LoadPhase, Progress
+from kagezou.importing.staging import CharacterSource, new_document
+from kagezou.io.images import cel_cache as cels_room
+from kagezou.io.images.reading import Cel, ImageInfo, probe, read_cel
+from kagezou.io.project import file as project_file
+from kagezou.ui.project import loading
+from kagezou.ui.project.dialogs import Answer
+from kagezou.ui.project.load import Load
+from kagezou.ui.project.loading import Loading
+from kagezou.ui.project.open_project import played_drawings
+from kagezou.ui.viewport import reading
+from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import picture, write_garbage
+
+
+@pytest.fixture(autouse=True)
+def impatient(patient: None, monkeypatch: pytest.MonkeyPatch) -> None:  # noqa: ARG001 - comes after it
+    monkeypatch.setattr(loading, "PATIENCE_S", 0.0)
+
+
+def slow_down(monkeypatch: pytest.MonkeyPatch, wait: Callable[[Path], None]) -> None:
+    """Have something waited for before each drawing's header is read."""
+
+    def slow(path: Path) -> ImageInfo:
+        wait(path)
+        return probe(path)
+
+    monkeypatch.setattr(cels_of_files, "probe", slow)
+
+
+class Gate:
+    """A reader that waits on a disk far away, until it is let through; looked at by the load's watch between files."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.opened = threading.Event()
+        self.reached = threading.Event()
+
+        def wait(_path: Path) -> None:
+            self.reached.set()
+            assert self.opened.wait(30)
+
+        slow_down(monkeypatch, wait)
+
+
+@pytest.fixture
+def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
+    made = Gate(monkeypatch)
+    yield made
+    made.opened.set()
+
+
+class Heart:
+    """Beats in the event loop."""
+
+    def __init__(self) -> None:
+        self.beats = 0
+        self._timer = QTimer()
+        self._timer.setInterval(5)
+        self._timer.timeout.connect(self._beat)
+        self._timer.start()
+
+    def _beat(self) -> None:
+        self.beats += 1
+
+
+def test_the_window_lives_on_while_drawings_are_read(qtbot: QtBot, window: MainWindow, cels: Path, gate: Gate) -> None:
+    window.project.bring([cels])
+    heart = Heart()
+    bar = window.project.loading
+
+    qtbot.waitUntil(lambda: gate.reached.is_set() and heart.beats > 5)
+    assert bar.isVisible()
+    assert cels.name in bar.text
+    assert window.open_project.is_blank
+
+    gate.opened.set()
+    qtbot.waitUntil(lambda: not window.open_project.is_blank)
+    assert not bar.isVisible()
+    assert [layer.name for layer in window.open_project.bridge.document.layers] == [cels.name]
+
+
+def test_events_are_handled_while_hundreds_of_slow_files_are_read(
+    qtbot: QtBot, window: MainWindow, cels: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = next(iter(sorted(cels.iterdir()))).read_bytes()
+    for number in range(100, 400):
+        (cels / f"walk_{number:04d}.png").write_bytes(first)
+    slow_down(monkeypatch, lambda _path: sleep(0.002))
+    heart = Heart()
+    window.project.bring([cels])
+    seen = []
+
+    def is_there() -> bool:
+        seen.append(heart.beats)
+        return not window.project.loading.is_running
+
+    qtbot.waitUntil(is_there, timeout=30_000)
+    assert len(window.open_project.bridge.document.layers[0].cels.drawings) == 306
+    # Reading on the window's own thread would be one long silence.
+    assert seen[-1] > 30
+
+
+def test_a_load_given_up_leaves_everything_as_it_was(qtbot: QtBot, walking: MainWindow, cels: Path, gate: Gate) -> None:
+    session, document = walking.open_project.bridge.session, walking.open_project.bridge.document
+    steps = session.steps_made
+
+    walking.project.bring([cels])
+    qtbot.waitUntil(gate.reached.is_set)
+    walking.project.loading.cancel_button.click()
+
+    assert not walking.project.loading.isVisible()
+    gate.opened.set()
+    qtbot.wait(100)
+    assert walking.open_project.bridge.document is document
+    assert session.steps_made == steps
+    assert walking.bar.text == ""
+
+
+def test_a_load_that_fails_says_one_sentence(qtbot: QtBot, walking: MainWindow, tmp_path: Path) -> None:
+    document = walking.open_project.bridge.document
+    (tmp_path / "empty").mkdir()
+
+    walking.project.bring([tmp_path / "empty"])
+    qtbot.waitUntil(lambda: walking.bar.text != "")
+
+    assert walking.bar.text.endswith("empty: there is no picture in this folder")
+    assert walking.open_project.bridge.document is document
+
+
+def test_what_is_dropped_while_another_loads_comes_after_it(
+    qtbot: QtBot, window: MainWindow, cels: Path, tmp_path: Path, gate: Gate
+) -> None:
+    still = tmp_path / "still.png"
+    still.write_bytes(next(cels.iterdir()).read_bytes())
+
+    window.project.bring([cels])
+    window.project.bring([still])
+    gate.opened.set()
+
+    qtbot.waitUntil(lambda: len(window.open_project.bridge.document.layers) == 2)
+    assert [layer.name for layer in window.open_project.bridge.document.layers] == [cels.name, "still"]
+
+
+def test_another_project_takes_the_place_of_what_still_loads(
+    qtbot: QtBot, window: MainWindow, cels: Path, tmp_path: Path, gate: Gate
+) -> None:
+    project = tmp_path / "other.kage"
+    project_file.save(new_document(()).document, project)
+
+    window.project.bring([cels])
+    window.project.open_path(project)
+    gate.opened.set()
+
+    qtbot.waitUntil(lambda: not window.project.loading.is_running)
+    qtbot.wait(100)
+    assert window.open_project.path == project
+    assert window.open_project.is_blank
+
+
+def test_a_character_comes_into_the_document_as_it_went_on_meanwhile(
+    qtbot: QtBot, walking: MainWindow, cels: Path, gate: Gate
+) -> None:
+    walking.project.bring([cels])
+    qtbot.waitUntil(gate.reached.is_set)
+    bridge = walking.open_project.bridge
+    bridge.session.edit("Tilt", set_constant(bridge.document, Address(GROUND_ROLL), 7.0))
+    gate.opened.set()
+
+    qtbot.waitUntil(lambda: len(bridge.document.layers) == 2)
+    assert bridge.document.tracks["ground.roll"].constant == 7.0
+
+
+def test_nothing_is_put_into_the_middle_of_a_drag(qtbot: QtBot, walking: MainWindow, cels: Path, gate: Gate) -> None:
+    walking.project.bring([cels])
+    bridge = walking.open_project.bridge
+    drag = bridge.session.begin("Drag")
+    gate.opened.set()
+    qtbot.wait(200)
+    assert len(bridge.document.layers) == 1
+
+    drag.cancel()
+    qtbot.waitUntil(lambda: len(bridge.document.layers) == 2)
+
+
+def test_work_done_while_a_project_loads_is_asked_about(
+    qtbot: QtBot, walking: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project = tmp_path / "other.kage"
+    project_file.save(new_document(()).document, project)
+    opened = threading.Event()
+    load = project_file.load
+    monkeypatch.setattr(project_file, "load", lambda path: (opened.wait(30), load(path))[1])
+    monkeypatch.setattr(walking.project.dialogs, "unsaved", lambda _name: Answer.CANCEL)
+
+    walking.project.open_path(project)
+    bridge = walking.open_project.bridge
+    bridge.session.edit("Tilt", set_constant(bridge.document, Address(GROUND_ROLL), 7.0))
+    opened.set()
+    qtbot.waitUntil(lambda: not walking.project.loading.is_running)
+
+    assert bridge.document.tracks["ground.roll"].constant == 7.0
+    assert walking.open_project.path is None
+    bridge.session.mark_saved()
+
+
+def test_the_window_closes_while_a_load_hangs(qtbot: QtBot, window: MainWindow, cels: Path, gate: Gate) -> None:
+    window.project.bring([cels])
+    qtbot.waitUntil(gate.reached.is_set)
+
+    assert window.close()
+
+    assert not window.project.loading.is_running
+    gate.opened.set()
+    QApplication.processEvents()
+    assert window.open_project.is_blank
+
+
+@pytest.mark.usefixtures("qapp")
+def test_the_bar_counts_and_tells_what_is_left(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    go_on = threading.Event()
+    put: list[int] = []
+
+    def read(watch: Progress) -> int:
+        watch(LoadPhase.READING, 0, 8)
+        sleep(0.05)
+        watch(LoadPhase.READING, 2, 8)
+        assert go_on.wait(30)
+        return 3
+
+    monkeypatch.setattr(loading, "_TELL_AFTER_S", 0.0)
+    bar = Loading(lambda _problem: None, lambda: True)
+    qtbot.addWidget(bar)
+    bar.start(Load("walk", read, put.append))
+
+    qtbot.waitUntil(lambda: bar.left_text.startswith("3 of 8"))
+    assert bar.text == "Reading drawings of walk"
+    assert bar.left_text.endswith("s left")
+    go_on.set()
+    qtbot.waitUntil(lambda: put == [3])
+
+
+def _staged(watch: Progress, cels: Path) -> object:
+    return new_document((CharacterSource(None, cels),), watch=watch)
+
+
+def test_staging_tells_each_part_and_can_be_stopped_in_each(cels: Path) -> None:
+    parts: list[LoadPhase] = []
+
+    def listen(part: LoadPhase, done: int, whole: int) -> None:
+        assert 0 <= done <= whole
+        parts.append(part)
+
+    _staged(listen, cels)
+    assert list(dict.fromkeys(parts)) == [LoadPhase.FINDING, LoadPhase.OPENING, LoadPhase.MEASURING, LoadPhase.LIGHTING]
+
+    def stop_at(wanted: LoadPhase) -> Callable[[LoadPhase, int, int], None]:
+        def watch(part: LoadPhase, _done: int, _whole: int) -> None:
+            if part is wanted:
+                raise Cancelled
+
+        return watch
+
+    for wanted in dict.fromkeys(parts):
+        with pytest.raises(Cancelled):
+            _staged(stop_at(wanted), cels)
+
+
+def test_what_a_quick_load_says_comes_at_once(
+    walking: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(loading, "PATIENCE_S", 30.0)
+
+    assert not walking.project.open_path(tmp_path / "none.kage")
+    with pytest.raises(InputProblem):
+        walking.open_project.bring((CharacterSource(None, tmp_path / "none"),)).at_once()
+
+
+def test_the_work_area_is_read_into_memory_and_that_can_be_stopped(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    open_project = walking.open_project
+    open_project.cels.clear()
+    go_on = threading.Event()
+    read = open_project.cels.cel
+    reached = threading.Event()
+
+    def slow(path: Path) -> Cel:
+        if path.stem.endswith("4"):
+            reached.set()
+            assert go_on.wait(30)
+        return read(path)
+
+    monkeypatch.setattr(open_project.cels, "cel", slow)
+    bridge = open_project.bridge
+    bridge.session.edit("Work area", set_work_area(bridge.document, 2, 5))
+    walking.actions_of["read_ahead"].trigger()
+    qtbot.waitUntil(lambda: walking.project.loading.left_text.startswith("3 of 4"))
+    qtbot.waitUntil(reached.is_set)
+    walking.project.loading.cancel_button.click()
+    go_on.set()
+    qtbot.wait(50)
+    assert not set(played_drawings(bridge.document)) <= open_project.cels.kept_sources()
+
+    walking.actions_of["read_ahead"].trigger()
+    qtbot.waitUntil(lambda: set(played_drawings(bridge.document)) <= open_project.cels.kept_sources())
+    bridge.session.mark_saved()
+
+
+def test_reading_ahead_gives_way_to_what_is_dropped(qtbot: QtBot, walking: MainWindow, cels: Path) -> None:
+    walking.open_project.cels.clear()
+    go_on = threading.Event()
+
+    def hang(_watch: Progress) -> None:
+        assert go_on.wait(30)
+
+    walking.project.loading.start(Load("ahead", hang, lambda _: None, gives_way=True))
+    walking.project.bring([cels])
+    qtbot.waitUntil(lambda: len(walking.open_project.bridge.document.layers) == 2)
+    go_on.set()
+
+
+def test_a_frame_whose_drawing_is_slow_keeps_the_last_picture_until_it_is_there(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "PATIENCE_S", 0.0)
+    viewport, open_project = walking.viewport, walking.open_project
+    before = picture(viewport)
+    go_on = threading.Event()
+
+    def slow(path: Path, *, white_is_clear: bool = True) -> Cel:
+        assert go_on.wait(30)
+        return read_cel(path, white_is_clear=white_is_clear)
+
+    monkeypatch.setattr(cels_room, "read_cel", slow)
+    open_project.cels.clear()
+    open_project.bridge.session.go_to(3)
+    stays = picture(viewport)
+    assert np.array_equal(stays, before)
+    assert not viewport.is_current
+
+    go_on.set()
+    qtbot.waitUntil(lambda: viewport.is_current)
+    assert not np.array_equal(picture(viewport), before)
+
+
+def test_a_drawing_that_cannot_be_read_is_told_after_the_picture_is_drawn_without_it(
+    qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "PATIENCE_S", 0.0)
+    path = walking.open_project.bridge.document.layers[0].cels.drawings[1].path
+    write_garbage(path)
+    walking.open_project.bridge.session.go_to(2)
+    qtbot.waitUntil(lambda: walking.bar.text.startswith(str(path)))
+    assert walking.viewport.is_current

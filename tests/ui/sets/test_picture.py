@@ -1,0 +1,122 @@
+"""The set in the picture: outlines that are touched, handles that are dragged, and what keys do to them."""
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from pytestqt.qtbot import QtBot
+
+from kagezou.document import properties
+from kagezou.document import set_properties as s
+from kagezou.document.address import Address, value_of
+from kagezou.document.edits import set_constant
+from kagezou.document.model import Document
+from kagezou.document.property import Property
+from kagezou.document.set_pieces import add_piece
+from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import drag, move, place_of
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def furnished(walking: MainWindow) -> MainWindow:
+    """The window with a wall and a box; the layer is worked on."""
+    document = walking.open_project.bridge.document
+    document = add_piece(document, "Back", "wall", {"position": [120, 130], "width": 200, "height": 150})
+    document = add_piece(document, "Crate", "box", {"position": [200, 165], "width": 40, "height": 40, "depth": 30})
+    walking.open_project.bridge.session.edit("Furnish", document)
+    return walking
+
+
+def value(document: Document, line: Property, piece_id: str = "piece-2") -> object:
+    return value_of(document, Address(line, piece_id=piece_id), 1)
+
+
+def at(window: MainWindow, x: float, y: float) -> QPoint:
+    seen = window.viewport.viewpoint.view.view_from_canvas((x, y))
+    return QPoint(round(seen[0]), round(seen[1]))
+
+
+def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
+    qtbot: QtBot, furnished: MainWindow
+) -> None:
+    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    edge = at(furnished, 20, 80)
+    move(viewport, edge)
+    assert viewport.hand.words == "Back"
+    assert viewport.hand.pieces.guides
+    move(viewport, at(furnished, 60, 40))
+    assert viewport.hand.words == ""
+    history = bridge.session.undo_name
+    qtbot.mouseClick(viewport, LEFT, pos=edge)
+    assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)
+    assert bridge.session.undo_name == history, "choosing is no step"
+    assert viewport.hand.selected_id == "piece.position"
+
+
+def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished: MainWindow) -> None:
+    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    start = at(furnished, 20, 80)
+    qtbot.mousePress(viewport, LEFT, pos=start)
+    for x in (10, 25, 40):
+        move(viewport, start + QPoint(x, 0), LEFT)
+    zoom = viewport.viewpoint.view.zoom
+    assert value(bridge.document, s.PIECE_POSITION, "piece-1") == pytest.approx((120 + 40 / zoom, 130))
+    qtbot.keyClick(viewport, Qt.Key.Key_Escape)
+    assert value(bridge.document, s.PIECE_POSITION, "piece-1") == (120, 130)
+
+
+def test_a_double_click_on_an_outline_still_adds_a_grounding_point(qtbot: QtBot, furnished: MainWindow) -> None:
+    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    edge = at(furnished, 20, 80)
+    qtbot.mouseClick(viewport, LEFT, pos=edge)
+    qtbot.mouseDClick(viewport, LEFT, pos=edge)
+    assert bridge.layer_id == "layer-1"
+    points = value_of(bridge.document, Address(properties.GROUNDING, "layer-1"), 1)
+    assert isinstance(points, tuple)
+    assert len(points) == 1
+
+
+def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindow) -> None:
+    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    bridge.session.select_piece("piece-2")
+    drag(qtbot, viewport, "piece.width", QPoint(30, 0))
+    zoom = viewport.viewpoint.view.zoom
+    assert value(bridge.document, s.PIECE_WIDTH) == pytest.approx(40 + 2 * 30 / zoom)
+    assert bridge.session.undo_name == "Move Width"
+    drag(qtbot, viewport, "piece.height", QPoint(0, -20), let_go=False)
+    qtbot.keyClicks(viewport, "66")
+    qtbot.keyClick(viewport, Qt.Key.Key_Return)
+    assert value(bridge.document, s.PIECE_HEIGHT) == 66
+    viewport.hand.selected_id = "piece.position"
+    viewport.setFocus()
+    qtbot.keyClick(viewport, Qt.Key.Key_Left)
+    assert value(bridge.document, s.PIECE_POSITION) == (199, 165)
+    assert bridge.session.undo_name == "Nudge Set piece"
+
+
+def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(qtbot: QtBot, furnished: MainWindow) -> None:
+    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    furnished.activateWindow()
+    viewport.setFocus()
+    qtbot.waitUntil(viewport.hasFocus)
+    bridge.session.select_piece("piece-2")
+    viewport.hand.selected_id = "light.lamp"
+    furnished.actions_of["delete"].trigger()
+    assert len(bridge.document.pieces) == 2
+    qtbot.mouseClick(viewport, LEFT, pos=place_of(viewport, "piece.depth"))
+    furnished.actions_of["delete"].trigger()
+    assert [piece.name for piece in bridge.document.pieces] == ["Back"]
+    assert bridge.layer_id == "layer-1"
+
+
+def test_the_handles_of_a_piece_go_with_it(furnished: MainWindow) -> None:
+    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    bridge.session.select_piece("piece-1")
+    assert viewport.hand.handles.find("piece.lean") is not None
+    hidden = set_constant(bridge.document, Address(s.PIECE_PRESENT, piece_id="piece-1"), False)
+    bridge.session.edit("Hide", hidden)
+    assert viewport.hand.handles.find("piece.lean") is None
+    bridge.session.undo()
+    bridge.session.undo()
+    assert viewport.hand.handles.find("piece.position") is None
+    viewport.grab()

@@ -1,0 +1,295 @@
+"""The whole window: projects come, are saved and go; what is wrong is said and the rest goes on."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from kagezou.document import properties
+from kagezou.document.address import Address
+from kagezou.document.edits import set_value
+from kagezou.io.project import file as project_file
+from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.ui.application import Application
+from kagezou.ui.export.dialog import ExportDialog
+from kagezou.ui.project.dialogs import Answer
+from kagezou.ui.system.settings import Settings
+from kagezou.ui.viewport import picture_widget
+from kagezou.ui.widgets.message_bar import Severity
+from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import drag, picture, shadow_is_on_canvas, write_garbage
+
+
+class Replies:
+    """Stands in for the dialogs, with answers given beforehand."""
+
+    def __init__(self, path: Path | None = None, answer: Answer = Answer.CANCEL) -> None:
+        self.path = path
+        self.answer = answer
+        self.asked: list[str] = []
+
+    def __getattr__(self, name: str) -> object:
+        def reply(*_: object) -> object:
+            self.asked.append(name)
+            if name == "unsaved":
+                return self.answer
+            return [self.path] if name == "pictures" else self.path
+
+        return reply
+
+
+def reply(window: MainWindow, path: Path | None = None, answer: Answer = Answer.CANCEL) -> Replies:
+    replies = Replies(path, answer)
+    window.project.dialogs = replies  # type: ignore[assignment]
+    return replies
+
+
+def drop(window: MainWindow, *paths: Path, over: QWidget | None = None) -> None:
+    carried = QMimeData()
+    carried.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    copy, none, plain = Qt.DropAction.CopyAction, Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier
+    enter = QDragEnterEvent(QPoint(300, 300), copy, carried, none, plain)
+    QApplication.sendEvent(over or window, enter)
+    assert enter.isAccepted()
+    QApplication.sendEvent(window, QDropEvent(QPointF(300, 300), copy, carried, none, plain))
+
+
+def test_an_empty_window_says_where_to_begin(window: MainWindow) -> None:
+    assert window.pages.currentWidget() is window.welcome
+    assert not window.actions_of["export"].isEnabled()
+    assert not window.transport.isVisible()
+    assert window.windowTitle() == "Untitled[*] — Kagezou"
+    assert not window.isWindowModified()
+
+
+def test_a_folder_dropped_on_the_window_becomes_a_layer(qtbot: QtBot, window: MainWindow, cels: Path) -> None:
+    drop(window, cels)
+    qtbot.waitUntil(lambda: window.viewport.stage is not None)
+    assert [layer.name for layer in window.open_project.bridge.document.layers] == ["walker"]
+    assert window.open_project.bridge.document.canvas.length_frames == 6
+    assert shadow_is_on_canvas(window)
+    assert window.isWindowModified()
+    drop(window, cels, over=window.layers.view.viewport())
+    assert [layer.name for layer in window.open_project.bridge.document.layers] == ["walker", "walker 2"]
+    window.actions_of["undo"].trigger()
+    window.actions_of["undo"].trigger()
+    assert window.pages.currentWidget() is window.welcome
+
+
+def test_something_useless_dropped_is_said(window: MainWindow, tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("x", encoding="utf-8")
+    drop(window, tmp_path / "notes.txt")
+    assert "notes.txt" in window.bar.text
+    assert window.bar.isVisible()
+
+
+def test_save_open_and_recent(walking: MainWindow, tmp_path: Path, cels: Path) -> None:
+    project = tmp_path / "cut 12"
+    reply(walking, project)
+    document = set_value(walking.open_project.bridge.document, Address(properties.GROUND_DECLINATION), 45.0, 1)
+    walking.open_project.bridge.session.edit("Lower", document)
+    assert walking.isWindowModified()
+    walking.actions_of["save"].trigger()
+    assert not walking.isWindowModified()
+    assert walking.windowTitle() == "cut 12[*] — Kagezou"
+    assert project_file.load(project.with_suffix(".kage")) == document
+    assert walking.settings.recent == [project.with_suffix(".kage")]
+
+    reply(walking, cels)
+    walking.actions_of["new"].trigger()
+    assert walking.open_project.path is None
+    assert walking.isWindowModified()
+    replies = reply(walking, project.with_suffix(".kage"), Answer.DISCARD)
+    walking.actions_of["open"].trigger()
+    assert replies.asked == ["unsaved", "project_to_open"]
+    assert walking.open_project.bridge.document == document
+    assert walking.open_project.is_saved
+    assert shadow_is_on_canvas(walking)
+
+
+def test_a_project_that_cannot_be_opened_leaves_everything(walking: MainWindow, tmp_path: Path) -> None:
+    before = walking.open_project.bridge.document
+    (tmp_path / "broken.kage").write_text("{", encoding="utf-8")
+    reply(walking, tmp_path / "broken.kage")
+    walking.actions_of["open"].trigger()
+    assert walking.open_project.bridge.document is before
+    assert "broken.kage" in walking.bar.text
+
+
+@pytest.mark.parametrize(
+    ("answer", "closes", "is_saved"),
+    [(Answer.CANCEL, False, False), (Answer.DISCARD, True, False), (Answer.SAVE, True, True)],
+)
+def test_closing_asks_when_something_is_unsaved(
+    walking: MainWindow, tmp_path: Path, answer: Answer, *, closes: bool, is_saved: bool
+) -> None:
+    document = set_value(walking.open_project.bridge.document, Address(properties.GROUND_ROLL), 5.0, 1)
+    walking.open_project.bridge.session.edit("Roll", document)
+    replies = reply(walking, tmp_path / "cut.kage", answer)
+    assert walking.close() is closes
+    assert replies.asked[0] == "unsaved"
+    assert (tmp_path / "cut.kage").is_file() is is_saved
+
+
+def test_closing_a_saved_project_asks_nothing(walking: MainWindow) -> None:
+    replies = reply(walking)
+    assert walking.close()
+    assert replies.asked == []
+
+
+def test_a_broken_cel_is_named_and_the_rest_is_shown(qtbot: QtBot, walking: MainWindow, cels: Path) -> None:
+    walking.project.bring([cels])
+    document = walking.open_project.bridge.document
+    write_garbage(cels / "walk_0003.png")
+    walking.open_project.bridge.session.go_to(3)
+    qtbot.waitUntil(lambda: "walk_0003.png" in walking.bar.text)
+    assert walking.bar.isVisible()
+    assert document is walking.open_project.bridge.document
+    walking.open_project.bridge.session.go_to(4)
+    qtbot.waitUntil(lambda: walking.bar.text == "")
+    assert shadow_is_on_canvas(walking)
+
+
+def test_a_missing_cel_leaves_the_other_layer(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:
+    still = tmp_path / "still.png"
+    still.write_bytes((cels / "walk_0001.png").read_bytes())
+    walking.project.bring([still])
+    still.unlink()
+    walking.viewport.reread()
+    qtbot.waitUntil(lambda: "still.png" in walking.bar.text)
+    assert shadow_is_on_canvas(walking)
+
+
+def test_undo_and_redo_are_named_and_follow_the_frame(qtbot: QtBot, walking: MainWindow) -> None:
+    walking.open_project.bridge.session.go_to(4)
+    drag(qtbot, walking.viewport, "ground.position", QPoint(10, 5))
+    walking.open_project.bridge.session.go_to(1)
+    walking.actions_of["undo"].trigger()
+    assert walking.open_project.bridge.frame == 4
+    assert walking.actions_of["redo"].text() == "&Redo Move Ground"
+    assert walking.isWindowModified() is False
+
+
+def test_frame_commands(walking: MainWindow) -> None:
+    bridge, actions = walking.open_project.bridge, walking.actions_of
+    for name, frame in (("forward", 2), ("last", 6), ("back", 5), ("first", 1), ("forward_10", 6), ("back_10", 1)):
+        actions[name].trigger()
+        assert bridge.frame == frame, name
+    walking.inspector.row("ground.roll").toggle_key()
+    bridge.session.go_to(4)
+    walking.inspector.row("ground.roll").toggle_key()
+    actions["key_previous"].trigger()
+    assert bridge.frame == 1
+    actions["key_next"].trigger()
+    assert bridge.frame == 4
+
+
+def test_backdrops_change_the_picture(walking: MainWindow) -> None:
+    seen = set()
+    for backdrop in (Backdrop.CHECKER, Backdrop.GREY, Backdrop.WHITE):
+        walking.viewport.show_backdrop(backdrop)
+        seen.add(picture(walking.viewport).tobytes())
+    assert len(seen) == 3
+
+
+def test_delete_removes_the_layer_while_the_list_has_the_focus(qtbot: QtBot, walking: MainWindow) -> None:
+    walking.activateWindow()
+    walking.layers.view.setFocus()
+    qtbot.waitUntil(walking.layers.view.hasFocus)
+    walking.actions_of["delete"].trigger()
+    assert walking.open_project.bridge.document.layers == ()
+
+
+def start_export(window: MainWindow, folder: Path) -> None:
+    window.actions_of["export"].trigger()
+    dialog = window.findChild(ExportDialog)
+    assert dialog is not None
+    dialog.folder.setText(str(folder))
+    dialog.go.click()
+
+
+def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tmp_path: Path) -> None:
+    start_export(walking, tmp_path / "out")
+    assert walking.exporting.is_running
+    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=30000)
+    files = sorted((tmp_path / "out" / "walker_shadow").glob("*.png"))
+    assert [file.name for file in files] == [f"walker_shadow_{frame:04d}.png" for frame in range(1, 7)]
+    assert "Exported 6 files" in walking.bar.text
+
+
+def test_an_export_that_cannot_be_made_is_said(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:
+    (cels / "walk_0002.png").unlink()
+    start_export(walking, tmp_path / "out")
+    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=30000)
+    assert "walk_0002.png" in walking.bar.text
+
+
+def test_a_driver_that_is_too_old_is_said_in_words(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, window: MainWindow, cels: Path
+) -> None:
+    monkeypatch.setattr(picture_widget, "NEEDED_VERSION", (9, 9))
+    window.project.bring([cels])
+    qtbot.waitUntil(lambda: "OpenGL" in window.bar.text)
+    assert "needs 3.3" in window.bar.text
+
+
+def test_another_language_makes_another_window_over_the_same_project(
+    qtbot: QtBot, qapp: QApplication, settings: Settings, walking: MainWindow, cels: Path
+) -> None:
+    walking.close_unasked()
+    program = Application(qapp, settings)
+    program.show()
+    program.window.project.bring([cels])
+    document, old = program.open_project.bridge.document, program.window
+    program.speak("ja")
+    assert program.window is not old
+    assert program.open_project.bridge.document is document
+    assert program.window.actions_of["save"].text() == "保存(&S)"
+    assert program.window.inspector.row("tilt").label.text() == "体の傾き"
+    qtbot.waitUntil(lambda: program.window.viewport.stage is not None)
+    assert shadow_is_on_canvas(program.window)
+    program.put_away()
+
+
+def test_the_demo_is_made_once_and_opened(
+    qtbot: QtBot, qapp: QApplication, settings: Settings, window: MainWindow, tmp_path: Path
+) -> None:
+    window.close_unasked()
+    made: list[Path] = []
+
+    def make(folder: Path, progress: object) -> Path:
+        assert callable(progress)
+        progress(1, 1)
+        made.append(folder)
+        folder.mkdir()
+        window.open_project.new(()).at_once()
+        project_file.save(window.open_project.bridge.document, folder / "demo.kage")
+        return folder / "demo.kage"
+
+    program = Application(qapp, settings, make)
+    assert program.window.demo is not None
+    program.window.demo._folder = tmp_path / "demo"
+    program.show()
+    for _ in range(2):
+        program.window.welcome.demo_asked.emit()
+        qtbot.waitUntil(lambda: program.open_project.path == tmp_path / "demo" / "demo.kage")
+        program.open_project.clear()
+    assert len(made) == 1
+    program.put_away()
+
+
+def test_a_message_never_moves_the_picture(qtbot: QtBot, walking: MainWindow) -> None:
+    before = walking.viewport.geometry()
+    walking.bar.say("note", "Something to know", Severity.NOTE)
+    QApplication.processEvents()
+    assert walking.bar.isVisible()
+    assert walking.top_bars.isVisible()
+    assert walking.top_bars.width() == walking.pages.width()
+    assert walking.viewport.geometry() == before
+    qtbot.waitUntil(lambda: walking.bar.height() >= walking.bar.minimumSizeHint().height())
+    assert walking.top_bars.height() == walking.bar.height()
+    walking.bar.clear()
+    qtbot.waitUntil(lambda: not walking.top_bars.isVisible())
