@@ -2,7 +2,8 @@
 
 import ctypes
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -13,7 +14,10 @@ from kagezou.errors import GraphicsProblem
 from kagezou.locations import shader_folder
 from kagezou.render.gpu.gl import GL, log_of, set_source, status
 
-_INCLUDE = re.compile(r'^#include "([\w.]+)"$', re.MULTILINE)
+_INCLUDE = re.compile(r'^#include "([\w./]+)"$')
+_ENDS = ("#else", "#elif", "#endif")
+_PLACE_IN_LOG = re.compile(r"\b(\d+)([:(])(\d+)")
+"""File number and line as drivers write them: ``0:12(5)``, ``0(12)``, ``ERROR: 0:12``."""
 
 _FLOATS = ctypes.POINTER(ctypes.c_float)
 
@@ -21,11 +25,54 @@ Uniform = bool | int | float | Sequence[float] | NDArray[np.float64]
 """A (3, 3) matrix, (N, 4) vectors, a vector, a number or a switch."""
 
 
+@dataclass(frozen=True, slots=True)
+class ShaderSource:
+    """A shader's text with its includes in their places.
+
+    Attributes
+    ----------
+    text
+        GLSL; ``#line`` directives number each line as in its own file, and the files as in ``files``.
+    files
+        Their names in the folder of shaders, the shader's own first.
+    """
+
+    text: str
+    files: tuple[str, ...]
+
+    def named(self, log: str) -> str:
+        """Return a driver's log with names of files in the place of their numbers."""
+
+        def place(found: re.Match[str]) -> str:
+            number = int(found[1])
+            return f"{self.files[number]}{found[2]}{found[3]}" if number < len(self.files) else found[0]
+
+        return _PLACE_IN_LOG.sub(place, log)
+
+
 @cache
-def shader_source(name: str) -> str:
-    """Return a shader's text with its includes put in their places."""
-    text = Path(shader_folder(), name).read_text(encoding="utf-8")
-    return _INCLUDE.sub(lambda found: shader_source(found[1]), text)
+def shader_source(name: str) -> ShaderSource:
+    """Return the shader in a file, e.g. ``passes/cast.frag``, with its includes put in their places."""
+    files: list[str] = []
+    text = "\n".join(_lines_of(name, files))
+    return ShaderSource(f"{text}\n", tuple(files))
+
+
+def _lines_of(name: str, files: list[str]) -> Iterator[str]:
+    """Yield the lines of a file and of what it includes, and add their names to ``files``."""
+    own = len(files)
+    files.append(name)
+    lines = Path(shader_folder(), name).read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines, 1):
+        found = _INCLUDE.match(line)
+        if found is not None:
+            yield f"#line 1 {len(files)}"
+            yield from _lines_of(found[1], files)
+        else:
+            yield line
+        # A directive that a condition leaves out does not count, so that lines are counted anew where conditions end.
+        if found is not None or line.startswith(_ENDS):
+            yield f"#line {number + 1} {own}"
 
 
 class Program:
@@ -42,7 +89,7 @@ class Program:
 
     def __init__(self, vertex: str, fragment: str, switches: Iterable[str] = ()) -> None:
         self._name = f"{vertex} + {fragment}"
-        self._source = shader_source(vertex) + shader_source(fragment)
+        self._source = shader_source(vertex).text + shader_source(fragment).text
         self.id = int(GL.glCreateProgram())
         for name, kind in ((vertex, GL.GL_VERTEX_SHADER), (fragment, GL.GL_FRAGMENT_SHADER)):
             shader = _compiled(name, kind, switches)
@@ -114,10 +161,13 @@ class Variants:
 
 
 def _compiled(name: str, kind: int, switches: Iterable[str]) -> int:
-    version, rest = shader_source(name).split("\n", 1)
+    source = shader_source(name)
+    version, rest = source.text.split("\n", 1)
     shader = int(GL.glCreateShader(kind))
-    set_source(shader, "\n".join([version, *(f"#define {switch}" for switch in switches), rest]))
+    # The version must stand first; what is defined after it must not shift the numbers of the lines.
+    set_source(shader, "\n".join([version, *(f"#define {switch}" for switch in switches), "#line 2 0", rest]))
     GL.glCompileShader(shader)
     if not status(GL.glGetShaderiv, shader, GL.GL_COMPILE_STATUS):
-        raise GraphicsProblem(f"the graphics driver refuses {name}: {log_of(GL.glGetShaderInfoLog, shader)}")
+        log = source.named(log_of(GL.glGetShaderInfoLog, shader))
+        raise GraphicsProblem(f"the graphics driver refuses {name}: {log}")
     return shader

@@ -1,0 +1,71 @@
+"""Shaders as files: joined by includes, and a driver's error names the file and the line that a person must open."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from kagezou.errors import GraphicsProblem
+from kagezou.locations import shader_folder
+from kagezou.render.gpu import program
+from kagezou.render.gpu.context import open_headless_context
+from kagezou.render.gpu.program import Program, shader_source
+
+VERTEX = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n"
+FRAGMENT = """#version 330 core
+#ifdef TINTED
+#include "common/tint.glsl"
+#endif
+out vec4 color;
+void main() {
+    color = vec4(%s);
+}
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A folder of shaders of the test's own, and a context to compile them in."""
+    (tmp_path / "common").mkdir()
+    (tmp_path / "whole.vert").write_text(VERTEX, encoding="utf-8")
+    monkeypatch.setattr(program, "shader_folder", lambda: tmp_path)
+    shader_source.cache_clear()
+    with open_headless_context():
+        yield tmp_path
+    shader_source.cache_clear()
+
+
+def refusal(fragment: str, switches: tuple[str, ...] = ()) -> str:
+    with pytest.raises(GraphicsProblem) as problem:
+        Program("whole.vert", fragment, switches)
+    return str(problem.value)
+
+
+def test_an_error_after_an_include_names_its_own_line(folder: Path) -> None:
+    (folder / "common" / "tint.glsl").write_text("vec4 tint = vec4(1.0);\n" + "\n" * 40, encoding="utf-8")
+    (folder / "broken.frag").write_text(FRAGMENT % "missing", encoding="utf-8")
+    for switches in ((), ("TINTED",), ("TINTED", "MORE", "YET_MORE")):
+        assert "broken.frag:7" in refusal("broken.frag", switches)
+
+
+def test_an_error_within_an_include_names_the_included_file(folder: Path) -> None:
+    (folder / "common" / "tint.glsl").write_text("\n\nfloat tint() { return missing; }\n", encoding="utf-8")
+    (folder / "good.frag").write_text(FRAGMENT % "1.0", encoding="utf-8")
+    assert "common/tint.glsl:3" in refusal("good.frag", ("TINTED",))
+
+
+def test_includes_of_includes_are_numbered_apart(folder: Path) -> None:
+    (folder / "common" / "tint.glsl").write_text('#include "common/hue.glsl"\nfloat tint = hue();\n', encoding="utf-8")
+    (folder / "common" / "hue.glsl").write_text("float hue() { return 1.0; }\n", encoding="utf-8")
+    (folder / "nested.frag").write_text(FRAGMENT % "1.0", encoding="utf-8")
+    source = shader_source("nested.frag")
+    assert source.files == ("nested.frag", "common/tint.glsl", "common/hue.glsl")
+    assert (
+        source.named("0:1(2): error, 2(7) : error, 9:9") == "nested.frag:1(2): error, common/hue.glsl(7) : error, 9:9"
+    )
+
+
+def test_every_include_of_the_program_is_there() -> None:
+    for path in shader_folder().rglob("*"):
+        if path.is_file():
+            assert shader_source(path.relative_to(shader_folder()).as_posix()).text
