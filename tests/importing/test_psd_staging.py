@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 from psd_tools import PSDImage
 
-from kagezou.document.model import Drawing, Exposure, PicturePart
+from kagezou.document.model import Drawing, Exposure
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.importing.staging import CharacterSource, new_document, with_characters
@@ -15,6 +15,7 @@ from kagezou.io.project import file as project_file
 from kagezou.io.project.path_mapping import Rule, with_mapped_paths
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.io.sheets.xdts import write_xdts
+from kagezou.picture_source import PicturePart
 from tests.psd_files import SIZE, Folder, Leaf, block, figure, write_flat, write_psd
 
 BODY = block(12, 24)

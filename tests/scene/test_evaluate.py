@@ -8,12 +8,13 @@ from hypothesis import strategies as st
 
 from kagezou.document import edits
 from kagezou.document.address import Address
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, PicturePart
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.light import sun
+from kagezou.picture_source import PicturePart
 from kagezou.scene.evaluate import card_at, contact_of, evaluate, light_at
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import ShadowLook

@@ -11,9 +11,10 @@ from types import MappingProxyType
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, PictureSource, Tracks
+from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
+from kagezou.picture_source import PictureSource
 
 
 def set_track(document: Document, address: Address, track: Track) -> Document:

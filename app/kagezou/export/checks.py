@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import Final
 
-from kagezou.document.model import PicturePart
 from kagezou.errors import DiskFullProblem, InputProblem
 from kagezou.export.jobs import CompositeContent, FrameJob, Plan
 from kagezou.export.request import ExportRequest
@@ -13,6 +12,7 @@ from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.psd.file import has_part
 from kagezou.io.sets.mesh_cache import is_mesh
+from kagezou.picture_source import PicturePart
 
 LISTED: Final = 50
 """So many missing files are named in full; of more, the number is."""

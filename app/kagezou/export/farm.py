@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any, Final
 
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Document, file_of
+from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.jobs import planned
 from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
 from kagezou.io.sets.gltf import files_beside
+from kagezou.picture_source import file_of
 
 TEMPLATE: Final = "template.json"
 PARAMETERS: Final = "parameter_values.json"

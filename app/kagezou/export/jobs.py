@@ -7,7 +7,7 @@ from typing import Final
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.model import Document, Drawing, Layer, PictureSource, file_of
+from kagezou.document.model import Document, Drawing, Layer
 from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.choice import chosen_frames, chosen_layers, is_ever
@@ -15,6 +15,7 @@ from kagezou.export.names import digits_for, safe_names
 from kagezou.export.receivers import ReceiverContent, receiver_content, receivers_of
 from kagezou.export.request import RECEIVED, RECEIVERS, SHADOWS, ExportRequest
 from kagezou.geometry.camera import Camera
+from kagezou.picture_source import PictureSource, file_of
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Received, Scene, SetShadow, ShadowCast, ShadowLook

@@ -7,13 +7,13 @@ from typing import Final
 
 import numpy as np
 
-from kagezou.document.model import PictureSource
 from kagezou.export.jobs import FrameJob, LayeredContent
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images.cel_cache import CelCache
-from kagezou.io.images.layered import LayeredImage, LayerPart
 from kagezou.io.images.reading import Cel, Steps, read_cel
 from kagezou.io.images.writing import ShadowImage
+from kagezou.io.pixels.layers import LayeredImage, LayerPart
+from kagezou.picture_source import PictureSource
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from kagezou.errors import InputProblem
 from kagezou.export.jobs import FrameJob
-from kagezou.io.images.layered import LayeredImage
 from kagezou.io.images.writing import ShadowImage
+from kagezou.io.pixels.layers import LayeredImage
 
 Image = ShadowImage | LayeredImage | NDArray[Any]
 """A shadow layer, a frame of layers, or a composite as straight (H, W, 4)."""

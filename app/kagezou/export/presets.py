@@ -10,7 +10,7 @@ from kagezou.export.names import safe_names
 from kagezou.export.plan import ExportPlan, plan_of
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import input_problem, output_problem, shown
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
 
 SUFFIX: Final = ".json"
 VERSION: Final = 1

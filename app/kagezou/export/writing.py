@@ -8,8 +8,9 @@ from kagezou.export.pipeline import Image
 from kagezou.geometry.box import Box
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
-from kagezou.io.images.layered import LayeredImage, write_layered
+from kagezou.io.images.layered import write_layered
 from kagezou.io.images.writing import ShadowImage, encode_png, encode_rgba_png, write_rgba, write_shadow
+from kagezou.io.pixels.layers import LayeredImage
 
 
 def write_all(job: FrameJob, image: Image) -> str:

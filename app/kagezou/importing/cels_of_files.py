@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Cels, Drawing, Exposure, PicturePart
+from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
@@ -17,6 +17,7 @@ from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.paths import absolute
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.psd.undrawn import drawn_by_extra
+from kagezou.picture_source import PicturePart
 
 MAX_NAME_CHARACTERS = 200
 _SHOWN_NAMES = 3

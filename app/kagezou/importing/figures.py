@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import Drawing, PictureSource
+from kagezou.document.model import Drawing
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vectors import Matrix, Point2
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.images.reading import read_matte
+from kagezou.picture_source import PictureSource
 
 _POINTS = 600
 _OUTLINE_ROWS = 80

@@ -9,7 +9,7 @@ import numpy as np
 
 from kagezou.document.address import Address
 from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
-from kagezou.document.model import Canvas, Document, PicturePart, PictureSource
+from kagezou.document.model import Canvas, Document
 from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
@@ -23,6 +23,7 @@ from kagezou.io.images.reading import probe
 from kagezou.io.project.paths import absolute
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet
+from kagezou.picture_source import PicturePart, PictureSource
 from kagezou.scene.evaluate import camera_at, ground_at
 
 STILL_LENGTH_FRAMES = 24

@@ -110,18 +110,18 @@ def _keyed(document: "Document", address: "Address") -> dict[str, Json]:
 
 
 def _background(document: "Document") -> str | None:
-    from kagezou.document.model import file_of
     from kagezou.io.files.faults import shown
+    from kagezou.picture_source import file_of
 
     return None if document.background is None else shown(file_of(document.background))
 
 
 def _missing(document: "Document") -> Iterator[str]:
     """Yield the files that are not there, and the layers that are not in their files."""
-    from kagezou.document.model import PicturePart, file_of
     from kagezou.errors import InputProblem
     from kagezou.io.files.faults import shown
     from kagezou.io.psd.file import has_part
+    from kagezou.picture_source import PicturePart, file_of
 
     sources = [drawing.source for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:

@@ -10,7 +10,7 @@ from kagezou.document.property import Words
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
-from kagezou.io.project.json import JsonRow, Reader, formatted, parse
+from kagezou.io.files.json_text import JsonRow, Reader, formatted, parse
 from kagezou.locations import resource_folder
 
 SUFFIX = ".json"

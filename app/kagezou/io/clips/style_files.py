@@ -13,7 +13,7 @@ from kagezou.document.style import NOT_OF_A_STYLE, Style
 from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
 from kagezou.locations import resource_folder
 
 SUFFIX = ".json"

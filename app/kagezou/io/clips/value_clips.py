@@ -11,7 +11,7 @@ from typing import Final
 from kagezou.animation.track import Value
 from kagezou.document.property import Property
 from kagezou.errors import ProjectProblem, UsageProblem
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
 
 _KIND: Final = "kagezou-values"
 _MAX_CHARACTERS: Final = 1 << 20

@@ -7,10 +7,10 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Final, Literal, Protocol
 
-from kagezou.document.model import PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
 from kagezou.io.images.reading import Cel, Matte, read_cel, read_matte
+from kagezou.picture_source import PictureSource, file_of
 
 DEFAULT_LIMIT_BYTES: Final = 512 << 20
 _Kind = Literal["cel", "matte", "background"]

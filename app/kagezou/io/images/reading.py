@@ -11,13 +11,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import PicturePart, PictureSource, file_of
 from kagezou.geometry.box import Box
 from kagezou.io.images.oiio_guard import DecodedPicture, Header
 from kagezou.io.pixels.colour import coded_from_light, steps_from_unit, straight_from_associated
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 Steps = NDArray[np.uint8] | NDArray[np.uint16]
 _NO_ALPHA: Final = "no alpha channel: pure white was taken as clear"

@@ -15,7 +15,7 @@ from kagezou.document.model import Document
 from kagezou.errors import ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import cause_of, shown
-from kagezou.io.project.json import Reader, formatted, parse
+from kagezou.io.files.json_text import Reader, formatted, parse
 from kagezou.io.project.paths import absolute
 from kagezou.io.project.reading import document_of
 from kagezou.io.project.versions import upgraded

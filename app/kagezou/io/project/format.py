@@ -14,8 +14,8 @@ from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, La
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind, Property
 from kagezou.geometry.box import Box
+from kagezou.io.files.json_text import formatted
 from kagezou.io.project import fields as fields
-from kagezou.io.project.json import formatted
 from kagezou.io.project.versions import BROUGHT
 from kagezou.io.project.writing import tree_of
 

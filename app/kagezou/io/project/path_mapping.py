@@ -3,10 +3,11 @@
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
 
-from kagezou.document.model import Document, Drawing, PicturePart, PictureSource
+from kagezou.document.model import Document, Drawing
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.faults import input_problem, shown
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
+from kagezou.picture_source import PicturePart, PictureSource
 
 _MOST_RULES = 10_000
 _MOST_CHARACTERS = 32_768

@@ -11,28 +11,18 @@ from typing import Final
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.linking import LINKABLE
-from kagezou.document.model import (
-    Canvas,
-    Cels,
-    Document,
-    Drawing,
-    Exposure,
-    Layer,
-    PicturePart,
-    PictureSource,
-    Piece,
-    Tracks,
-)
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import MAX_PIECES
 from kagezou.errors import ProjectProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import Line, VanishingLines
+from kagezou.io.files.json_text import Reader
 from kagezou.io.project import fields as fields
-from kagezou.io.project.json import Reader
 from kagezou.io.project.paths import MAX_PATH_CHARACTERS, local_path
 from kagezou.io.project.review import read_review
+from kagezou.picture_source import PicturePart, PictureSource
 
 _FRAME_RATE: Final = re.compile(r"[0-9]{1,18}(/[0-9]{1,18})?")
 _MAX_FRAME: Final = 1_000_000

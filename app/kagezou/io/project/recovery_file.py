@@ -15,8 +15,8 @@ from kagezou.document.model import Document
 from kagezou.errors import OutputProblem, ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import cause_of, output_problem, shown
+from kagezou.io.files.json_text import Reader, parse
 from kagezou.io.project.file import MAX_BYTES, dumps, loads
-from kagezou.io.project.json import Reader, parse
 
 SUFFIX: Final = ".keepsake"
 _FORMAT: Final = "kagezou-keepsake"

@@ -8,8 +8,8 @@ from typing import Final
 from kagezou.document.model import Document, Marker, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.review import MAX_TEXT_CHARACTERS
+from kagezou.io.files.json_text import JsonRow, Reader
 from kagezou.io.project import fields as fields
-from kagezou.io.project.json import JsonRow, Reader
 from kagezou.io.project.versions import Tree
 
 _MAX_FRAME: Final = 1_000_000

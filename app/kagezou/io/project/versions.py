@@ -5,7 +5,7 @@ from enum import IntEnum
 from types import MappingProxyType
 from typing import Final
 
-from kagezou.io.project.json import Reader, brief
+from kagezou.io.files.json_text import Reader, brief
 
 FORMAT_NAME: Final = "kagezou-project"
 

@@ -6,13 +6,14 @@ from pathlib import Path
 from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
-from kagezou.document.model import Document, Drawing, Layer, PicturePart, PictureSource, Piece, Tracks
+from kagezou.document.model import Document, Drawing, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Property
-from kagezou.io.project.json import JsonRow
+from kagezou.io.files.json_text import JsonRow
 from kagezou.io.project.paths import stored_path
 from kagezou.io.project.review import review_tree
 from kagezou.io.project.versions import CURRENT, FORMAT_NAME, Tree
+from kagezou.picture_source import PicturePart, PictureSource
 
 
 def tree_of(document: Document, folder: Path) -> Tree:

@@ -13,12 +13,12 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Final
 
-from kagezou.document.model import PicturePart, PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
 from kagezou.io.psd.pixels import PsdPixels, merged_pixels, part_pixels
 from kagezou.io.psd.tree import DEEPEST, PsdNode, PsdTree, addressed, psd_header
 from kagezou.io.psd.undrawn import undrawn_in
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 _KEPT_BYTES: Final = 256 << 20
 """So large may the files be together that are held open; the last one is always."""

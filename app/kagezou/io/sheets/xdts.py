@@ -12,7 +12,7 @@ from typing import Final
 from kagezou.errors import ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import input_problem
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
 from kagezou.io.sheets.sts import is_sts, sts_sheet
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 

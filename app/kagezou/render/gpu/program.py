@@ -2,17 +2,17 @@
 
 import ctypes
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kagezou.errors import GraphicsProblem
 from kagezou.locations import shader_folder
 from kagezou.render.gpu.gl import GL, log_of, set_source, status
+from kagezou.render.prepare.uniforms import Uniform
 
 _INCLUDE = re.compile(r'^#include "([\w./]+)"$')
 _ENDS = ("#else", "#elif", "#endif")
@@ -20,9 +20,6 @@ _PLACE_IN_LOG = re.compile(r"\b(\d+)([:(])(\d+)")
 """File number and line as drivers write them: ``0:12(5)``, ``0(12)``, ``ERROR: 0:12``."""
 
 _FLOATS = ctypes.POINTER(ctypes.c_float)
-
-Uniform = bool | int | float | Sequence[float] | NDArray[np.float64]
-"""A (3, 3) matrix, (N, 4) vectors, a vector, a number or a switch."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,10 +11,7 @@ from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images.reading import Steps
 from kagezou.render.gpu.gl import GL, deleted, integer, made
-
-LAST_LEVEL = 5
-"""The coarsest mipmap; a texture whose sides are multiples of 2 to this power has exact means in every level."""
-
+from kagezou.render.prepare.uniforms import LAST_LEVEL
 
 Component: TypeAlias = type[np.uint8] | type[np.uint16] | type[np.uint32] | type[np.float32]
 

@@ -60,6 +60,7 @@ class Blurred:
     """A job that is done: the level of its shape, and what each of its strips holds."""
 
     job: FilterJob
+    matte: PlacedMatte
     level: float
     values: tuple[Texels, ...]
 
@@ -109,7 +110,7 @@ class ShapePass:
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
         shadow.clear(used)
         for chart in job.charts:
-            self._plane.fill(job, chart, shadow)
+            self._plane.fill(job, matte, chart, shadow)
         # All strips are read at once: each reading waits for everything drawn before it.
         before = shadow.read_floats(used)
         busy = [busy_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
@@ -123,14 +124,14 @@ class ShapePass:
             for chart in job.charts
             for strip in chart.strips
         ]
-        return Blurred(job, area_preserving_level(counted), tuple(each.blurred for each in counted))
+        return Blurred(job, matte, area_preserving_level(counted), tuple(each.blurred for each in counted))
 
     def show(self, blurred: "Blurred", view: BlurView, target: Target, sharp: Target | None = None) -> Box | None:
         """Draw what a receiver shows of a blurred shadow; return the box that may hold it.
 
         ``sharp`` is the shadow as it would be unfiltered, as large as the target; without it, it is cast.
         """
-        sharp_box = self._cast_sharp(view, target) if sharp is None else _box_near_contact(view)
+        sharp_box = self._cast_sharp(view, blurred.matte, target) if sharp is None else _box_near_contact(view)
         box = _box_of(view, sharp_box)
         if box is not None:
             looks = [SeenChart(blurred.pairs(view.chart), view.blurred_from_canvas)]
@@ -166,7 +167,7 @@ class ShapePass:
             return None
         return FilterJob(cast, matte, plane, stretch, extent, blur_of(cast, float(stretch[1, 1])))
 
-    def _cast_sharp(self, view: BlurView, like: Target) -> Box | None:
+    def _cast_sharp(self, view: BlurView, matte: PlacedMatte, like: Target) -> Box | None:
         """Cast the shadow as it is, for where it stays so; return its box."""
         if self._sharp is not None and self._sharp.box != like.box:
             self._sharp.close()
@@ -181,7 +182,7 @@ class ShapePass:
         if self._sharp_box is None:
             return None
         cast = replace(view.job.cast, receivers=(view.receiver,))
-        return self._caster.unite(cast, view.job.matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
+        return self._caster.unite(cast, matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
 
     def _blur_strips(
         self, job: FilterJob, way: tuple[Target, Target], direction: frozenset[str], busy: Sequence[TileBoxes]

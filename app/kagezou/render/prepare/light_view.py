@@ -6,7 +6,7 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.vectors import Matrix, Vector4
-from kagezou.render.gpu.program import Uniform
+from kagezou.render.prepare.uniforms import Uniform
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,7 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.edits import set_background
-from kagezou.document.model import Canvas, Document, PictureSource
+from kagezou.document.model import Canvas, Document
 from kagezou.errors import Problem
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.importing.progress import LoadPhase, Progress
@@ -24,6 +24,7 @@ from kagezou.io.sets.cameras import cameras_of
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet, write_xdts
+from kagezou.picture_source import PictureSource
 from kagezou.session.session import Session
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
 from kagezou.ui.project.load import AnyLoad, Load
