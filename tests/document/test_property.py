@@ -98,12 +98,9 @@ def test_the_default_is_canonical(line: Property) -> None:
 
 
 @lines
-def test_the_table_speaks_both_languages(line: Property) -> None:
-    for words in (line.label, line.help):
-        assert words.en
-        assert words.ja
-        assert words.en != words.ja
-    assert line.help.en.endswith(".")
+def test_the_table_has_words(line: Property) -> None:
+    assert str(line.label)
+    assert str(line.help).endswith(".")
     assert line.unit in {"", "px", "°"}
 
 

@@ -234,7 +234,7 @@ def _markers(document: Document) -> tuple[ae.CompMarker, ...]:
 
 def _said(note: Note) -> str:
     line = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
-    return f"{note.author}{': ' if note.author else ''}{line.label.en}: {note.text}"
+    return f"{note.author}{': ' if note.author else ''}{line.label}: {note.text}"
 
 
 def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) -> ae.CompMarker:

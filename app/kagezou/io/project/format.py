@@ -75,7 +75,7 @@ def _field_row(name: str, field: fields.Field) -> str:
 
 def _property_row(line: Property) -> str:
     default = formatted(line.default).strip()
-    return f"| `{line.name}` | {_kind(line)} | `{default}` | {line.help.en} |\n"
+    return f"| `{line.name}` | {_kind(line)} | `{default}` | {line.help} |\n"
 
 
 def _kind(line: Property) -> str:
