@@ -8,15 +8,15 @@ from kagezou.document import set_properties as s
 from kagezou.document.address import Address, value_of
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Document
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.document.set_properties import BUILT_KINDS
 from kagezou.scene.evaluate import evaluate
 from kagezou.tools.placing import add_placed
 from tests.tools.tool_scenes import LAYER, document_with
 
 
-def value(document: Document, piece_id: str, line: Property) -> object:
-    return value_of(document, Address(line, piece_id=piece_id), 1)
+def value(document: Document, piece_id: str, prop: AnyProperty) -> object:
+    return value_of(document, Address(prop, piece_id=piece_id), 1)
 
 
 def point(document: Document, piece_id: str) -> tuple[float, float]:

@@ -48,15 +48,15 @@ def set_key(
     UsageProblem
         If the value is not valid, the frame is before 1, or a switch or choice is asked to move.
     """
-    line = address.property
+    prop = address.property
     if frame < 1:
-        raise UsageProblem(f"{line.name}: a key cannot lie on frame {frame}, frames count from 1")
-    if line.holds_only and interpolation not in (None, Interpolation.HOLD):
-        raise UsageProblem(f"{line.name}: a switch or choice can only be held, not keyed {interpolation}")
+        raise UsageProblem(f"{prop.name}: a key cannot lie on frame {frame}, frames count from 1")
+    if prop.holds_only and interpolation not in (None, Interpolation.HOLD):
+        raise UsageProblem(f"{prop.name}: a switch or choice can only be held, not keyed {interpolation}")
     track = track_of(document, address)
-    value = line.canonical(raw)
+    value = prop.canonical(raw)
     old = track.key_at(frame)
-    chosen = Interpolation.HOLD if line.holds_only else interpolation or _usual(track, frame)
+    chosen = Interpolation.HOLD if prop.holds_only else interpolation or _usual(track, frame)
     if old is not None and chosen == old.interpolation:
         key = replace(old, value=value)
     else:

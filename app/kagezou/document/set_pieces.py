@@ -6,8 +6,8 @@ from itertools import count
 from pathlib import Path
 from types import MappingProxyType
 
-from kagezou.animation.track import Track, Value
-from kagezou.document.address import Address, value_of
+from kagezou.animation.track import Value
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Piece
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
@@ -20,6 +20,7 @@ from kagezou.document.set_properties import (
     PIECE_POSITION,
     PIECE_WIDTH,
 )
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 
 MAX_PIECES = 200
@@ -110,15 +111,13 @@ def copy_piece(document: Document, piece_id: str) -> Document:
 
 def kind_of(piece: Piece, frame: float = 1) -> str:
     """Return what a piece is at a frame."""
-    track = piece.tracks.get(PIECE_KIND.name) or Track(PIECE_KIND.default)
-    return str(track.value_at(frame))
+    return value_at(piece.tracks, PIECE_KIND, frame)
 
 
 def _first_values(document: Document, kind: str) -> dict[str, Value]:
     canvas = document.canvas
     side = min(canvas.width_px, canvas.height_px)
-    ground = value_of(document, Address(GROUND_POSITION), 1)
-    x, y = (part for part in ground if isinstance(part, float)) if isinstance(ground, tuple) else (0.0, 0.0)
+    x, y = value_at(document.tracks, GROUND_POSITION, 1)
     if kind == MESH:
         return {PIECE_KIND.name: kind, PIECE_POSITION.name: (x, y)}
     width, height, depth = (max(part * side, 1.0) for part in _MEASURES[kind])

@@ -1,6 +1,6 @@
 """The lines of the property table for set pieces: ``set.NAME.*``, and the look of the set's own shadow."""
 
-from kagezou.document.property import Kind, Property, Scope, Words
+from kagezou.document.property import AnyProperty, Kind, Property, Scope, Words
 
 BUILT_KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
 """What can be put onto the ground by its measures alone."""
@@ -148,7 +148,7 @@ SET_BLEND = Property(
     choices=("multiply", "normal"),
 )  # fmt: skip
 
-SET_LINES: tuple[Property, ...] = (
+SET_LINES: tuple[AnyProperty, ...] = (
     GROUND_RECEIVES, SET_COLOR, SET_OPACITY, SET_BLEND,
     PIECE_KIND, PIECE_PRESENT, PIECE_POSITION, PIECE_ANGLE, PIECE_LEAN,
     PIECE_WIDTH, PIECE_HEIGHT, PIECE_DEPTH, PIECE_COUNT,

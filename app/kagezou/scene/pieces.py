@@ -6,10 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document, Piece
-from kagezou.document.property import Property
+from kagezou.document.values import value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
 from kagezou.geometry.sets import shapes as shapes
@@ -111,28 +110,28 @@ def pieces_at(document: Document, frame: float, camera: Camera, ground: Plane) -
 
 
 def _piece_scene(piece: Piece, frame: float, camera: Camera, ground: Plane) -> PieceScene | None:
-    if not _value(piece, lines.PIECE_PRESENT, frame):
+    if not value_at(piece.tracks, lines.PIECE_PRESENT, frame):
         return None
-    x, y = _point(piece, lines.PIECE_POSITION, frame)
+    position = value_at(piece.tracks, lines.PIECE_POSITION, frame)
     numbers = (lines.PIECE_WIDTH, lines.PIECE_HEIGHT, lines.PIECE_DEPTH, lines.PIECE_ANGLE, lines.PIECE_LEAN)
-    width, height, depth, angle, lean = (_number(piece, line, frame) for line in numbers)
-    count = round(_number(piece, lines.PIECE_COUNT, frame))
-    measures = _Measures(str(_value(piece, lines.PIECE_KIND, frame)), width, height, depth, angle, lean, count)
+    width, height, depth, angle, lean = (value_at(piece.tracks, prop, frame) for prop in numbers)
+    count = round(value_at(piece.tracks, lines.PIECE_COUNT, frame))
+    measures = _Measures(value_at(piece.tracks, lines.PIECE_KIND, frame), width, height, depth, angle, lean, count)
     placement = _placement(piece, frame, camera, ground) if measures.kind == lines.MESH else None
-    bodies = () if measures.kind == lines.MESH else _bodies(measures, (x, y), camera, ground)
+    bodies = () if measures.kind == lines.MESH else _bodies(measures, position, camera, ground)
     if not bodies and placement is None:
         return None
-    casts = bool(_value(piece, lines.PIECE_CASTS, frame))
+    casts = value_at(piece.tracks, lines.PIECE_CASTS, frame)
     return PieceScene(
         piece.id,
         piece.name,
         bodies,
-        receives=bool(_value(piece, lines.PIECE_RECEIVES, frame)),
-        blocks=casts or bool(_value(piece, lines.PIECE_BLOCKS, frame)),
+        receives=value_at(piece.tracks, lines.PIECE_RECEIVES, frame),
+        blocks=casts or value_at(piece.tracks, lines.PIECE_BLOCKS, frame),
         casts=casts,
         mesh=placement,
-        display=str(_value(piece, lines.PIECE_DISPLAY, frame)),
-        is_under=bool(_value(piece, lines.PIECE_UNDER, frame)),
+        display=value_at(piece.tracks, lines.PIECE_DISPLAY, frame),
+        is_under=value_at(piece.tracks, lines.PIECE_UNDER, frame),
     )
 
 
@@ -140,22 +139,17 @@ def _placement(piece: Piece, frame: float, camera: Camera, ground: Plane) -> Mes
     """Return where an imported set stands; None without a file, or above the horizon."""
     if piece.source is None:
         return None
-    (x, y), anchor = (_point(piece, line, frame) for line in (lines.PIECE_POSITION, lines.PIECE_ANCHOR))
-    place = place_on(camera, ground, (x, y))
+    anchor = value_at(piece.tracks, lines.PIECE_ANCHOR, frame)
+    place = place_on(camera, ground, value_at(piece.tracks, lines.PIECE_POSITION, frame))
     if place is None:
         return None
-    scale = _number(piece, lines.PIECE_SCALE, frame) * float(camera.canvas_from_world()[2] @ (*place, 1.0))
-    stand = shapes.stand_on(ground, place, _number(piece, lines.PIECE_ANGLE, frame))
+    scale = value_at(piece.tracks, lines.PIECE_SCALE, frame) * float(camera.canvas_from_world()[2] @ (*place, 1.0))
+    stand = shapes.stand_on(ground, place, value_at(piece.tracks, lines.PIECE_ANGLE, frame))
     right, front, above = (scale * np.array(axis) for axis in (stand.u, stand.v, stand.normal))
-    is_z_up = _value(piece, lines.PIECE_UP, frame) == "z"
+    is_z_up = value_at(piece.tracks, lines.PIECE_UP, frame) == "z"
     linear = np.column_stack([right, -front, above] if is_z_up else [right, above, front])
     rows = np.column_stack([linear, np.array(place) - linear @ anchor])
     return MeshPlacement(piece.source, (*(tuple(map(float, row)) for row in rows), (0.0, 0.0, 0.0, 1.0)))
-
-
-def _point(piece: Piece, line: Property, frame: float) -> tuple[float, ...]:
-    value = _value(piece, line, frame)
-    return tuple(part for part in value if isinstance(part, float)) if isinstance(value, tuple) else ()
 
 
 @lru_cache(maxsize=256)
@@ -181,14 +175,3 @@ def _bodies(measures: _Measures, position: Point2, camera: Camera, ground: Plane
             return shapes.ball(stand, width)
         case _:
             return shapes.wall(stand, width, height, measures.lean)
-
-
-def _value(piece: Piece, line: Property, frame: float) -> Value:
-    track = piece.tracks.get(line.name)
-    return line.default if track is None else track.value_at(frame)
-
-
-def _number(piece: Piece, line: Property, frame: float) -> float:
-    value = _value(piece, line, frame)
-    assert isinstance(value, float), value
-    return value

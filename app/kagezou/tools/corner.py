@@ -126,7 +126,7 @@ def _wall_between(setting: FrameGeometry, start: Vector3, end: Vector3) -> dict[
     return {
         lines.PIECE_POSITION.name: (x, y),
         lines.PIECE_ANGLE.name: angle,
-        **{line.name: min(max(size, line.low), line.high) for line, size in sizes.items()},
+        **{prop.name: min(max(size, prop.low), prop.high) for prop, size in sizes.items()},
     }
 
 

@@ -80,7 +80,7 @@ def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, 
         x, y = seen(setting.camera, spot.place)
         values[lines.PIECE_POSITION.name] = (float(round(x)), float(round(y)))
         sized = zip((lines.PIECE_WIDTH, lines.PIECE_HEIGHT, lines.PIECE_DEPTH), spot.size, strict=True)
-        values |= {line.name: float(max(round(size / scale), 1)) for line, size in sized}
+        values |= {prop.name: float(max(round(size / scale), 1)) for prop, size in sized}
     document = add_piece(document, name, kind, values)
     return document, document.pieces[-1].id
 

@@ -2,7 +2,7 @@
 
 from kagezou.document.address import value_of
 from kagezou.document.model import Document
-from kagezou.document.property import Kind, Property
+from kagezou.document.property import AnyProperty, Kind
 from kagezou.tools.handle import Handle
 
 
@@ -22,20 +22,20 @@ def readout(handle: Handle, before: Document, after: Document, frame: int, langu
     """
     parts: list[str] = []
     for address in handle.addresses:
-        line = address.property
-        names = _names(line, language)
+        prop = address.property
+        names = _names(prop, language)
         old = _numbers(value_of(before, address, frame), handle.index)
         new = _numbers(value_of(after, address, frame), handle.index)
         parts.extend(
-            f"{name} {_short(b)}{_degree(line)} ({_signed(b - a)}{_degree(line)})"
+            f"{name} {_short(b)}{_degree(prop)} ({_signed(b - a)}{_degree(prop)})"
             for name, a, b in zip(names, old, new, strict=False)
         )
     return "  ".join(parts)
 
 
-def _names(line: Property, language: str) -> tuple[str, ...]:
-    if line.kind is Kind.NUMBER:
-        return (line.label.ja if language == "ja" else line.label.en,)
+def _names(prop: AnyProperty, language: str) -> tuple[str, ...]:
+    if prop.kind is Kind.NUMBER:
+        return (prop.label.ja if language == "ja" else prop.label.en,)
     return ("X", "Y", "Z")
 
 
@@ -48,8 +48,8 @@ def _numbers(value: object, index: int | None) -> tuple[float, ...]:
     return (value,) if isinstance(value, float) else ()
 
 
-def _degree(line: Property) -> str:
-    return "°" if line.unit == "°" else ""
+def _degree(prop: AnyProperty) -> str:
+    return "°" if prop.unit == "°" else ""
 
 
 def _short(number: float) -> str:

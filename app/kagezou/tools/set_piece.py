@@ -113,7 +113,7 @@ def move_turn(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     right, nearer = dot(way, ground.u), dot(way, ground.v)
     if hypot(right, nearer) < 1e-6:
         return setting.document
-    shown = setting.number(lines.PIECE_ANGLE, aim.shown)
+    shown = setting.value(lines.PIECE_ANGLE, aim.shown)
     angle = unwound(degrees(atan2(-right, nearer)), shown, lines.PIECE_ANGLE)
     square = 90.0 * round(angle / 90)
     reach, turn = hypot(right, nearer), radians(square)

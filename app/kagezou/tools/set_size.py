@@ -21,7 +21,7 @@ WIDTH = "piece.width"
 DEPTH = "piece.depth"
 HEIGHT = "piece.height"
 
-_LINES: dict[str, Property] = {WIDTH: lines.PIECE_WIDTH, DEPTH: lines.PIECE_DEPTH, HEIGHT: lines.PIECE_HEIGHT}
+_LINES: dict[str, Property[float]] = {WIDTH: lines.PIECE_WIDTH, DEPTH: lines.PIECE_DEPTH, HEIGHT: lines.PIECE_HEIGHT}
 _CURSORS = {WIDTH: Cursor.HORIZONTAL, DEPTH: Cursor.VERTICAL, HEIGHT: Cursor.VERTICAL}
 
 DEEP = ("box", "steps", "ramp")
@@ -69,20 +69,20 @@ def move_size(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
 
     Seen end-on, the hand's way down draws it out.
     """
-    piece, line = setting.piece, _LINES[handle.id]
+    piece, prop = setting.piece, _LINES[handle.id]
     if piece is None:
         return setting.document
     base, way = _line(piece, handle.id)
     size = part_seen_at(setting.camera, base, way, aim.target)
     if size is None:
         (x, y), (across_x, across_y) = aim.offset, setting.across
-        size = setting.number(line) + x * across_x + y * across_y
-    document = setting.edited(line, size)
+        size = setting.value(prop) + x * across_x + y * across_y
+    document = setting.edited(prop, size)
     if aim.modifiers.constrain:
-        grown = max(size, line.low) / setting.number(line)
+        grown = max(size, prop.low) / setting.value(prop)
         for other in _LINES:
             if other != handle.id and piece.measures.kind in _KINDS[other]:
-                document = setting.edited(_LINES[other], grown * setting.number(_LINES[other]), document)
+                document = setting.edited(_LINES[other], grown * setting.value(_LINES[other]), document)
     return document
 
 

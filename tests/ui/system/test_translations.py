@@ -63,8 +63,8 @@ def test_the_table_and_its_choices_are_said_in_the_language_of_the_window(englis
     english.speak("ja")
     assert is_japanese()
     assert said(TABLE[1].label) == "地面の位置"
-    for line in TABLE:
-        assert all(choice_word(choice) != choice for choice in line.choices)
+    for prop in TABLE:
+        assert all(choice_word(choice) != choice for choice in prop.choices)
 
 
 def test_plurals_are_right_in_english() -> None:

@@ -9,11 +9,12 @@ from typing import Final
 
 from kagezou.animation.track import Value
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
 from kagezou.document.set_properties import GROUND_RECEIVES, MESH
+from kagezou.document.values import value_at
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 
@@ -90,7 +91,8 @@ def _changes(document: Document, hills: Path) -> Iterator[tuple[str, Change]]:
     light, ground = Address(properties.LIGHT_POSITION), Address(properties.GROUND_POSITION)
     grounding, tilt = Address(properties.GROUNDING, layer.id), Address(properties.TILT, layer.id)
     opacity = Address(properties.OPACITY, layer.id)
-    lamp, place = _numbers(value_of(document, light, 1)), _numbers(value_of(document, ground, 1))
+    lamp = value_at(document.tracks, properties.LIGHT_POSITION, 1)
+    place = value_at(document.tracks, properties.GROUND_POSITION, 1)
     yield "light", _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))
     yield "ground position", _setting(ground, lambda n: (place[0], place[1] + _sweep(n, 0.05 * height)))
     yield "declination", _setting(Address(properties.GROUND_DECLINATION), lambda n: 60.0 + _sweep(n, 12.0))
@@ -170,8 +172,3 @@ def _sweep(number: int, reach: float) -> float:
     """Return the value of a round within ±reach, near the one before and unlike every other."""
     turn = (number * 0.0137 + 0.25) % 1.0
     return reach * (4 * abs(turn - 0.5) - 1)
-
-
-def _numbers(value: Value) -> tuple[float, ...]:
-    assert isinstance(value, tuple)
-    return tuple(part for part in value if isinstance(part, float))

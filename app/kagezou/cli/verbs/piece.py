@@ -137,10 +137,10 @@ def _values(words: list[str]) -> dict[str, object]:
 
     values: dict[str, object] = {}
     for text in words:
-        line, sign, value = text.partition("=")
+        name, sign, value = text.partition("=")
         if not sign:
             raise UsageProblem(f"{text!r} is not PROPERTY=JSON, such as angle=30")
-        values[line.strip()] = value_of_text(line.strip(), value.strip())
+        values[name.strip()] = value_of_text(name.strip(), value.strip())
     return values
 
 

@@ -86,8 +86,8 @@ def words_for_adding(kind: str) -> str:
 def _aside(document: Document, piece_id: str) -> Document:
     address = Address(PIECE_POSITION, piece_id=piece_id)
     track = track_of(document, address)
-    if track.is_keyed or not isinstance(track.constant, tuple):
+    if track.is_keyed:
         # What moves keeps its way.
         return document
-    x, y = (part for part in track.constant if isinstance(part, float))
+    x, y = PIECE_POSITION.typed(track.constant)
     return set_constant(document, address, (x + round(_COPY_AWAY * document.canvas.width_px), y))
