@@ -1,14 +1,7 @@
 """The lines of the property table for set pieces: ``set.NAME.*``, and the look of the set's own shadow."""
 
 from kagezou.document.property import AnyProperty, Kind, Property, Scope, Words
-
-BUILT_KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
-"""What can be put onto the ground by its measures alone."""
-
-MESH = "mesh"
-"""A set read from a file."""
-
-KINDS = (*BUILT_KINDS, MESH)
+from kagezou.geometry.sets.measures import PieceKind
 
 UP_AXES = ("y", "z")
 DISPLAYS = ("none", "wireframe", "clay")
@@ -24,7 +17,7 @@ PIECE_KIND = Property(
     "kind", Kind.CHOICE, Scope.PIECE, "wall",
     Words("Shape", "形"),
     Words("What the piece is; it keeps its place and its measures.", "セットの形。位置と寸法はそのまま。"),
-    choices=KINDS,
+    choices=tuple(kind.value for kind in PieceKind),
 )  # fmt: skip
 PIECE_PRESENT = Property(
     "present", Kind.SWITCH, Scope.PIECE, True,  # noqa: FBT003 - a default, named by its column

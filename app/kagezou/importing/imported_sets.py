@@ -24,6 +24,7 @@ from kagezou.errors import UsageProblem
 from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.mesh_ray import first_hit
 from kagezou.geometry.set_camera import SetCamera
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Matrix, Point2, Vector3
 from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece, placement, track_through
@@ -97,7 +98,7 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
         lines.PIECE_SCALE.name: wanted.scale or _natural_scale(document, mesh, up),
         lines.PIECE_DISPLAY.name: "clay" if document.background is None else "wireframe",
     }
-    document = add_piece(document, wanted.name, lines.MESH, values, wanted.path)
+    document = add_piece(document, wanted.name, PieceKind.MESH, values, wanted.path)
     piece_id = document.pieces[-1].id
     document = set_constant(document, Address(lines.GROUND_RECEIVES), raw=False)
     if camera is None:

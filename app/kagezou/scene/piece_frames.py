@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Piece
+from kagezou.document.piece_kinds import kind_of
 from kagezou.document.values import value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
+from kagezou.geometry.sets.measures import Measures
 from kagezou.geometry.sets.shapes import stand_on
-from kagezou.geometry.sets.wires import Measures
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +37,18 @@ class PieceFrame:
     angle_deg: float
 
 
+def measures_at(piece: Piece, frame: float) -> Measures:
+    """Return what a piece is made from as its properties tell it: canvas px at the depth where it stands."""
+    return Measures(
+        kind=kind_of(piece, frame),
+        width_px=value_at(piece.tracks, lines.PIECE_WIDTH, frame),
+        height_px=value_at(piece.tracks, lines.PIECE_HEIGHT, frame),
+        depth_px=value_at(piece.tracks, lines.PIECE_DEPTH, frame),
+        lean_deg=value_at(piece.tracks, lines.PIECE_LEAN, frame),
+        count=round(value_at(piece.tracks, lines.PIECE_COUNT, frame)),
+    )
+
+
 def piece_frame(piece: Piece, frame: float, camera: Camera, ground: Plane) -> PieceFrame | None:
     """Return a piece's frame; None where it is switched off, or placed at or above the horizon."""
     if not value_at(piece.tracks, lines.PIECE_PRESENT, frame):
@@ -45,12 +58,5 @@ def piece_frame(piece: Piece, frame: float, camera: Camera, ground: Plane) -> Pi
         return None
     scale = float(camera.canvas_from_world()[2] @ (*place, 1.0))
     angle = value_at(piece.tracks, lines.PIECE_ANGLE, frame)
-    measures = Measures(
-        kind=value_at(piece.tracks, lines.PIECE_KIND, frame),
-        width_px=value_at(piece.tracks, lines.PIECE_WIDTH, frame) * scale,
-        height_px=value_at(piece.tracks, lines.PIECE_HEIGHT, frame) * scale,
-        depth_px=value_at(piece.tracks, lines.PIECE_DEPTH, frame) * scale,
-        lean_deg=value_at(piece.tracks, lines.PIECE_LEAN, frame),
-        count=round(value_at(piece.tracks, lines.PIECE_COUNT, frame)),
-    )
+    measures = measures_at(piece, frame).scaled(scale)
     return PieceFrame(piece.id, stand_on(ground, place, angle), measures, scale, angle)

@@ -13,8 +13,9 @@ from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
-from kagezou.document.set_properties import GROUND_RECEIVES, MESH
+from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.document.values import value_at
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 
@@ -138,18 +139,18 @@ def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Doc
         "height": 0.7 * height,
         "angle": -8,
     }
-    document = add_piece(document, "wall", "wall", wall)
+    document = add_piece(document, "wall", PieceKind.WALL, wall)
     for across, back, angle in ((0.2, 0.07, 30), (-0.15, 0.1, 12), (0.08, 0.04, -20)):
         size = {"width": 0.2 * height, "height": 0.13 * height, "depth": 0.13 * height}
         place: dict[str, object] = {"position": [x + across * height, y - back * height], "angle": angle}
-        document = add_piece(document, "box", "box", {**size, **place})
+        document = add_piece(document, "box", PieceKind.BOX, {**size, **place})
     return document
 
 
 def _on_hills(document: Document, foot: tuple[float, float], hills: Path) -> Document:
     """Return the document with the character on hills of a hundred thousand triangles that take the light, too."""
     wide = 1.8 * max(document.canvas.width_px, document.canvas.height_px)
-    document = add_piece(document, "hills", MESH, {"position": [*foot], "scale": wide}, source=hills)
+    document = add_piece(document, "hills", PieceKind.MESH, {"position": [*foot], "scale": wide}, source=hills)
     return set_constant(document, Address(GROUND_RECEIVES), False)  # noqa: FBT003 - a value
 
 

@@ -44,8 +44,8 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
 
 
 def _about(document: "Document") -> dict[str, Json]:
+    from kagezou.document.piece_kinds import kind_of
     from kagezou.document.properties import OF_LAYER
-    from kagezou.document.set_pieces import kind_of
 
     canvas = document.canvas
     return {
@@ -137,8 +137,8 @@ def _missing(document: "Document") -> Iterator[str]:
 def _lines(document: "Document") -> Iterator[str]:
     from kagezou.animation.frames import format_frames
     from kagezou.document.address import path_of, track_of
+    from kagezou.document.piece_kinds import kind_of
     from kagezou.document.properties import OF_LAYER
-    from kagezou.document.set_pieces import kind_of
     from kagezou.io.files.faults import shown
 
     canvas = document.canvas

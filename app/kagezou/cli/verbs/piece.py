@@ -8,6 +8,7 @@ from kagezou.cli.arguments import Parser, did_you_mean, point, positive, project
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give, note
 from kagezou.errors import UsageProblem
+from kagezou.geometry.sets.measures import PieceKind
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document
@@ -41,7 +42,7 @@ def add_arguments(parser: Parser) -> None:
         "words",
         nargs="*",
         metavar="KIND | NEW_NAME | PROPERTY=JSON",
-        help="to add: wall, box, steps, ramp, cylinder, sphere or mesh, then its properties; to rename: the new name",
+        help=f"to add: {_kinds()}, then its properties; to rename: the new name",
     )
     parser.add_argument("--file", type=Path, metavar="SET.glb", help="the file of a mesh")
     parser.add_argument("--camera", metavar="NAME", help="the camera of the file that the canvas camera follows")
@@ -68,7 +69,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
     if options.name is None:
         raise UsageProblem(f"which piece is to {options.action}? (see kagezou piece --help)")
     of_mesh = (options.file, options.camera, options.stand, options.up, options.scale)
-    if options.action == "add" and options.words[:1] == ["mesh"]:
+    if options.action == "add" and options.words[:1] == [PieceKind.MESH]:
         after = _imported(before, options)
     elif any(each is not None for each in of_mesh):
         raise UsageProblem("--file, --camera, --stand, --up and --scale belong to: add NAME mesh")
@@ -121,15 +122,22 @@ def _imported(document: "Document", options: Namespace) -> "Document":
 
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
     from kagezou.document.set_pieces import add_piece
-    from kagezou.document.set_properties import KINDS
+    from kagezou.document.set_properties import PIECE_KIND
 
     kind = words[0] if words else ""
-    if kind not in KINDS:
-        known = f"one of {', '.join(KINDS)}"
+    if kind not in PIECE_KIND.choices:
+        known = f"one of {', '.join(PIECE_KIND.choices)}"
         raise UsageProblem(
-            f"a set piece is {known}, not {kind!r}{did_you_mean(kind, KINDS)}" if kind else f"add what? {known}"
+            f"a set piece is {known}, not {kind!r}{did_you_mean(kind, PIECE_KIND.choices)}"
+            if kind
+            else f"add what? {known}"
         )
     return add_piece(document, name, kind, _values(words[1:]))
+
+
+def _kinds() -> str:
+    *others, last = PieceKind
+    return f"{', '.join(others)} or {last}"
 
 
 def _values(words: list[str]) -> dict[str, object]:
@@ -145,7 +153,7 @@ def _values(words: list[str]) -> dict[str, object]:
 
 
 def _list(document: "Document") -> None:
-    from kagezou.document.set_pieces import kind_of
+    from kagezou.document.piece_kinds import kind_of
     from kagezou.io.files.faults import shown
 
     for piece in document.pieces:

@@ -7,13 +7,13 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
 from kagezou.document.address import Address
+from kagezou.document.piece_kinds import kind_of, matters
 from kagezou.document.properties import TABLE
 from kagezou.document.property import AnyProperty, Scope
-from kagezou.document.set_pieces import kind_of
 from kagezou.document.set_properties import SET_BLEND, SET_COLOR, SET_OPACITY
 from kagezou.document.values import value_at
 from kagezou.scene.evaluate import camera_at, card_at, ground_at
-from kagezou.ui.panels.piece_sections import PieceName, matters, piece_sections
+from kagezou.ui.panels.piece_sections import PieceName, piece_sections
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote

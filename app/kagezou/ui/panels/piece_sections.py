@@ -5,30 +5,15 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from kagezou.document import set_properties as lines
 from kagezou.document.address import Address
+from kagezou.document.piece_kinds import kind_of
 from kagezou.document.properties import OF_PIECE
-from kagezou.document.property import AnyProperty
-from kagezou.document.set_pieces import kind_of
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
 from kagezou.ui.sets.list_delegate import kind_icon
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.words import choice_word
+from kagezou.ui.system.kind_words import kind_word
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
-
-_DEEP = ("box", "steps", "ramp")
-_OF_FILES = (lines.PIECE_SCALE, lines.PIECE_UP, lines.PIECE_ANCHOR, lines.PIECE_DISPLAY, lines.PIECE_UNDER)
-_ONLY_FOR: dict[AnyProperty, tuple[str, ...]] = {
-    lines.PIECE_LEAN: ("wall",),
-    lines.PIECE_WIDTH: lines.BUILT_KINDS,
-    lines.PIECE_HEIGHT: ("wall", *_DEEP, "cylinder"),
-    lines.PIECE_DEPTH: _DEEP,
-    lines.PIECE_COUNT: ("steps",),
-    **dict.fromkeys(_OF_FILES, (lines.MESH,)),
-}
-"""Properties that mean something for these kinds alone and are hidden for all others."""
-
-_NOT_FOR: dict[AnyProperty, tuple[str, ...]] = {lines.PIECE_ANGLE: ("cylinder", "sphere")}
 
 
 class PieceName(QWidget):
@@ -60,7 +45,7 @@ class PieceName(QWidget):
         self._picture.setPixmap(kind_icon(kind).pixmap(QSize(16, 16)))
         self.name.setText(piece.name)
         words = QCoreApplication.translate("PieceName", "Set piece: %1")
-        self.kind.setText(words.replace("%1", choice_word(kind)))
+        self.kind.setText(words.replace("%1", kind_word(kind)))
 
 
 def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:
@@ -70,8 +55,3 @@ def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:
     for prop in OF_PIECE.values():
         (does if prop in _DOES else place).add(PropertyRow(bridge, Address(prop, piece_id=piece_id)))
     return [place, does]
-
-
-def matters(prop: AnyProperty, kind: str) -> bool:
-    """Whether a property of a set piece means anything for its kind."""
-    return kind in _ONLY_FOR.get(prop, (kind,)) and kind not in _NOT_FOR.get(prop, ())

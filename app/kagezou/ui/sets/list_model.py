@@ -7,7 +7,8 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelInde
 from kagezou.document.address import Address
 from kagezou.document.edits import set_value
 from kagezou.document.model import Piece
-from kagezou.document.set_pieces import kind_of, rename_piece
+from kagezou.document.piece_kinds import kind_of
+from kagezou.document.set_pieces import rename_piece
 from kagezou.document.set_properties import PIECE_PRESENT
 from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
@@ -56,7 +57,7 @@ class SetModel(QAbstractListModel):
             case PieceRole.IS_PRESENT:
                 return value_at(piece.tracks, PIECE_PRESENT, self._bridge.frame)
             case PieceRole.KIND:
-                return kind_of(piece, self._bridge.frame)
+                return kind_of(piece, self._bridge.frame).value
             case _:
                 return None
 

@@ -7,6 +7,8 @@ them to say is itself a translated word, so that no part of the window has to be
 from PySide6.QtCore import QCoreApplication
 
 from kagezou.document.property import Words
+from kagezou.geometry.sets.measures import PieceKind
+from kagezou.ui.system.kind_words import kind_word
 
 
 def said(words: Words) -> str:
@@ -30,13 +32,7 @@ def choice_word(choice: str) -> str:
         "normal": QCoreApplication.translate("Choice", "Normal"),
         "ones": QCoreApplication.translate("Choice", "On ones"),
         "exposures": QCoreApplication.translate("Choice", "With the drawings"),
-        "wall": QCoreApplication.translate("Choice", "Wall"),
-        "box": QCoreApplication.translate("Choice", "Box"),
-        "steps": QCoreApplication.translate("Choice", "Steps"),
-        "ramp": QCoreApplication.translate("Choice", "Ramp"),
-        "cylinder": QCoreApplication.translate("Choice", "Cylinder"),
-        "sphere": QCoreApplication.translate("Choice", "Sphere"),
-        "mesh": QCoreApplication.translate("Choice", "3-D set"),
+        **{kind.value: kind_word(kind) for kind in PieceKind},
         "none": QCoreApplication.translate("Choice", "Not at all"),
         "wireframe": QCoreApplication.translate("Choice", "Wireframe"),
         "clay": QCoreApplication.translate("Choice", "Clay"),
