@@ -98,12 +98,9 @@ def test_the_default_is_canonical(prop: AnyProperty) -> None:
 
 
 @props
-def test_the_table_speaks_both_languages(prop: AnyProperty) -> None:
-    for words in (prop.label, prop.help):
-        assert words.en
-        assert words.ja
-        assert words.en != words.ja
-    assert prop.help.en.endswith(".")
+def test_the_table_has_words(prop: AnyProperty) -> None:
+    assert str(prop.label)
+    assert str(prop.help).endswith(".")
     assert prop.unit in {"", "px", "°"}
 
 

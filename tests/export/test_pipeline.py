@@ -11,6 +11,7 @@ from kagezou.errors import DiskFullProblem, InputProblem
 from kagezou.export.jobs import FrameJob, planned
 from kagezou.export.pipeline import Draw, Image, PipelineSteps, flow, window_for
 from kagezou.export.request import ExportRequest
+from kagezou.message import Message
 from tests.export.small_cuts import cut
 
 
@@ -112,7 +113,7 @@ def failing_on(frame: int, problem: Exception) -> Callable[[FrameJob], None]:
 
 
 def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[FrameJob, ...]) -> None:
-    failing = stages(failing_on(7, InputProblem("broken")), picture, written)
+    failing = stages(failing_on(7, InputProblem(Message("broken"))), picture, written)
     outcomes = list(flow(jobs, failing, 2, 4, never))
     assert [number(outcome.job) for outcome in outcomes if outcome.problem] == [7]
     assert len(outcomes) == 20
@@ -121,7 +122,7 @@ def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[FrameJob, ...]) -
 def test_a_full_disk_ends_everything_and_leaves_no_worker(jobs: tuple[FrameJob, ...]) -> None:
     def write(job: FrameJob, image: Image) -> str:
         if number(job) == 5:
-            raise DiskFullProblem("full")
+            raise DiskFullProblem(Message("full"))
         return written(job, image)
 
     with pytest.raises(DiskFullProblem):

@@ -178,7 +178,7 @@ def test_arrows_move_a_piece_and_a_drag_says_its_values() -> None:
     moved = nudge(handle(document, "piece.position"), document, 1, 10, 0, CanvasView())
     assert place(moved, s.PIECE_POSITION) == (310, 860)
     wider = Hand(document, "piece.width").to(20, 0)
-    assert readout(handle(document, "piece.width"), document, wider, 1) == "Width 140 (+40)"
+    assert list(map(str, readout(handle(document, "piece.width"), document, wider, 1))) == ["Width 140 (+40)"]
 
 
 def test_a_height_is_what_it_looks_like() -> None:

@@ -10,6 +10,7 @@ from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
 from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +41,11 @@ def resolve(document: Document, path: str) -> Address:
         if path.startswith(prefix) and path.removeprefix(prefix) in OF_PIECE:
             return Address(OF_PIECE[path.removeprefix(prefix)], piece_id=piece.id)
     near = get_close_matches(path, [path_of(document, address) for address in addresses(document)], n=1)
-    hint = f"; did you mean {near[0]}?" if near else ""
-    raise UsageProblem(f"there is no property {path!r} in this project{hint}")
+    if near:
+        raise UsageProblem(
+            Message("there is no property {path!r} in this project; did you mean {near}?", path=path, near=near[0])
+        )
+    raise UsageProblem(Message("there is no property {path!r} in this project", path=path))
 
 
 def path_of(document: Document, address: Address) -> str:

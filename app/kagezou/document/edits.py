@@ -14,6 +14,7 @@ from kagezou.document.address import Address, track_of
 from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
+from kagezou.message import Message
 from kagezou.picture_source import PictureSource
 
 
@@ -50,9 +51,17 @@ def set_key(
     """
     prop = address.property
     if frame < 1:
-        raise UsageProblem(f"{prop.name}: a key cannot lie on frame {frame}, frames count from 1")
+        raise UsageProblem(
+            Message("{line}: a key cannot lie on frame {frame}, frames count from 1", line=prop.name, frame=frame)
+        )
     if prop.holds_only and interpolation not in (None, Interpolation.HOLD):
-        raise UsageProblem(f"{prop.name}: a switch or choice can only be held, not keyed {interpolation}")
+        raise UsageProblem(
+            Message(
+                "{line}: a switch or choice can only be held, not keyed {interpolation}",
+                line=prop.name,
+                interpolation=interpolation,
+            )
+        )
     track = track_of(document, address)
     value = prop.canonical(raw)
     old = track.key_at(frame)
@@ -104,7 +113,7 @@ def rename_layer(document: Document, layer_id: str, name: str) -> Document:
         return document
     _check_name(name)
     if any(other.name == name for other in document.layers):
-        raise UsageProblem(f"there is already a layer named {name!r}")
+        raise UsageProblem(Message("there is already a layer named {name!r}", name=name))
     return _with_layer(document, replace(layer, name=name))
 
 
@@ -143,7 +152,9 @@ def free_name(document: Document, name: str) -> str:
 
 def _check_name(name: str) -> None:
     if not name.strip() or not name.isprintable() or len(name) > 200:
-        raise UsageProblem(f"a layer cannot be named {name[:60]!r}: a name is 1 to 200 printable characters")
+        raise UsageProblem(
+            Message("a layer cannot be named {name!r}: a name is 1 to 200 printable characters", name=name[:60])
+        )
 
 
 def _free_id(document: Document) -> str:

@@ -26,6 +26,7 @@ from kagezou.document.set_properties import (
 )
 from kagezou.document.values import value_at
 from kagezou.geometry.sets.measures import PieceKind, by_kind
+from kagezou.message import Message
 
 Size = tuple[float, float, float]
 """Width, height and depth."""
@@ -53,6 +54,8 @@ class PieceTraits:
 
     Parameters
     ----------
+    label
+        What it is called.
     measures
         The properties that not all kinds have but this one has; the others of `MEASURES` mean nothing for it.
     first_sizes
@@ -63,6 +66,7 @@ class PieceTraits:
         Whether it is as high as it is only at its back edge.
     """
 
+    label: Message
     measures: frozenset[AnyProperty]
     first_sizes: FirstSizes | None
     is_backdrop: bool = False
@@ -73,31 +77,42 @@ _BLOCK = frozenset({PIECE_ANGLE, PIECE_WIDTH, PIECE_HEIGHT, PIECE_DEPTH})
 
 TRAITS: Final[Mapping[PieceKind, PieceTraits]] = by_kind({
     PieceKind.WALL: PieceTraits(
+        Message("Wall"),
         frozenset({PIECE_ANGLE, PIECE_LEAN, PIECE_WIDTH, PIECE_HEIGHT}),
         FirstSizes(of_canvas=(0.8, 0.6, 0.2), of_figure=(2.4, 1.3, 0.2)),
         is_backdrop=True,
     ),
-    PieceKind.BOX: PieceTraits(_BLOCK, FirstSizes(of_canvas=(0.25, 0.2, 0.2), of_figure=(0.5, 0.4, 0.4))),
+    PieceKind.BOX: PieceTraits(
+        Message("Box"),
+        _BLOCK,
+        FirstSizes(of_canvas=(0.25, 0.2, 0.2), of_figure=(0.5, 0.4, 0.4)),
+    ),
     PieceKind.STEPS: PieceTraits(
+        Message("Steps", "a set piece to walk up"),
         _BLOCK | {PIECE_COUNT},
         FirstSizes(of_canvas=(0.35, 0.2, 0.35), of_figure=(0.7, 0.4, 0.7)),
         rises_to_back=True,
     ),
     PieceKind.RAMP: PieceTraits(
+        Message("Ramp"),
         _BLOCK,
         FirstSizes(of_canvas=(0.3, 0.15, 0.4), of_figure=(0.6, 0.3, 0.8)),
         rises_to_back=True,
     ),
     PieceKind.CYLINDER: PieceTraits(
+        Message("Cylinder"),
         frozenset({PIECE_WIDTH, PIECE_HEIGHT}),
         FirstSizes(of_canvas=(0.15, 0.35, 0.15), of_figure=(0.3, 0.7, 0.3)),
     ),
     PieceKind.SPHERE: PieceTraits(
+        Message("Sphere"),
         frozenset({PIECE_WIDTH}),
         FirstSizes(of_canvas=(0.2, 0.2, 0.2), of_figure=(0.4, 0.4, 0.4)),
     ),
     PieceKind.MESH: PieceTraits(
-        frozenset({PIECE_ANGLE, PIECE_SCALE, PIECE_UP, PIECE_ANCHOR, PIECE_DISPLAY, PIECE_UNDER}), None
+        Message("3-D set"),
+        frozenset({PIECE_ANGLE, PIECE_SCALE, PIECE_UP, PIECE_ANCHOR, PIECE_DISPLAY, PIECE_UNDER}),
+        None,
     ),
 })  # fmt: skip
 

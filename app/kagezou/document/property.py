@@ -7,6 +7,7 @@ from typing import Generic, TypeAlias, TypeVar
 
 from kagezou.animation.track import Value
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 MAX_COORDINATE_PX = 1_000_000.0
 MAX_POINTS = 64
@@ -38,12 +39,18 @@ class Scope(StrEnum):
     PIECE = "piece"
 
 
-@dataclass(frozen=True, slots=True)
-class Words:
-    """One text in the two languages of the program."""
+class ValueProblem(UsageProblem):
+    """A value that a property cannot have.
 
-    en: str
-    ja: str
+    Attributes
+    ----------
+    cause
+        Why, without the name of the property.
+    """
+
+    def __init__(self, name: str, cause: Message) -> None:
+        super().__init__(Message("{name}: {cause}", name=name, cause=cause))
+        self.cause = cause
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,8 +79,8 @@ class Property(Generic[T_co]):
     kind: Kind
     scope: Scope
     default: T_co
-    label: Words
-    help: Words
+    label: Message
+    help: Message
     unit: str = ""
     low: float = -MAX_COORDINATE_PX
     high: float = MAX_COORDINATE_PX
@@ -94,7 +101,7 @@ class Property(Generic[T_co]):
         """The names of the value's numbers; empty where it has none or any number of them."""
         match self.kind:
             case Kind.NUMBER:
-                return (self.label.en,)
+                return (str(self.label),)
             case Kind.POINT:
                 return ("x", "y")
             case Kind.PLACE:
@@ -116,7 +123,7 @@ class Property(Generic[T_co]):
         Raises
         ------
         UsageProblem
-            With one sentence that says what is wrong and what is allowed.
+            A ValueProblem: one sentence that says what is wrong and what is allowed.
         """
         return self.typed(self._checked(raw))
 
@@ -136,31 +143,48 @@ class Property(Generic[T_co]):
             case Kind.CHOICE:
                 if isinstance(raw, str) and raw in self.choices:
                     return raw
-                raise self._refused(raw, "one of " + ", ".join(f'"{choice}"' for choice in self.choices))
+                raise self._refused(
+                    raw, Message("one of {choices}", choices=", ".join(f'"{choice}"' for choice in self.choices))
+                )
             case Kind.SWITCH:
                 if isinstance(raw, bool):
                     return raw
-                raise self._refused(raw, "true or false")
+                raise self._refused(raw, Message("true or false"))
 
     def _number(self, raw: object) -> float:
         number = _finite(raw)
         if number is None or not self.low <= number <= self.high:
-            raise self._refused(raw, f"a number from {self.low:g} to {self.high:g}{self.unit and ' ' + self.unit}")
+            raise self._refused(
+                raw,
+                Message(
+                    "a number from {low:g} to {high:g}{unit}",
+                    low=self.low,
+                    high=self.high,
+                    unit=self.unit and " " + self.unit,
+                ),
+            )
         return number
 
     def _coordinates(self, raw: object, count: int) -> tuple[float, ...]:
-        wanted = f"a point [{', '.join('xyz'[:count])}] in px"
+        wanted = Message("a point [{axes}] in px", axes=", ".join("xyz"[:count]))
         if not isinstance(raw, (list, tuple)) or len(raw) != count:
             raise self._refused(raw, wanted)
         numbers = tuple(_finite(part) for part in raw)
         inside = tuple(n for n in numbers if n is not None and abs(n) <= MAX_COORDINATE_PX)
         if len(inside) != count:
-            raise self._refused(raw, f"{wanted}, each within ±{MAX_COORDINATE_PX:g}")
+            raise self._refused(
+                raw,
+                Message(
+                    "{wanted}, each within ±{most_coordinate_px:g}", wanted=wanted, most_coordinate_px=MAX_COORDINATE_PX
+                ),
+            )
         return inside
 
     def _points(self, raw: object) -> tuple[tuple[float, float], ...]:
         if not isinstance(raw, (list, tuple)) or len(raw) > MAX_POINTS:
-            raise self._refused(raw, f"a list of at most {MAX_POINTS} points [[x, y], …] in px")
+            raise self._refused(
+                raw, Message("a list of at most {most_points} points [[x, y], …] in px", most_points=MAX_POINTS)
+            )
         pairs = (self._coordinates(part, 2) for part in raw)
         return tuple((pair[0], pair[1]) for pair in pairs)
 
@@ -169,11 +193,12 @@ class Property(Generic[T_co]):
             digits = raw[1:]
             if all(digit in "0123456789abcdefABCDEF" for digit in digits):
                 return "#" + digits.upper()
-        raise self._refused(raw, 'a colour such as "#20203A"')
+        raise self._refused(raw, Message('a colour such as "#20203A"'))
 
-    def _refused(self, raw: object, wanted: str) -> UsageProblem:
+    def _refused(self, raw: object, wanted: Message) -> "ValueProblem":
         shown = repr(raw)
-        return UsageProblem(f"{self.name}: {shown if len(shown) <= 60 else shown[:57] + '...'} is not {wanted}")
+        value = shown if len(shown) <= 60 else shown[:57] + "..."
+        return ValueProblem(self.name, Message("{value} is not {wanted}", value=value, wanted=wanted))
 
 
 AnyProperty: TypeAlias = Property[Value]

@@ -22,6 +22,7 @@ from kagezou.document.set_properties import (
 from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.geometry.sets.measures import PieceKind
+from kagezou.message import Message
 
 MAX_PIECES = 200
 TAKEN_NAME = "shadow"
@@ -58,13 +59,13 @@ def add_piece(
     """
     _check_name(name)
     if len(document.pieces) >= MAX_PIECES:
-        raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
+        raise UsageProblem(Message("a set has at most {most_pieces} pieces", most_pieces=MAX_PIECES))
     piece = Piece(_free_id(document), _free_name(document, name), source=source)
     document = replace(document, pieces=(*document.pieces, piece))
     first: dict[str, object] = {**_first_values(document, PieceKind(PIECE_KIND.canonical(kind))), **(values or {})}
     for each, raw in first.items():
         if each not in OF_PIECE:
-            raise UsageProblem(f"a set piece has no property {each!r}")
+            raise UsageProblem(Message("a set piece has no property {each!r}", each=each))
         document = set_constant(document, Address(OF_PIECE[each], piece_id=piece.id), raw)
     return document
 
@@ -85,7 +86,7 @@ def rename_piece(document: Document, piece_id: str, name: str) -> Document:
         return document
     _check_name(name)
     if any(other.name == name for other in document.pieces):
-        raise UsageProblem(f"there is already a set piece named {name!r}")
+        raise UsageProblem(Message("there is already a set piece named {name!r}", name=name))
     changed = replace(piece, name=name)
     return replace(document, pieces=tuple(changed if each.id == piece_id else each for each in document.pieces))
 
@@ -94,7 +95,7 @@ def copy_piece(document: Document, piece_id: str) -> Document:
     """Put a second piece of the same properties into the set, under a free name."""
     piece = document.piece(piece_id)
     if len(document.pieces) >= MAX_PIECES:
-        raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
+        raise UsageProblem(Message("a set has at most {most_pieces} pieces", most_pieces=MAX_PIECES))
     twin = replace(piece, id=_free_id(document), name=_free_name(document, piece.name))
     return replace(document, pieces=(*document.pieces, twin))
 
@@ -122,9 +123,13 @@ def _has_file(document: Document) -> bool:
 
 def _check_name(name: str) -> None:
     if not name.strip() or not name.isprintable() or len(name) > 200:
-        raise UsageProblem(f"a set piece cannot be named {name[:60]!r}: a name is 1 to 200 printable characters")
+        raise UsageProblem(
+            Message("a set piece cannot be named {name!r}: a name is 1 to 200 printable characters", name=name[:60])
+        )
     if name == TAKEN_NAME:
-        raise UsageProblem(f"a set piece cannot be named {name!r}: set.{name} is the shadow of the whole set")
+        raise UsageProblem(
+            Message("a set piece cannot be named {name!r}: set.{name} is the shadow of the whole set", name=name)
+        )
 
 
 def _free_name(document: Document, name: str) -> str:

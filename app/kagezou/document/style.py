@@ -8,8 +8,9 @@ from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_value
+from kagezou.document.local_name import LocalName
 from kagezou.document.model import Document
-from kagezou.document.property import AnyProperty, Kind, Words
+from kagezou.document.property import AnyProperty, Kind
 
 NOT_OF_A_STYLE = frozenset({properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name})
 """Properties that belong to a cut, not to a look."""
@@ -38,7 +39,7 @@ class Style:
         By names of the scene's properties, where the look needs a light of its own.
     """
 
-    name: Words
+    name: LocalName
     figure_px: float
     values: Values
     scene: Values = field(default_factory=lambda: MappingProxyType({}))
@@ -59,7 +60,7 @@ def style_of(document: Document, layer_id: str, frame: int, name: str) -> Style:
     """Return the look that a layer has at a frame; the light of the scene is no part of it."""
     values = {prop.name: value_of(document, Address(prop, layer_id), frame) for prop in LINES}
     height = float(document.layer(layer_id).figure.height)
-    return Style(Words(name, name), height, MappingProxyType(values))
+    return Style(LocalName(name), height, MappingProxyType(values))
 
 
 def _scaled(prop: AnyProperty, value: Value, scale: float) -> Value:

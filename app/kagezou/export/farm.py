@@ -17,6 +17,7 @@ from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportReq
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
 from kagezou.io.sets.gltf import files_beside
+from kagezou.message import Message
 from kagezou.picture_source import file_of
 
 TEMPLATE: Final = "template.json"
@@ -52,7 +53,9 @@ class FarmRequest:
 
     def __post_init__(self) -> None:
         if not 1 <= self.chunk <= MAX_CHUNK:
-            raise UsageProblem(f"a task has 1 to {MAX_CHUNK} frames, not {self.chunk}")
+            raise UsageProblem(
+                Message("a task has 1 to {most_chunk} frames, not {chunk}", most_chunk=MAX_CHUNK, chunk=self.chunk)
+            )
 
 
 def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tuple[Path, ...]:
@@ -113,7 +116,7 @@ def _words(request: FarmRequest) -> list[str]:
     words += ["--path-mapping", "{{Session.PathMappingRulesFile}}", "--skip-existing", "--openjd"]
     for layer in export.layers or ():
         if "{{" in layer:
-            raise UsageProblem(f"the layer {layer!r} cannot be named in a job: it has braces")
+            raise UsageProblem(Message("the layer {layer!r} cannot be named in a job: it has braces", layer=layer))
         words += ["--layer", layer]
     switches = {"--composite": export.composite, "--layered": export.layered, "--receivers": export.receivers}
     return words + [switch for switch, is_on in switches.items() if is_on]

@@ -15,6 +15,7 @@ from kagezou.export.names import digits_for, safe_names
 from kagezou.export.receivers import ReceiverContent, receiver_content, receivers_of
 from kagezou.export.request import RECEIVED, RECEIVERS, SHADOWS, ExportRequest
 from kagezou.geometry.camera import Camera
+from kagezou.message import Message
 from kagezou.picture_source import PictureSource, file_of
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.pieces import PieceScene, SetCast
@@ -204,7 +205,7 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     if request.composite:
         folders.append(request.folder / COMPOSITE)
     if not folders:
-        raise UsageProblem("there is nothing to render: the project has no visible character layer")
+        raise UsageProblem(Message("there is nothing to render: the project has no visible character layer"))
     digits = digits_for(document.canvas.length_frames)
     first: dict[Content, FrameJob] = {}
     targets: dict[Content, list[OutputFile]] = {}
@@ -235,7 +236,7 @@ def _layered_plan(document: Document, request: ExportRequest) -> Plan:
     layers = chosen_layers(document, request)
     is_all = request.layers is None
     if not layers:
-        raise UsageProblem("there is nothing to render: the project has no visible character layer")
+        raise UsageProblem(Message("there is nothing to render: the project has no visible character layer"))
     ids = {layer.id for layer in layers}
     names = tuple((layer.id, layer.name) for layer in layers)
     has_set = is_all and _set_ever_casts(document)

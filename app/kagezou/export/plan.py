@@ -18,6 +18,7 @@ from kagezou.export.names import safe_names
 from kagezou.export.receivers import receivers_of
 from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, RECEIVERS, SUFFIXES, ExportRequest
 from kagezou.export.video import VideoRequest, video_jobs
+from kagezou.message import Message
 
 
 class ExportKind(StrEnum):
@@ -171,7 +172,7 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
             return (script, *_shadow_lines(document, plan, made, suffix), *_copy_lines(document, plan))
         case ExportKind.FARM:
             if place.project is None:
-                raise UsageProblem("a farm renders a saved project; save this one first")
+                raise UsageProblem(Message("a farm renders a saved project; save this one first"))
             tasks = -(-length // plan.chunk)
             files = (TEMPLATE, PARAMETERS, ASSETS, f"{tasks} × {plan.chunk}")
             return (*files, *(f"    {folder.name}/  {length} × {suffix}" for folder in made.folders))

@@ -21,6 +21,7 @@ from kagezou.io.files.faults import output_problem
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.video import VideoKind, VideoWriter, converted, frames_in, kind_of
 from kagezou.io.images.writing import ShadowImage
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 _DEPTH: Final = 8
@@ -152,7 +153,9 @@ class _Film:
             if done < length:
                 raise _Stopped
         if frames_in(temp) != length:
-            raise output_problem(self.request.path, "cannot be written: it reads back with other frames than it got")
+            raise output_problem(
+                self.request.path, Message("cannot be written: it reads back with other frames than it got")
+            )
 
 
 def _pixels_of(image: Image) -> Any:

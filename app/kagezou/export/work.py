@@ -14,6 +14,7 @@ from kagezou.export.plan import ExportKind, ExportPlan, Place, frames_request, v
 from kagezou.export.request import Cancelled, Progress, Summary
 from kagezou.export.video import export_video
 from kagezou.io.files.faults import output_problem
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 
@@ -24,9 +25,9 @@ class ExportOutcome:
     files: int
     written: int
     cancelled: bool
-    problem: str
+    problem: Message | None
     where: Path
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 Work = Callable[[OpenContext, Progress, Cancelled], ExportOutcome]
@@ -47,7 +48,7 @@ def work_of(document: Document, plan: ExportPlan, place: Place) -> Work:
                 return replace(_outcome(done.exports, done.script or place.folder), notes=done.notes)
             case ExportKind.FARM:
                 files = write_bundle(document, _farm(document, plan, place), place.folder)
-                return ExportOutcome(len(files), len(files), cancelled=False, problem="", where=place.folder)
+                return ExportOutcome(len(files), len(files), cancelled=False, problem=None, where=place.folder)
 
     return work
 
@@ -60,18 +61,18 @@ def _film(document: Document, plan: ExportPlan, place: Place) -> Work:
             raise output_problem(place.folder, error) from error
         request = video_request(document, plan, place, _workers())
         done = export_video(document, request, open_context, progress, cancelled)
-        return ExportOutcome(1, int(done.is_whole), cancelled=not done.is_whole, problem="", where=done.path)
+        return ExportOutcome(1, int(done.is_whole), cancelled=not done.is_whole, problem=None, where=done.path)
 
     return work
 
 
 def _outcome(summaries: tuple[Summary, ...], where: Path) -> ExportOutcome:
-    failures = [failure.sentence for summary in summaries for failure in summary.failures]
+    failures = [failure.message for summary in summaries for failure in summary.failures]
     return ExportOutcome(
         files=sum(summary.files for summary in summaries),
         written=sum(summary.written for summary in summaries),
         cancelled=any(summary.cancelled for summary in summaries),
-        problem=failures[0] if failures else "",
+        problem=failures[0] if failures else None,
         where=where,
     )
 
@@ -92,7 +93,7 @@ def _hand_off(plan: ExportPlan, place: Place) -> HandOffRequest:
 
 def _farm(document: Document, plan: ExportPlan, place: Place) -> FarmRequest:
     if place.project is None:
-        raise UsageProblem("a farm renders a saved project; save this one first")
+        raise UsageProblem(Message("a farm renders a saved project; save this one first"))
     output = place.project.with_name(f"{place.project.stem}_shadows")
     return FarmRequest(place.project, frames_request(document, plan, output, _workers()), plan.chunk)
 

@@ -31,6 +31,7 @@ from kagezou.importing.set_placing import of_piece, placement, track_through
 from kagezou.io.files.faults import shown
 from kagezou.io.sets.cameras import cameras_of, up_axis_of
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at
 
 PERSON_UNITS: Final = 1.6
@@ -74,7 +75,7 @@ class Imported:
 
     document: Document
     piece_id: str
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Imported:
@@ -142,10 +143,10 @@ def stand_at(document: Document, piece_id: str, point: Vector3) -> Document:
     for frame in frames:
         world_from_mesh = placement(document, piece_id, frame)
         if world_from_mesh is None:
-            raise UsageProblem("the set is not before the camera on every frame")
+            raise UsageProblem(Message("the set is not before the camera on every frame"))
         x, y, w = camera_at(document, frame).canvas_from_world() @ world_from_mesh @ np.array([*point, 1.0])
         if w <= 0:
-            raise UsageProblem("this point of the set is not before the camera on every frame")
+            raise UsageProblem(Message("this point of the set is not before the camera on every frame"))
         positions.append((float(x / w), float(y / w)))
         scales.append(float(np.linalg.norm(world_from_mesh[:3, 0]) / w))
     document = set_constant(document, of_piece(lines.PIECE_ANCHOR, piece_id), point)
@@ -173,19 +174,31 @@ def _ray_of(camera: SetCamera, canvas_px: Point2, size_px: Point2) -> tuple[Matr
     return pose[:3, 3] + pose[:3, :3] @ np.array([x * scale, y * scale, 0.0]), -pose[:3, 2]
 
 
-def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> tuple[str, ...]:
-    canvas, notes = document.canvas, list[str]()
+def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> tuple[Message, ...]:
+    canvas, notes = document.canvas, list[Message]()
     aspect = canvas.width_px / canvas.height_px
     if met is None:
-        notes.append(f"the camera {camera.name!r} sees nothing of the set where the character stands")
+        notes.append(
+            Message("the camera {camera!r} sees nothing of the set where the character stands", camera=camera.name)
+        )
     if camera.aspect and abs(camera.aspect / aspect - 1) > 0.01:
         notes.append(
-            f"the camera {camera.name!r} is for a picture of {camera.aspect:.3f} to 1, the canvas is {aspect:.3f} "
-            "to 1: the height was kept, the sides differ"
+            Message(
+                "the camera {camera!r} is for a picture of {camera_aspect:.3f} to 1, the canvas is {aspect:.3f} to 1: "
+                "the height was kept, the sides differ",
+                camera=camera.name,
+                camera_aspect=camera.aspect,
+                aspect=aspect,
+            )
         )
     if camera.is_animated and camera.length_frames != canvas.length_frames:
         notes.append(
-            f"the camera {camera.name!r} moves for {camera.length_frames} frames, the cut has {canvas.length_frames}"
+            Message(
+                "the camera {camera!r} moves for {camera_frames} frames, the cut has {cut_frames}",
+                camera=camera.name,
+                camera_frames=camera.length_frames,
+                cut_frames=canvas.length_frames,
+            )
         )
     return tuple(notes)
 
@@ -195,8 +208,11 @@ def _camera_named(document: Document, wanted: SetImport) -> SetCamera:
     for camera in cameras:
         if camera.name == wanted.camera:
             return camera
-    known = ", ".join(repr(camera.name) for camera in cameras) or "none at all"
-    raise UsageProblem(f"{shown(wanted.path)}: there is no camera {wanted.camera!r} in it, only {known}")
+    values = {"path": shown(wanted.path), "camera": wanted.camera}
+    if not cameras:
+        raise UsageProblem(Message("{path}: there is no camera {camera!r} in it, only none at all", **values))
+    known = ", ".join(repr(camera.name) for camera in cameras)
+    raise UsageProblem(Message("{path}: there is no camera {camera!r} in it, only {known}", known=known, **values))
 
 
 def _floor_middle(mesh: Mesh, up: str) -> Vector3:

@@ -24,6 +24,7 @@ from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Point2, Vector3
 from kagezou.importing.set_placing import of_piece, placement, track_through
+from kagezou.message import Message
 
 
 def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Document:
@@ -98,8 +99,15 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
     declination = degrees(acos(min(max(float(normal[2]), -1.0), 1.0)))
     if not GROUND_DECLINATION.low <= declination <= GROUND_DECLINATION.high:
         raise UsageProblem(
-            f"the camera {camera.name!r} sees the ground at {declination:.1f}° on frame {frame}; "
-            f"it can be followed from {GROUND_DECLINATION.low:g}° to {GROUND_DECLINATION.high:g}°"
+            Message(
+                "the camera {camera!r} sees the ground at {declination:.1f}° on frame {frame}; "
+                "it can be followed from {low:g}° to {high:g}°",
+                camera=camera.name,
+                declination=declination,
+                frame=frame,
+                low=GROUND_DECLINATION.low,
+                high=GROUND_DECLINATION.high,
+            )
         )
     roll = degrees(atan2(normal[0], -normal[1]))
     ground = ground_plane((0.0, 0.0), roll, declination)
@@ -107,7 +115,13 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
     angle = degrees(atan2(float(right @ ground.v), float(right @ ground.u)))
     depth = -float((np.linalg.inv(pose) @ np.array([*anchor, 1.0]))[2])
     if camera.is_perspective and depth <= 0:
-        raise UsageProblem(f"the place to stand on is behind the camera {camera.name!r} on frame {frame}")
+        raise UsageProblem(
+            Message(
+                "the place to stand on is behind the camera {camera!r} on frame {frame}",
+                camera=camera.name,
+                frame=frame,
+            )
+        )
     width, height = float(document.canvas.width_px), float(document.canvas.height_px)
     own = camera.height_at(frame)
     focal = (height / 2) / tan(radians(own) / 2) if camera.is_perspective else 0.0

@@ -8,6 +8,7 @@ from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Steps
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.message import Message
 from kagezou.render.coverage_cache import Coverage, ShadowLayers
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
@@ -261,7 +262,7 @@ class Renderer:
 
     def _drawn(self) -> PicturePass:
         if self._picture is None:
-            raise GraphicsProblem("there is no picture yet")
+            raise GraphicsProblem(Message("there is no picture yet"))
         return self._picture
 
     def _picture_for(self, canvas: Box, form: Format) -> PicturePass:

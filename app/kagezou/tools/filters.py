@@ -8,10 +8,10 @@ from math import atan2, cos, degrees, hypot, radians, sin
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.document.properties import WaveLines
-from kagezou.document.property import Words
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector3, dot
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
@@ -46,7 +46,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
         made.append(
             Handle(
                 handle_id, HandleShape.ARROW, seen(setting.camera, _arrow(setting, lines)[1]),
-                setting.address(lines.direction), Words(f"Wave {number}", f"波{number}"),
+                setting.address(lines.direction), Message("Wave {number}", number=number),
                 also=(setting.address(lines.wavelength),), layer_id=setting.layer.id,
             )
         )  # fmt: skip

@@ -8,8 +8,8 @@ from math import acos, atan2, cos, degrees, hypot, inf, radians
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
@@ -47,7 +47,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
         ),
         Handle(
             POSITION, HandleShape.CROSS, _position(setting), setting.address(properties.GROUND_POSITION),
-            Words("Ground", "地面"), layer_id=layer_id,
+            Message("Ground"), layer_id=layer_id,
         ),
     )  # fmt: skip
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
@@ -24,7 +24,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     return tuple(
         Handle(
             f"{GROUNDING}.{index}", HandleShape.DIAMOND, point, setting.address(properties.GROUNDING),
-            Words(f"Grounding point {index + 1}", f"接地点 {index + 1}"),
+            Message("Grounding point {number}", number=index + 1),
             layer_id=setting.layer.id, index=index,
         )
         for index, point in enumerate(setting.value(properties.GROUNDING))

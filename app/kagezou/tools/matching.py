@@ -10,7 +10,6 @@ from math import atan2, cos, degrees, hypot, inf, radians, sin
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.vanishing import (
@@ -27,6 +26,7 @@ from kagezou.geometry.vanishing import (
     vanishing_point,
 )
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
@@ -40,17 +40,14 @@ _FIRST_AZIMUTH_DEG = 45.0
 _HORIZON_END_OF_WIDTH = 0.3
 
 _END_WORDS = (
-    Words("Edge of the floor, running away", "奥へ向かう床の線"),
-    Words("Edge of the floor, square to it", "直交する床の線"),
+    Message("Edge of the floor, running away"),
+    Message("Edge of the floor, square to it"),
 )
-_HORIZON_WORDS = Words("Horizon", "アイレベル（地平線）")
+_HORIZON_WORDS = Message("Horizon")
 _NOTES = {
-    Mismatch.SAME_LINE: Words("a line is too short, or lies on the other of its colour",
-                               "線が短すぎるか、同じ色の線と重なっています"),
-    Mismatch.ALL_PARALLEL: Words("nothing runs together: there is no perspective in these lines",
-                                 "どの線も交わらず、パースがありません"),
-    Mismatch.NOT_SQUARE: Words("these lines cannot be square to each other on one floor",
-                               "この線の組は同じ床の上で直交しません"),
+    Mismatch.SAME_LINE: Message("a line is too short, or lies on the other of its colour"),
+    Mismatch.ALL_PARALLEL: Message("nothing runs together: there is no perspective in these lines"),
+    Mismatch.NOT_SQUARE: Message("these lines cannot be square to each other on one floor"),
 }  # fmt: skip
 
 
@@ -96,7 +93,7 @@ def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     return tuple(made)
 
 
-def note_of(setting: FrameGeometry) -> Words | None:
+def note_of(setting: FrameGeometry) -> Message | None:
     """Return why the lines tell no camera, None where they tell one."""
     if setting.document.vanishing is None:
         return None

@@ -9,9 +9,9 @@ from math import atan2, cos, degrees, hypot, radians, sin
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
 from kagezou.document.piece_kinds import matters
-from kagezou.document.property import Words
 from kagezou.geometry.ground import place_on, world_from_canvas_on
 from kagezou.geometry.vectors import Point2, Vector3, dot
+from kagezou.message import Message
 from kagezou.scene.piece_frames import PieceFrame
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
@@ -65,7 +65,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     made.append(
         Handle(
             POSITION, HandleShape.PEG, seen(setting.camera, piece.stand.origin), setting.address(lines.PIECE_POSITION),
-            Words("Set piece", "セット"), piece_id=piece.id, stays_in_view=True,
+            Message("Set piece"), piece_id=piece.id, stays_in_view=True,
         )
     )  # fmt: skip
     return tuple(made)

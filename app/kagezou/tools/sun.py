@@ -9,8 +9,9 @@ from math import atan2, cos, degrees, hypot, pi, radians, sin
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Property, Words
+from kagezou.document.property import Property
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
@@ -33,7 +34,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     return (
         Handle(
             SUN, HandleShape.DIAL, _on_dial(setting, radians(azimuth), (90 - elevation) / 90),
-            setting.address(properties.LIGHT_AZIMUTH), Words("Sun", "太陽"), Cursor.MOVE,
+            setting.address(properties.LIGHT_AZIMUTH), Message("Sun"), Cursor.MOVE,
             also=(setting.address(properties.LIGHT_ELEVATION),),
             layer_id=setting.layer.id if setting.layer else None, stays_in_view=True,
         ),

@@ -169,7 +169,9 @@ def _property_table(document: "Document") -> Json:
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import addresses, path_of, track_of
     from kagezou.document.property import Kind
+    from kagezou.io.clips.catalogues import messages_in
 
+    japanese = messages_in("ja")
     table: list[Json] = []
     for address in addresses(document):
         prop, track = address.property, track_of(document, address)
@@ -180,8 +182,8 @@ def _property_table(document: "Document") -> Json:
             "default": json_of_value(prop.default),
             "value": None if track.is_keyed else json_of_value(track.constant),
             "keys": json_of_keys(track),
-            "help": prop.help.en,
-            "help_ja": prop.help.ja,
+            "help": str(prop.help),
+            "help_ja": prop.help.formatted(japanese),
         }
         if prop.kind is Kind.NUMBER:
             row["range"] = [json_of_value(prop.low), json_of_value(prop.high)]
@@ -206,4 +208,4 @@ def _property_lines(document: "Document") -> Iterator[str]:
         allowed = " | ".join(prop.choices) or (f"{prop.low:g} to {prop.high:g}" if prop.kind is Kind.NUMBER else "")
         limits = " ".join(part for part in (allowed, prop.unit) if part)
         yield f"{path_of(document, address)} = {shown}" + (f"  ({limits})" if limits else "")
-        yield f"    {prop.help.en}"
+        yield f"    {prop.help}"

@@ -235,7 +235,7 @@ def _markers(document: Document) -> tuple[ae.CompMarker, ...]:
 
 def _said(note: Note) -> str:
     prop = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
-    return f"{note.author}{': ' if note.author else ''}{prop.label.en}: {note.text}"
+    return f"{note.author}{': ' if note.author else ''}{prop.label}: {note.text}"
 
 
 def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) -> ae.CompMarker:

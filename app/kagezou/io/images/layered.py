@@ -14,6 +14,7 @@ from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.oiio_parts import ExrPart, write_parts_verified
 from kagezou.io.pixels.colour import light_from_rgba
 from kagezou.io.pixels.layers import LayeredImage, LayerPart
+from kagezou.message import Message
 
 LAYERED_FORMATS: Final = (".exr", ".psd")
 """The suffixes of files of layers."""
@@ -40,10 +41,16 @@ def write_layered(path: Path, image: LayeredImage) -> None:
             try:
                 data = packed_psd(image)
             except ValueError as error:
-                raise output_problem(path, str(error)) from error
+                raise output_problem(path, Message("{cause}", cause=error)) from error
             write_bytes(path, data)
         case _:
-            raise UsageProblem(f"{shown(path)}: layers are written as {' or '.join(LAYERED_FORMATS)}")
+            raise UsageProblem(
+                Message(
+                    "{path}: layers are written as {layered_formats}",
+                    path=shown(path),
+                    layered_formats=" or ".join(LAYERED_FORMATS),
+                )
+            )
 
 
 def _exr_part(part: LayerPart) -> ExrPart:

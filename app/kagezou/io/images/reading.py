@@ -17,12 +17,13 @@ from kagezou.io.pixels.colour import coded_from_light, steps_from_unit, straight
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
+from kagezou.message import Message
 from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 Steps = NDArray[np.uint8] | NDArray[np.uint16]
-_NO_ALPHA: Final = "no alpha channel: pure white was taken as clear"
-_NO_ALPHA_NO_WHITE: Final = "no alpha channel and no white: the whole frame would cast a shadow"
-_ALL_FULL: Final = "alpha is full everywhere: the whole frame would cast a shadow"
+_NO_ALPHA: Final = Message("no alpha channel: pure white was taken as clear")
+_NO_ALPHA_NO_WHITE: Final = Message("no alpha channel and no white: the whole frame would cast a shadow")
+_ALL_FULL: Final = Message("alpha is full everywhere: the whole frame would cast a shadow")
 _TURNED: Final = 5
 
 
@@ -84,7 +85,7 @@ class Cel:
 
     rgba: Steps
     matte: Matte
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
     @property
     def nbytes(self) -> int:
@@ -146,7 +147,7 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
         It cannot be read as a whole; one sentence with name and cause.
     """
     rgba, has_alpha = _psd_rgba(source) if is_psd(file_of(source)) else _file_rgba(file_of(source))
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     if not has_alpha and white_is_clear:
         notes = _clear_white(rgba)
     matte = matte_of(rgba[..., 3])
@@ -308,7 +309,7 @@ def _upright(pixels: NDArray[Any], orientation: int) -> NDArray[Any]:
     return np.ascontiguousarray(pixels)
 
 
-def _clear_white(rgba: NDArray[Any]) -> tuple[str, ...]:
+def _clear_white(rgba: NDArray[Any]) -> tuple[Message, ...]:
     """Make pure white clear in place, in (H, W, 4), and return the note about it."""
     full = _full(rgba)
     white = (rgba[..., 0] & rgba[..., 1] & rgba[..., 2]) == full

@@ -75,7 +75,7 @@ def _field_row(name: str, field: fields.Field) -> str:
 
 def _property_row(prop: AnyProperty) -> str:
     default = formatted(prop.default).strip()
-    return f"| `{prop.name}` | {_kind(prop)} | `{default}` | {prop.help.en} |\n"
+    return f"| `{prop.name}` | {_kind(prop)} | `{default}` | {prop.help} |\n"
 
 
 def _kind(prop: AnyProperty) -> str:

@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Final
 
 from kagezou.io.files.json_text import Reader, brief
+from kagezou.message import Message
 
 FORMAT_NAME: Final = "kagezou-project"
 
@@ -38,15 +39,27 @@ def upgraded(tree: object) -> Tree:
         If it is no project, or one from a newer program.
     """
     if not isinstance(tree, dict) or tree.get("format") != FORMAT_NAME:
-        raise Reader(tree).problem("it is not a Kagezou project")
+        raise Reader(tree).problem(Message("it is not a Kagezou project"))
     number = Reader(tree.get("version"), "$.version").whole(1, 10**9)
     if number > CURRENT:
         made_by = tree.get("app_version")
-        program = f" (Kagezou {brief(made_by)})" if isinstance(made_by, str) else ""
-        raise Reader(tree, "$.version").problem(
-            f"this project needs a newer Kagezou that knows format version {number}{program}; "
-            f"this one knows up to {int(CURRENT)}"
-        )
+        raise Reader(tree, "$.version").problem(_too_new(number, made_by if isinstance(made_by, str) else None))
     for version in range(number, CURRENT):
         tree = UPGRADES[FormatVersion(version)](tree)
     return tree
+
+
+def _too_new(number: int, made_by: str | None) -> Message:
+    if made_by is None:
+        return Message(
+            "this project needs a newer Kagezou that knows format version {number}; this one knows up to {current}",
+            number=number,
+            current=int(CURRENT),
+        )
+    return Message(
+        "this project needs a newer Kagezou that knows format version {number} (Kagezou {program}); "
+        "this one knows up to {current}",
+        number=number,
+        program=brief(made_by),
+        current=int(CURRENT),
+    )

@@ -11,6 +11,7 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.locations import shader_folder
+from kagezou.message import Message
 from kagezou.render.gpu.gl import GL, log_of, set_source, status
 from kagezou.render.prepare.uniforms import Uniform
 
@@ -95,7 +96,11 @@ class Program:
         GL.glLinkProgram(self.id)
         if not status(GL.glGetProgramiv, self.id, GL.GL_LINK_STATUS):
             raise GraphicsProblem(
-                f"the graphics driver refuses {self._name}: {log_of(GL.glGetProgramInfoLog, self.id)}"
+                Message(
+                    "the graphics driver refuses {name}: {glgetprograminfolog}",
+                    name=self._name,
+                    glgetprograminfolog=log_of(GL.glGetProgramInfoLog, self.id),
+                )
             )
         self._places: dict[str, int] = {}
 
@@ -166,5 +171,5 @@ def _compiled(name: str, kind: int, switches: Iterable[str]) -> int:
     GL.glCompileShader(shader)
     if not status(GL.glGetShaderiv, shader, GL.GL_COMPILE_STATUS):
         log = source.named(log_of(GL.glGetShaderInfoLog, shader))
-        raise GraphicsProblem(f"the graphics driver refuses {name}: {log}")
+        raise GraphicsProblem(Message("the graphics driver refuses {name}: {log}", name=name, log=log))
     return shader

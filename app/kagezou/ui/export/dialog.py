@@ -24,7 +24,7 @@ from kagezou.export.plan import ExportKind, ExportPlan, Place, depths_of, previe
 from kagezou.io.images.video import is_there as video_is_there
 from kagezou.ui.export.options import GAP_PX, ExportOptions
 from kagezou.ui.export.preset_row import PresetRow
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 
 class ExportDialog(QDialog):
@@ -101,7 +101,7 @@ class ExportDialog(QDialog):
         try:
             self.preview.addItems(list(preview(self._document, self.plan, self._place_now())))
         except UsageProblem as refused:
-            problem = sentence_of(refused)
+            problem = translated(refused)
         if not problem and not self.folder.text().strip():
             problem = self.tr("Choose a folder.")
         self._say(problem)

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushBu
 
 from kagezou.animation.track import Value
 from kagezou.document.property import AnyProperty, Kind
-from kagezou.ui.system.words import choice_word, said
+from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.widgets.color_button import ColorField
 from kagezou.ui.widgets.range_slider import RangeSlider
 from kagezou.ui.widgets.scrub_field import MIXED, ScrubField
@@ -56,9 +56,9 @@ class NumbersEditor(Editor):
         self._values: list[float] = [0.0] * len(self.fields)
         for index, (field, component) in enumerate(zip(self.fields, prop.components, strict=True)):
             field.set_range(prop.low, prop.high)
-            name = said(prop.label)
+            name = translated(prop.label)
             field.setAccessibleName(name if self._single else f"{name} {component}")
-            field.setToolTip(said(prop.help) if self._single else f"{component.upper()}")
+            field.setToolTip(translated(prop.help) if self._single else f"{component.upper()}")
             field.drag_began.connect(self.began)
             field.drag_ended.connect(self.ended)
             field.dragged.connect(lambda number, at=index: self.tried.emit(self._with(at, number)))
@@ -68,8 +68,8 @@ class NumbersEditor(Editor):
             self.row.addWidget(field, 1)
         self.slider = RangeSlider(*prop.slides) if prop.slides else None
         if self.slider is not None:
-            self.slider.setAccessibleName(said(prop.label))
-            self.slider.setToolTip(said(prop.help))
+            self.slider.setAccessibleName(translated(prop.label))
+            self.slider.setToolTip(translated(prop.help))
             self.slider.began.connect(self.began)
             self.slider.tried.connect(self.tried)
             self.slider.ended.connect(self.ended)
@@ -104,10 +104,10 @@ class ChoiceEditor(Editor):
     def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self.combo = QComboBox()
-        self.combo.setAccessibleName(said(prop.label))
-        self.combo.setToolTip(said(prop.help))
+        self.combo.setAccessibleName(translated(prop.label))
+        self.combo.setToolTip(translated(prop.help))
         for choice in prop.choices:
-            self.combo.addItem(choice_word(choice), choice)
+            self.combo.addItem(choice_name(choice), choice)
         self.combo.activated.connect(lambda _: self.entered.emit(self.combo.currentData()))
         self.row.addWidget(self.combo, 1)
 
@@ -125,8 +125,8 @@ class SwitchEditor(Editor):
     def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self.box = QCheckBox()
-        self.box.setAccessibleName(said(prop.label))
-        self.box.setToolTip(said(prop.help))
+        self.box.setAccessibleName(translated(prop.label))
+        self.box.setToolTip(translated(prop.help))
         self.box.clicked.connect(self._enter)
         self.row.addWidget(self.box, 1)
 
@@ -148,7 +148,7 @@ class ColorEditor(Editor):
     def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self.field = ColorField()
-        self.field.setToolTip(said(prop.help))
+        self.field.setToolTip(translated(prop.help))
         self.field.picking_began.connect(self.began)
         self.field.tried.connect(self.tried.emit)
         self.field.picking_ended.connect(self.ended)
@@ -171,7 +171,7 @@ class PointsEditor(Editor):
         self._count.setToolTip(self.tr("Double-click on the character in the picture to add a grounding point"))
         self._clear = QPushButton(self.tr("Clear"))
         self._clear.setObjectName("small_button")
-        self._clear.setAccessibleName(f"{said(prop.label)}: {self._clear.text()}")
+        self._clear.setAccessibleName(f"{translated(prop.label)}: {self._clear.text()}")
         self._clear.clicked.connect(lambda: self.entered.emit(()))
         self.row.addWidget(self._count, 1)
         self.row.addWidget(self._clear)

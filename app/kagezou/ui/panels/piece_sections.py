@@ -11,7 +11,7 @@ from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
 from kagezou.ui.sets.list_delegate import kind_icon
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.kind_words import kind_word
+from kagezou.ui.system.words import choice_name
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
 
@@ -45,7 +45,7 @@ class PieceName(QWidget):
         self._picture.setPixmap(kind_icon(kind).pixmap(QSize(16, 16)))
         self.name.setText(piece.name)
         words = QCoreApplication.translate("PieceName", "Set piece: %1")
-        self.kind.setText(words.replace("%1", kind_word(kind)))
+        self.kind.setText(words.replace("%1", choice_name(kind)))
 
 
 def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:

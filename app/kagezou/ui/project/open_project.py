@@ -24,6 +24,7 @@ from kagezou.io.sets.cameras import cameras_of
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet, write_xdts
+from kagezou.message import Message
 from kagezou.picture_source import PictureSource
 from kagezou.session.session import Session
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
@@ -40,7 +41,7 @@ class OpenProject(QObject):
     """
 
     path_changed = Signal()
-    noted = Signal(str)
+    noted = Signal(Message)
     """Something the user should know about what came in, one sentence."""
 
     def __init__(self) -> None:
@@ -248,7 +249,7 @@ class OpenProject(QObject):
         self.bridge.open(session)
         self.path_changed.emit()
 
-    def _say(self, notes: tuple[str, ...]) -> None:
+    def _say(self, notes: tuple[Message, ...]) -> None:
         for note in notes:
             self.noted.emit(note)
 

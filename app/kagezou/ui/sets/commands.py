@@ -11,8 +11,8 @@ from kagezou.errors import Problem
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.tools.placing import add_placed
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.kind_words import kind_word, words_for_adding
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.kind_words import words_for_adding
+from kagezou.ui.system.words import choice_name, translated
 
 _COPY_AWAY = 0.04
 """How far aside a copy stands, as a part of the canvas' width."""
@@ -39,9 +39,9 @@ class SetCommands(QObject):
         bridge = self._bridge
         layer_id = bridge.layer_id
         try:
-            document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, kind, kind_word(kind))
+            document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, kind, choice_name(kind))
         except Problem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return
         self._edit(words_for_adding(kind), document, piece_id)
 
@@ -53,7 +53,7 @@ class SetCommands(QObject):
         try:
             document = copy_piece(self._bridge.document, piece_id)
         except Problem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return
         twin = document.pieces[-1].id
         self._edit(self.tr("Duplicate set piece"), _aside(document, twin), twin)

@@ -24,7 +24,7 @@ from kagezou.importing.set_sizing import FIGURE_METRES, sized
 from kagezou.io.sets.cameras import cameras_of
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.sets.import_bar import KEEP_VIEW, Measure, SetBar
-from kagezou.ui.system.sentences import sentence_of, spoken
+from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.picking import Picking
 
 _FOOT_OF_HEIGHT = 0.8
@@ -135,7 +135,7 @@ class SetImports(QObject):
             if not cameras:
                 raise
             self._import(replace(wanted, camera=KEEP_VIEW))
-            self.noted.emit(sentence_of(problem))
+            self.noted.emit(translated(problem))
 
     def _import(self, wanted: _Settled) -> None:
         """Make the choices of an import the present document, as one step, whatever was chosen before."""
@@ -154,7 +154,7 @@ class SetImports(QObject):
             # Chosen within the step, so that redo brings it back chosen.
             session.select_piece(imported.piece_id)
         for note in imported.notes:
-            self.noted.emit(spoken(note))
+            self.noted.emit(translated(note))
         self._show_bar()
 
     def _choose_camera(self, number: int) -> None:
@@ -257,7 +257,7 @@ class SetImports(QObject):
         try:
             do()
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
             self._show_bar()
         else:
             self.failed.emit("")

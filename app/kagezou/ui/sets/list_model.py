@@ -13,7 +13,7 @@ from kagezou.document.set_properties import PIECE_PRESENT
 from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -71,7 +71,7 @@ class SetModel(QAbstractListModel):
         try:
             session.edit(self.tr("Rename set piece"), rename_piece(document, piece.id, str(value).strip()))
         except UsageProblem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return False
         return True
 

@@ -1,4 +1,4 @@
-"""What the window calls the kinds of set pieces, and their icons, in one table."""
+"""The icons of the kinds of set pieces and what adding one is called, in one table."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,8 +22,6 @@ class KindWords:
     ----------
     icon
         The icon's name.
-    name
-        What it is called.
     step
         The name of the step of history that adds one.
     command
@@ -31,55 +29,21 @@ class KindWords:
     """
 
     icon: str
-    name: str
     step: str
-    command: str = ""
+    command: str
 
 
 KIND_WORDS: Final[Mapping[PieceKind, KindWords]] = by_kind({
-    PieceKind.WALL: KindWords(
-        "wall",
-        translate("Choice", "Wall"),
-        translate("SetCommands", "Add wall"),
-        translate("Commands", "Add &Wall"),
-    ),
-    PieceKind.BOX: KindWords(
-        "box",
-        translate("Choice", "Box"),
-        translate("SetCommands", "Add box"),
-        translate("Commands", "Add &Box"),
-    ),
-    PieceKind.STEPS: KindWords(
-        "steps",
-        translate("Choice", "Steps"),
-        translate("SetCommands", "Add steps"),
-        translate("Commands", "Add &Steps"),
-    ),
-    PieceKind.RAMP: KindWords(
-        "ramp",
-        translate("Choice", "Ramp"),
-        translate("SetCommands", "Add ramp"),
-        translate("Commands", "Add &Ramp"),
-    ),
+    PieceKind.WALL: KindWords("wall", translate("SetCommands", "Add wall"), translate("Commands", "Add &Wall")),
+    PieceKind.BOX: KindWords("box", translate("SetCommands", "Add box"), translate("Commands", "Add &Box")),
+    PieceKind.STEPS: KindWords("steps", translate("SetCommands", "Add steps"), translate("Commands", "Add &Steps")),
+    PieceKind.RAMP: KindWords("ramp", translate("SetCommands", "Add ramp"), translate("Commands", "Add &Ramp")),
     PieceKind.CYLINDER: KindWords(
-        "cylinder",
-        translate("Choice", "Cylinder"),
-        translate("SetCommands", "Add cylinder"),
-        translate("Commands", "Add &Cylinder"),
+        "cylinder", translate("SetCommands", "Add cylinder"), translate("Commands", "Add &Cylinder")
     ),
-    PieceKind.SPHERE: KindWords(
-        "sphere",
-        translate("Choice", "Sphere"),
-        translate("SetCommands", "Add sphere"),
-        translate("Commands", "Add S&phere"),
-    ),
-    PieceKind.MESH: KindWords("mesh", translate("Choice", "3-D set"), translate("SetCommands", "Add set piece")),
+    PieceKind.SPHERE: KindWords("sphere", translate("SetCommands", "Add sphere"), translate("Commands", "Add S&phere")),
+    PieceKind.MESH: KindWords("mesh", translate("SetCommands", "Add set piece"), ""),
 })  # fmt: skip
-
-
-def kind_word(kind: PieceKind) -> str:
-    """Return what the window calls a kind of set piece."""
-    return QCoreApplication.translate("Choice", KIND_WORDS[kind].name)
 
 
 def words_for_adding(kind: PieceKind) -> str:

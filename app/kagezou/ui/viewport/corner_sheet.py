@@ -19,9 +19,8 @@ from kagezou.tools.drag import Drag
 from kagezou.tools.handle import GuideKind
 from kagezou.tools.handles import handles_of
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.kind_words import kind_word
-from kagezou.ui.system.sentences import sentence_of
 from kagezou.ui.system.theme import SELECTED
+from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.viewport.handle_paths import paint_guide
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
@@ -166,7 +165,7 @@ class CornerSheet(OverlaySheet):
         if self.stroke is CornerStroke.GROUND:
             name, lay = self.tr("Draw ground line"), ground_line(document, frame)
         elif is_on_ground(document, frame, pointer.canvas_px):
-            name, lay = self.tr("Draw wall"), wall_line(document, frame, bridge.layer_id, kind_word(PieceKind.WALL))
+            name, lay = self.tr("Draw wall"), wall_line(document, frame, bridge.layer_id, choice_name(PieceKind.WALL))
         else:
             self.refused.emit(self.tr("There is no ground here for a wall to stand on: begin below the horizon."))
             return
@@ -180,7 +179,7 @@ class CornerSheet(OverlaySheet):
             line.shown = line.drag.send(pointer)
         except Problem as problem:
             self._end(keep=False)
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return
         line.gesture.show(line.shown)
         line.end = pointer.canvas_px

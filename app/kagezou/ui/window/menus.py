@@ -13,7 +13,7 @@ from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.commands.actions import Actions
 from kagezou.ui.commands.table import plain, timeline_commands
 from kagezou.ui.system.icons import icon, icon_size
-from kagezou.ui.system.language import LANGUAGES
+from kagezou.ui.system.language import languages
 from kagezou.ui.viewport.resolution import Resolution
 
 _SEPARATOR = ""
@@ -86,7 +86,7 @@ class Menus(QObject):
     def add_languages(self, current: str, choose: Callable[[str], None]) -> None:
         """Fill the choice of languages; each is written in its own words."""
         menu = QMenu(self.tr("&Language"), self._window)
-        known = {"": self.tr("System Default"), **LANGUAGES}
+        known = {"": self.tr("System Default"), **languages()}
         choices = [(words, code == current, partial(choose, code)) for code, words in known.items()]
         self._exclusive(menu, choices)
         self.view.addSeparator()
