@@ -20,6 +20,7 @@ from kagezou.document.set_pieces import add_piece
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.geometry.set_camera import SetCamera
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Matrix
 from kagezou.importing.imported_sets import ImportedSet, SetImport, import_set, point_under, stand_at
 from kagezou.importing.set_following import follow_camera
@@ -55,7 +56,7 @@ def seen(document: Document, frame: int, point: tuple[float, float, float]) -> t
 
 
 def with_mesh(document: Document, anchor: tuple[float, float, float] = (0.0, 0.0, 0.0), up: str = "y") -> Document:
-    return add_piece(document, "set", lines.MESH, {"anchor": anchor, "up": up}, Path("/sets/a.glb"))
+    return add_piece(document, "set", PieceKind.MESH, {"anchor": anchor, "up": up}, Path("/sets/a.glb"))
 
 
 @given(

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Final
 
+from kagezou.document.piece_kinds import TRAITS
 from kagezou.message import Message
 
 CHOICE_LABELS: Final[Mapping[str, Message]] = MappingProxyType({
@@ -15,13 +16,7 @@ CHOICE_LABELS: Final[Mapping[str, Message]] = MappingProxyType({
     "normal": Message("Normal"),
     "ones": Message("On ones"),
     "exposures": Message("With the drawings"),
-    "wall": Message("Wall"),
-    "box": Message("Box"),
-    "steps": Message("Steps", "a set piece to walk up"),
-    "ramp": Message("Ramp"),
-    "cylinder": Message("Cylinder"),
-    "sphere": Message("Sphere"),
-    "mesh": Message("3-D set"),
+    **{kind.value: traits.label for kind, traits in TRAITS.items()},
     "none": Message("Not at all"),
     "wireframe": Message("Wireframe"),
     "clay": Message("Clay"),

@@ -49,23 +49,23 @@ def set_key(
     UsageProblem
         If the value is not valid, the frame is before 1, or a switch or choice is asked to move.
     """
-    line = address.property
+    prop = address.property
     if frame < 1:
         raise UsageProblem(
-            Message("{line}: a key cannot lie on frame {frame}, frames count from 1", line=line.name, frame=frame)
+            Message("{line}: a key cannot lie on frame {frame}, frames count from 1", line=prop.name, frame=frame)
         )
-    if line.holds_only and interpolation not in (None, Interpolation.HOLD):
+    if prop.holds_only and interpolation not in (None, Interpolation.HOLD):
         raise UsageProblem(
             Message(
                 "{line}: a switch or choice can only be held, not keyed {interpolation}",
-                line=line.name,
+                line=prop.name,
                 interpolation=interpolation,
             )
         )
     track = track_of(document, address)
-    value = line.canonical(raw)
+    value = prop.canonical(raw)
     old = track.key_at(frame)
-    chosen = Interpolation.HOLD if line.holds_only else interpolation or _usual(track, frame)
+    chosen = Interpolation.HOLD if prop.holds_only else interpolation or _usual(track, frame)
     if old is not None and chosen == old.interpolation:
         key = replace(old, value=value)
     else:

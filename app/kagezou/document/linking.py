@@ -12,12 +12,12 @@ from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
 from kagezou.document.model import Document
 from kagezou.document.properties import GROUNDING, OF_LAYER
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
-LINKABLE: Final[Mapping[str, Property]] = MappingProxyType({
-    name: line for name, line in OF_LAYER.items() if line is not GROUNDING
+LINKABLE: Final[Mapping[str, AnyProperty]] = MappingProxyType({
+    name: prop for name, prop in OF_LAYER.items() if prop is not GROUNDING
 })  # fmt: skip
 """Every layer property but the places on the canvas, which are each character's own."""
 

@@ -6,8 +6,9 @@ A new property is one line here.
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from kagezou.document.property import Kind, Property, Scope
+from kagezou.document.property import AnyProperty, Kind, Property, Scope
 from kagezou.document.set_properties import SET_LINES
+from kagezou.geometry.vectors import Point2
 from kagezou.message import Message
 
 FOV = Property(
@@ -67,7 +68,7 @@ OVERHEAD_RADIUS = Property(
     unit="px", low=0.0, high=100000.0,
 )  # fmt: skip
 
-GROUNDING = Property(
+GROUNDING: Property[tuple[Point2, ...]] = Property(
     "grounding", Kind.POINTS, Scope.LAYER, (),
     Message("Grounding points"),
     Message("Where the character touches the ground; with two or more the card is folded through them."),
@@ -216,10 +217,10 @@ WAVE_ANCHOR = Property(
 class WaveLines:
     """The properties of one set of waves (spec 4)."""
 
-    amplitude: Property
-    wavelength: Property
-    direction: Property
-    velocity: Property
+    amplitude: Property[float]
+    wavelength: Property[float]
+    direction: Property[float]
+    velocity: Property[float]
 
 
 def _wave(number: int, wavelength_px: float, direction_deg: float, velocity_px: float) -> WaveLines:
@@ -255,7 +256,7 @@ def _wave(number: int, wavelength_px: float, direction_deg: float, velocity_px: 
 WAVE1 = _wave(1, 60.0, 90.0, 3.0)
 WAVE2 = _wave(2, 37.0, 70.0, 2.0)
 
-TABLE: tuple[Property, ...] = (
+TABLE: tuple[AnyProperty, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
     LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS,
     GROUNDING, TILT, VISIBLE, RECEIVES, TIMING, MATTE,
@@ -267,6 +268,6 @@ TABLE: tuple[Property, ...] = (
 )  # fmt: skip
 """Every property, in the order in which people read them."""
 
-OF_DOCUMENT = MappingProxyType({line.name: line for line in TABLE if line.scope is Scope.DOCUMENT})
-OF_LAYER = MappingProxyType({line.name: line for line in TABLE if line.scope is Scope.LAYER})
-OF_PIECE = MappingProxyType({line.name: line for line in TABLE if line.scope is Scope.PIECE})
+OF_DOCUMENT = MappingProxyType({prop.name: prop for prop in TABLE if prop.scope is Scope.DOCUMENT})
+OF_LAYER = MappingProxyType({prop.name: prop for prop in TABLE if prop.scope is Scope.LAYER})
+OF_PIECE = MappingProxyType({prop.name: prop for prop in TABLE if prop.scope is Scope.PIECE})

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 from math import isfinite
+from typing import Generic, TypeAlias, TypeVar
 
 from kagezou.animation.track import Value
 from kagezou.errors import UsageProblem
@@ -10,6 +11,8 @@ from kagezou.message import Message
 
 MAX_COORDINATE_PX = 1_000_000.0
 MAX_POINTS = 64
+
+T_co = TypeVar("T_co", bound=Value, covariant=True)
 
 
 class Kind(StrEnum):
@@ -51,15 +54,17 @@ class ValueProblem(UsageProblem):
 
 
 @dataclass(frozen=True, slots=True)
-class Property:
-    """One line of the property table.
+class Property(Generic[T_co]):
+    """One line of the property table; ``Property[float]`` is one whose values are numbers.
 
     Parameters
     ----------
     name
         The path; for a property of a layer or a set piece the part after ``layers.NAME.`` or ``set.NAME.``.
-    kind, scope, unit, default
+    kind, scope, unit
         ``unit`` is "px", "°" or "" for a plain number.
+    default
+        What it is where nothing was ever set; every value is of its type.
     low, high
         The range of a number, both ends included.
     choices
@@ -73,7 +78,7 @@ class Property:
     name: str
     kind: Kind
     scope: Scope
-    default: Value
+    default: T_co
     label: Message
     help: Message
     unit: str = ""
@@ -106,7 +111,13 @@ class Property:
             case _:
                 return ()
 
-    def canonical(self, raw: object) -> Value:
+    def typed(self, value: Value) -> T_co:
+        """Return a value of this property's track as what it is; TypeError if it cannot be one of this property."""
+        if isinstance(value, type(self.default)):
+            return value
+        raise TypeError(f"{self.name} cannot be {value!r}")
+
+    def canonical(self, raw: object) -> T_co:
         """Return ``raw`` (a JSON value or a value of this property) as a valid value of this property.
 
         Raises
@@ -114,6 +125,9 @@ class Property:
         UsageProblem
             A ValueProblem: one sentence that says what is wrong and what is allowed.
         """
+        return self.typed(self._checked(raw))
+
+    def _checked(self, raw: object) -> Value:
         match self.kind:
             case Kind.NUMBER:
                 return self._number(raw)
@@ -185,6 +199,10 @@ class Property:
         shown = repr(raw)
         value = shown if len(shown) <= 60 else shown[:57] + "..."
         return ValueProblem(self.name, Message("{value} is not {wanted}", value=value, wanted=wanted))
+
+
+AnyProperty: TypeAlias = Property[Value]
+"""A property whatever its values are."""
 
 
 def _finite(raw: object) -> float | None:

@@ -1,15 +1,8 @@
 """The lines of the property table for set pieces: ``set.NAME.*``, and the look of the set's own shadow."""
 
-from kagezou.document.property import Kind, Property, Scope
+from kagezou.document.property import AnyProperty, Kind, Property, Scope
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.message import Message
-
-BUILT_KINDS = ("wall", "box", "steps", "ramp", "cylinder", "sphere")
-"""What can be put onto the ground by its measures alone."""
-
-MESH = "mesh"
-"""A set read from a file."""
-
-KINDS = (*BUILT_KINDS, MESH)
 
 UP_AXES = ("y", "z")
 DISPLAYS = ("none", "wireframe", "clay")
@@ -24,7 +17,7 @@ PIECE_KIND = Property(
     "kind", Kind.CHOICE, Scope.PIECE, "wall",
     Message("Shape"),
     Message("What the piece is; it keeps its place and its measures."),
-    choices=KINDS,
+    choices=tuple(kind.value for kind in PieceKind),
 )  # fmt: skip
 PIECE_PRESENT = Property(
     "present", Kind.SWITCH, Scope.PIECE, True,  # noqa: FBT003 - a default, named by its column
@@ -138,7 +131,7 @@ SET_BLEND = Property(
     choices=("multiply", "normal"),
 )  # fmt: skip
 
-SET_LINES: tuple[Property, ...] = (
+SET_LINES: tuple[AnyProperty, ...] = (
     GROUND_RECEIVES, SET_COLOR, SET_OPACITY, SET_BLEND,
     PIECE_KIND, PIECE_PRESENT, PIECE_POSITION, PIECE_ANGLE, PIECE_LEAN,
     PIECE_WIDTH, PIECE_HEIGHT, PIECE_DEPTH, PIECE_COUNT,

@@ -63,8 +63,8 @@ def _is_ever_visible(layer: Layer) -> bool:
     return is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
 
 
-def is_ever(track: Track | None, line: Property) -> bool:
+def is_ever(track: Track | None, prop: Property[bool]) -> bool:
     """Whether a switch is on at any time."""
     if track is None:
-        return bool(line.default)
+        return prop.default
     return any(key.value for key in track.keys) if track.is_keyed else bool(track.constant)

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
 from kagezou.document.model import Document, Drawing, Layer
 from kagezou.document.set_properties import PIECE_CASTS
+from kagezou.document.values import rgb_at
 from kagezou.errors import UsageProblem
 from kagezou.export.choice import chosen_frames, chosen_layers, is_ever
 from kagezou.export.names import digits_for, safe_names
@@ -212,8 +212,8 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     for frame in frames:
         scene = evaluate(document, frame)
         pictures: list[_Picture] = []
-        pictures += [(f"{names[each.name]}_shadow", *_shadow(document, each, scene, frame)) for each in layers]
-        pictures += [(f"{names[each.name]}_received", *_received(document, each, scene, frame)) for each in receiving]
+        pictures += [(f"{names[each.name]}_shadow", *_shadow(each, scene, frame)) for each in layers]
+        pictures += [(f"{names[each.name]}_received", *_received(each, scene, frame)) for each in receiving]
         if set_label is not None:
             pictures.append((set_label, _set_shadow(scene), None))
         pictures += [
@@ -281,29 +281,25 @@ def _each_once(jobs: tuple[FrameJob, ...], digits: int) -> Iterator[FrameJob]:
         yield job.only(tuple(targets))
 
 
-def _shadow(document: Document, layer: Layer, scene: Scene, frame: int) -> tuple[ShadowContent, LayerScene | None]:
+def _shadow(layer: Layer, scene: Scene, frame: int) -> tuple[ShadowContent, LayerScene | None]:
     """Return a layer's shadow on a frame; an empty cel and a hidden layer give an empty one."""
     seen = next((each for each in scene.layers if each.id == layer.id), None)
     if seen is None or seen.cast is None:
-        return _nothing(document, layer, frame), None
+        return _nothing(layer, frame), None
     # How it is laid on what is under it does not change the layer itself.
     return ShadowContent(seen.cast, replace(seen.look, multiply=True)), seen
 
 
-def _received(
-    document: Document, layer: Layer, scene: Scene, frame: int
-) -> tuple[ShadowContent | ReceivedContent, LayerScene | None]:
+def _received(layer: Layer, scene: Scene, frame: int) -> tuple[ShadowContent | ReceivedContent, LayerScene | None]:
     """Return what falls on a layer on a frame; an empty picture where nothing can."""
     seen = next((each for each in scene.layers if each.id == layer.id), None)
     if seen is None or seen.received is None or not seen.received.shades:
-        return _nothing(document, layer, frame), None
+        return _nothing(layer, frame), None
     return ReceivedContent(seen.received), seen
 
 
-def _nothing(document: Document, layer: Layer, frame: int) -> ShadowContent:
-    text = str(value_of(document, Address(properties.COLOR, layer.id), frame))
-    red, green, blue = bytes.fromhex(text.removeprefix("#"))
-    return ShadowContent(None, ShadowLook((red, green, blue), 0.0, multiply=True))
+def _nothing(layer: Layer, frame: int) -> ShadowContent:
+    return ShadowContent(None, ShadowLook(rgb_at(layer.tracks, properties.COLOR, frame), 0.0, multiply=True))
 
 
 def _composite(scene: Scene) -> CompositeContent:

@@ -3,9 +3,9 @@
 from dataclasses import dataclass, replace
 from typing import Final
 
-from kagezou.document.address import Address, value_of
 from kagezou.document.model import Document
 from kagezou.document.set_properties import GROUND_RECEIVES
+from kagezou.document.values import value_at
 from kagezou.export.names import safe_names
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import Scene
@@ -49,7 +49,7 @@ def receivers_of(document: Document) -> tuple[Receiver, ...]:
 
 def receiver_content(document: Document, scene: Scene, frame: int, receiver: Receiver) -> ReceiverContent | None:
     """Return what is to be drawn of a receiver on a frame; None where it is not there."""
-    has_ground = bool(value_of(document, Address(GROUND_RECEIVES), frame))
+    has_ground = value_at(document.tracks, GROUND_RECEIVES, frame)
     pieces = tuple(
         replace(piece, casts=piece.id == receiver.piece_id, blocks=False, receives=False) for piece in scene.pieces
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant, set_track
 from kagezou.document.model import Document
 from kagezou.document.properties import (
@@ -19,10 +19,12 @@ from kagezou.document.properties import (
     GROUND_ROLL,
 )
 from kagezou.document.set_pieces import add_piece
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.mesh_ray import first_hit
 from kagezou.geometry.set_camera import SetCamera
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Matrix, Point2, Vector3
 from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece, placement, track_through
@@ -89,7 +91,7 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
     mesh = meshes.mesh(wanted.path)
     camera = None if wanted.camera is None else _camera_named(document, wanted)
     up = wanted.up or up_axis_of(wanted.path)
-    stand = wanted.stand or _points(value_of(document, Address(GROUND_POSITION), 1))
+    stand = wanted.stand or value_at(document.tracks, GROUND_POSITION, 1)
     values: dict[str, object] = {
         lines.PIECE_UP.name: up,
         lines.PIECE_POSITION.name: stand,
@@ -97,7 +99,7 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
         lines.PIECE_SCALE.name: wanted.scale or _natural_scale(document, mesh, up),
         lines.PIECE_DISPLAY.name: "clay" if document.background is None else "wireframe",
     }
-    document = add_piece(document, wanted.name, lines.MESH, values, wanted.path)
+    document = add_piece(document, wanted.name, PieceKind.MESH, values, wanted.path)
     piece_id = document.pieces[-1].id
     document = set_constant(document, Address(lines.GROUND_RECEIVES), raw=False)
     if camera is None:
@@ -236,18 +238,12 @@ def _keyed_frames(document: Document, piece_id: str) -> tuple[int, ...]:
     """Return every frame on which something is keyed that decides how an imported set is seen."""
     own = document.piece(piece_id).tracks
     names = (lines.PIECE_POSITION, lines.PIECE_SCALE, lines.PIECE_ANGLE)
-    tracks = [own[line.name] for line in names if line.name in own]
+    tracks = [own[prop.name] for prop in names if prop.name in own]
     of_scene = (FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION)
-    tracks += [document.tracks[line.name] for line in of_scene if line.name in document.tracks]
+    tracks += [document.tracks[prop.name] for prop in of_scene if prop.name in document.tracks]
     return tuple(sorted({key.frame for track in tracks for key in track.keys}))
 
 
 def _corners(mesh: Mesh) -> Matrix:
     low, high = mesh.corners
     return np.array([[*np.where([pick & 1, pick & 2, pick & 4], high, low), 1.0] for pick in range(8)]).T
-
-
-def _points(value: Value) -> Point2:
-    assert isinstance(value, tuple), value
-    x, y = (part for part in value if isinstance(part, float))
-    return (x, y)

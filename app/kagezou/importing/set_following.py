@@ -7,7 +7,7 @@ import numpy as np
 
 from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
-from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
 from kagezou.document.model import Document
 from kagezou.document.properties import (
@@ -18,11 +18,12 @@ from kagezou.document.properties import (
     LIGHT_AZIMUTH,
     LIGHT_POSITION,
 )
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Point2, Vector3
-from kagezou.importing.set_placing import of_piece, place_of, placement, track_through
+from kagezou.importing.set_placing import of_piece, placement, track_through
 from kagezou.message import Message
 
 
@@ -40,8 +41,7 @@ def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Docum
         The camera sees the ground from below, or does not see the anchor before it.
     """
     piece = document.piece(piece_id)
-    anchor = place_of(value_of(document, of_piece(lines.PIECE_ANCHOR, piece_id), 1))
-    up = str(value_of(document, of_piece(lines.PIECE_UP, piece_id), 1))
+    anchor, up = value_at(piece.tracks, lines.PIECE_ANCHOR, 1), value_at(piece.tracks, lines.PIECE_UP, 1)
     last = min(camera.length_frames, document.canvas.length_frames)
     sights = [_sight(document, camera, frame, anchor, up) for frame in range(1, last + 1)]
     angles = np.degrees(np.unwrap(np.radians([sight.angle for sight in sights])))
@@ -66,18 +66,17 @@ def _light_kept_in_place(document: Document, piece_id: str, angles_deg: list[flo
     They are told as the canvas and the ground have them, which turn and move with the camera. A light that is keyed
     is somebody's work and stays as it is.
     """
-    lamp, azimuth = (track_of(document, Address(line)) for line in (LIGHT_POSITION, LIGHT_AZIMUTH))
+    lamp, azimuth = (track_of(document, Address(prop)) for prop in (LIGHT_POSITION, LIGHT_AZIMUTH))
     found = [placement(document, piece_id, frame) for frame in range(1, len(angles_deg) + 1)]
     placements = [each for each in found if each is not None]
     if len(placements) < max(len(angles_deg), 2) or lamp.is_keyed or azimuth.is_keyed:
         return document
-    in_set = np.linalg.inv(placements[0]) @ np.array([*place_of(lamp.constant), 1.0])
-    places: list[Value] = [place_of(tuple((each @ in_set)[:3].tolist())) for each in placements]
-    start = azimuth.constant
-    assert isinstance(start, float), start
+    place, start = LIGHT_POSITION.typed(lamp.constant), LIGHT_AZIMUTH.typed(azimuth.constant)
+    in_set = np.linalg.inv(placements[0]) @ np.array([*place, 1.0])
+    places: list[Value] = [tuple((each @ in_set)[:3].tolist()) for each in placements]
     turns: list[Value] = [start - (angle - angles_deg[0]) for angle in angles_deg]
-    for line, values in ((LIGHT_POSITION, places), (LIGHT_AZIMUTH, turns)):
-        document = set_track(document, Address(line), track_through(line, enumerate(values, start=1)))
+    for prop, values in ((LIGHT_POSITION, places), (LIGHT_AZIMUTH, turns)):
+        document = set_track(document, Address(prop), track_through(prop, enumerate(values, start=1)))
     return document
 
 

@@ -88,20 +88,20 @@ def move_wave(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     right, nearer = dot(way, ground.u), dot(way, ground.v)
     if hypot(right, nearer) < 1e-6:
         return setting.document
-    shown = setting.number(lines.direction, aim.shown)
+    shown = setting.value(lines.direction, aim.shown)
     direction = unwound(aim.angle(degrees(atan2(nearer, right))), shown, lines.direction)
     document = setting.edited(lines.wavelength, hypot(right, nearer))
     return setting.edited(lines.direction, direction, document)
 
 
 def _is_simplified(setting: FrameGeometry) -> bool:
-    return bool(setting.value(properties.SIMPLIFY_ON)) and setting.number(properties.SIMPLIFY) > 0
+    return setting.value(properties.SIMPLIFY_ON) and setting.value(properties.SIMPLIFY) > 0
 
 
 def _waves(setting: FrameGeometry) -> dict[str, WaveLines]:
     if not setting.value(properties.WAVES_ON):
         return {}
-    return {name: lines for name, lines in _WAVES.items() if setting.number(lines.amplitude) > 0}
+    return {name: lines for name, lines in _WAVES.items() if setting.value(lines.amplitude) > 0}
 
 
 def _plane(setting: FrameGeometry) -> Plane:
@@ -121,7 +121,7 @@ def _line(setting: FrameGeometry) -> tuple[Vector3, Vector3]:
     plane = _plane(setting)
     middle = dot(between(plane.origin, setting.contact), plane.u)
     half = _HALF_LINE_OF_FIGURE * setting.layer.figure.height
-    away = _side(setting) * setting.number(properties.DISTANCE)
+    away = _side(setting) * setting.value(properties.DISTANCE)
     return (plane.point(middle - half, away), plane.point(middle + half, away))
 
 
@@ -130,7 +130,7 @@ def _arrow(setting: FrameGeometry, lines: WaveLines) -> tuple[Vector3, Vector3]:
     ground, contact, tip = setting.ground, setting.contact, tip_of(setting)
     middle = contact if tip is None else _halfway(contact, tip)
     right, nearer = (dot(between(ground.origin, middle), axis) for axis in (ground.u, ground.v))
-    angle, length = radians(setting.number(lines.direction)), setting.number(lines.wavelength)
+    angle, length = radians(setting.value(lines.direction)), setting.value(lines.wavelength)
     return (ground.point(right, nearer), ground.point(right + length * cos(angle), nearer + length * sin(angle)))
 
 

@@ -34,7 +34,7 @@ _OUTLINE_OF_FIGURE = 0.5
 def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the three handles of the ground."""
     layer_id = setting.layer.id if setting.layer else None
-    lever = setting.view.canvas_length(LEVER_VIEW_PX) * cos(radians(setting.number(properties.GROUND_DECLINATION)))
+    lever = setting.view.canvas_length(LEVER_VIEW_PX) * cos(radians(setting.value(properties.GROUND_DECLINATION)))
     return (
         Handle(
             DECLINATION, HandleShape.LEVER, _off(setting, setting.across, lever),

@@ -54,7 +54,7 @@ _NOTES = {
 def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the ends of the four lines, and two places of the horizon."""
     fov, roll, declination = (
-        setting.address(line) for line in (properties.FOV, properties.GROUND_ROLL, properties.GROUND_DECLINATION)
+        setting.address(prop) for prop in (properties.FOV, properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
     made = [
         Handle(
@@ -126,12 +126,12 @@ def move_end(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
 
 def move_horizon(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Raise or lower the horizon: the ground is seen more from above or more from the edge."""
-    roll = radians(setting.number(properties.GROUND_ROLL))
+    roll = radians(setting.value(properties.GROUND_ROLL))
     x, y = aim.target
     width, height = _size(setting)
     above = sin(roll) * (x - width / 2) - cos(roll) * (y - height / 2)
     declination = declination_below(_camera(setting), above)
-    return _turned(setting, setting.number(properties.GROUND_ROLL), aim.angle(declination))
+    return _turned(setting, setting.value(properties.GROUND_ROLL), aim.angle(declination))
 
 
 def move_horizon_end(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
@@ -147,7 +147,7 @@ def move_horizon_end(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Docum
     return _turned(
         setting,
         aim.angle_or_zero(degrees(atan2(dy, dx)), miss, setting),
-        setting.number(properties.GROUND_DECLINATION),
+        setting.value(properties.GROUND_DECLINATION),
     )
 
 
@@ -165,7 +165,7 @@ def _turned(setting: FrameGeometry, roll_deg: float, declination_deg: float) -> 
 
 def _ground(setting: FrameGeometry, document: Document) -> Plane:
     roll, declination = (
-        setting.number(line, document) for line in (properties.GROUND_ROLL, properties.GROUND_DECLINATION)
+        setting.value(prop, document) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
     return ground_plane(setting.ground.origin[:2], roll, declination)
 
@@ -177,7 +177,7 @@ def _camera(setting: FrameGeometry) -> Camera:
 
 
 def _horizon(setting: FrameGeometry) -> Horizon | None:
-    roll, declination = (setting.number(line) for line in (properties.GROUND_ROLL, properties.GROUND_DECLINATION))
+    roll, declination = (setting.value(prop) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION))
     return horizon_of(_camera(setting), roll, declination)
 
 

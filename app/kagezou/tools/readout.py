@@ -2,7 +2,7 @@
 
 from kagezou.document.address import value_of
 from kagezou.document.model import Document
-from kagezou.document.property import Kind, Property
+from kagezou.document.property import AnyProperty, Kind
 from kagezou.message import Message
 from kagezou.tools.handle import Handle
 
@@ -21,8 +21,8 @@ def readout(handle: Handle, before: Document, after: Document, frame: int) -> tu
     """
     parts: list[Message] = []
     for address in handle.addresses:
-        line = address.property
-        names = _names(line)
+        prop = address.property
+        names = _names(prop)
         old = _numbers(value_of(before, address, frame), handle.index)
         new = _numbers(value_of(after, address, frame), handle.index)
         parts.extend(
@@ -31,16 +31,16 @@ def readout(handle: Handle, before: Document, after: Document, frame: int) -> tu
                 name=name,
                 value=_short(b),
                 change=_signed(b - a),
-                unit=_degree(line),
+                unit=_degree(prop),
             )
             for name, a, b in zip(names, old, new, strict=False)
         )
     return tuple(parts)
 
 
-def _names(line: Property) -> tuple[Message | str, ...]:
-    if line.kind is Kind.NUMBER:
-        return (line.label,)
+def _names(prop: AnyProperty) -> tuple[Message | str, ...]:
+    if prop.kind is Kind.NUMBER:
+        return (prop.label,)
     return ("X", "Y", "Z")
 
 
@@ -53,8 +53,8 @@ def _numbers(value: object, index: int | None) -> tuple[float, ...]:
     return (value,) if isinstance(value, float) else ()
 
 
-def _degree(line: Property) -> str:
-    return "°" if line.unit == "°" else ""
+def _degree(prop: AnyProperty) -> str:
+    return "°" if prop.unit == "°" else ""
 
 
 def _short(number: float) -> str:

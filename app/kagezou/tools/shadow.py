@@ -80,7 +80,7 @@ def _sun_through(setting: FrameGeometry, direction: Vector3, aim: Aim) -> Docume
     document = setting.edited(properties.LIGHT_ELEVATION, degrees(asin(min(max(up, -1.0), 1.0))))
     if abs(right) + abs(nearer) < 1e-12:
         return document
-    shown = setting.number(properties.LIGHT_AZIMUTH, aim.shown)
+    shown = setting.value(properties.LIGHT_AZIMUTH, aim.shown)
     azimuth = unwound(degrees(atan2(right, nearer)), shown, properties.LIGHT_AZIMUTH)
     return setting.edited(properties.LIGHT_AZIMUTH, azimuth, document)
 

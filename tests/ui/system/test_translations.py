@@ -155,7 +155,7 @@ def test_the_table_and_its_choices_are_said_in_the_language_of_the_window(englis
 
 
 def test_every_choice_of_the_table_has_a_label() -> None:
-    assert {choice for line in TABLE for choice in line.choices} <= set(CHOICE_LABELS)
+    assert {choice for prop in TABLE for choice in prop.choices} <= set(CHOICE_LABELS)
 
 
 def test_plurals_are_right_in_english() -> None:

@@ -9,11 +9,13 @@ from typing import Final
 
 from kagezou.animation.track import Value
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
-from kagezou.document.set_properties import GROUND_RECEIVES, MESH
+from kagezou.document.set_properties import GROUND_RECEIVES
+from kagezou.document.values import value_at
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 
@@ -92,7 +94,7 @@ def _changes(document: Document, hills: Path) -> Iterator[tuple[str, Change]]:
 
 def _moved_light(document: Document) -> Change:
     light, height = Address(properties.LIGHT_POSITION), document.layers[-1].figure.height
-    lamp = _numbers(value_of(document, light, 1))
+    lamp = value_at(document.tracks, properties.LIGHT_POSITION, 1)
     return _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))
 
 
@@ -100,7 +102,7 @@ def _changes_of_place(document: Document) -> Iterator[tuple[str, Change]]:
     layer, foot = document.layers[-1], _foot(document)
     height = layer.figure.height
     ground, grounding = Address(properties.GROUND_POSITION), Address(properties.GROUNDING, layer.id)
-    place = _numbers(value_of(document, ground, 1))
+    place = value_at(document.tracks, properties.GROUND_POSITION, 1)
     yield "light", _moved_light(document)
     yield "ground position", _setting(ground, lambda n: (place[0], place[1] + _sweep(n, 0.05 * height)))
     yield "declination", _setting(Address(properties.GROUND_DECLINATION), lambda n: 60.0 + _sweep(n, 12.0))
@@ -145,18 +147,18 @@ def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Doc
         "height": 0.7 * height,
         "angle": -8,
     }
-    document = add_piece(document, "wall", "wall", wall)
+    document = add_piece(document, "wall", PieceKind.WALL, wall)
     for across, back, angle in ((0.2, 0.07, 30), (-0.15, 0.1, 12), (0.08, 0.04, -20)):
         size = {"width": 0.2 * height, "height": 0.13 * height, "depth": 0.13 * height}
         place: dict[str, object] = {"position": [x + across * height, y - back * height], "angle": angle}
-        document = add_piece(document, "box", "box", {**size, **place})
+        document = add_piece(document, "box", PieceKind.BOX, {**size, **place})
     return document
 
 
 def _on_hills(document: Document, foot: tuple[float, float], hills: Path) -> Document:
     """Return the document with the character on hills of a hundred thousand triangles that take the light, too."""
     wide = 1.8 * max(document.canvas.width_px, document.canvas.height_px)
-    document = add_piece(document, "hills", MESH, {"position": [*foot], "scale": wide}, source=hills)
+    document = add_piece(document, "hills", PieceKind.MESH, {"position": [*foot], "scale": wide}, source=hills)
     return set_constant(document, Address(GROUND_RECEIVES), False)  # noqa: FBT003 - a value
 
 
@@ -179,8 +181,3 @@ def _sweep(number: int, reach: float) -> float:
     """Return the value of a round within ±reach, near the one before and unlike every other."""
     turn = (number * 0.0137 + 0.25) % 1.0
     return reach * (4 * abs(turn - 0.5) - 1)
-
-
-def _numbers(value: Value) -> tuple[float, ...]:
-    assert isinstance(value, tuple)
-    return tuple(part for part in value if isinstance(part, float))

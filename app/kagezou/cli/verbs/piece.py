@@ -8,6 +8,7 @@ from kagezou.cli.arguments import Parser, did_you_mean, point, positive, project
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give, note
 from kagezou.errors import UsageProblem
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.message import Message
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ def add_arguments(parser: Parser) -> None:
         "words",
         nargs="*",
         metavar="KIND | NEW_NAME | PROPERTY=JSON",
-        help="to add: wall, box, steps, ramp, cylinder, sphere or mesh, then its properties; to rename: the new name",
+        help=f"to add: {_kinds()}, then its properties; to rename: the new name",
     )
     parser.add_argument("--file", type=Path, metavar="SET.glb", help="the file of a mesh")
     parser.add_argument("--camera", metavar="NAME", help="the camera of the file that the canvas camera follows")
@@ -69,7 +70,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
     if options.name is None:
         raise UsageProblem(Message("which piece is to {action}? (see kagezou piece --help)", action=options.action))
     of_mesh = (options.file, options.camera, options.stand, options.up, options.scale)
-    if options.action == "add" and options.words[:1] == ["mesh"]:
+    if options.action == "add" and options.words[:1] == [PieceKind.MESH]:
         after = _imported(before, options)
     elif any(each is not None for each in of_mesh):
         raise UsageProblem(Message("--file, --camera, --stand, --up and --scale belong to: add NAME mesh"))
@@ -122,14 +123,17 @@ def _imported(document: "Document", options: Namespace) -> "Document":
 
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
     from kagezou.document.set_pieces import add_piece
-    from kagezou.document.set_properties import KINDS
+    from kagezou.document.set_properties import PIECE_KIND
 
     kind = words[0] if words else ""
-    if kind not in KINDS:
-        known = f"one of {', '.join(KINDS)}"
+    if kind not in PIECE_KIND.choices:
+        known = f"one of {', '.join(PIECE_KIND.choices)}"
         raise UsageProblem(
             Message(
-                "a set piece is {known}, not {kind!r}{kind_2}", known=known, kind=kind, kind_2=did_you_mean(kind, KINDS)
+                "a set piece is {known}, not {kind!r}{kind_2}",
+                known=known,
+                kind=kind,
+                kind_2=did_you_mean(kind, PIECE_KIND.choices),
             )
             if kind
             else Message("add what? {known}", known=known)
@@ -137,20 +141,25 @@ def _added(document: "Document", name: str, words: list[str]) -> "Document":
     return add_piece(document, name, kind, _values(words[1:]))
 
 
+def _kinds() -> str:
+    *others, last = PieceKind
+    return f"{', '.join(others)} or {last}"
+
+
 def _values(words: list[str]) -> dict[str, object]:
     from kagezou.cli.values import value_of_text
 
     values: dict[str, object] = {}
     for text in words:
-        line, sign, value = text.partition("=")
+        name, sign, value = text.partition("=")
         if not sign:
             raise UsageProblem(Message("{text!r} is not PROPERTY=JSON, such as angle=30", text=text))
-        values[line.strip()] = value_of_text(line.strip(), value.strip())
+        values[name.strip()] = value_of_text(name.strip(), value.strip())
     return values
 
 
 def _list(document: "Document") -> None:
-    from kagezou.document.set_pieces import kind_of
+    from kagezou.document.piece_kinds import kind_of
     from kagezou.io.files.faults import shown
 
     for piece in document.pieces:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from kagezou.animation.track import Value
 from kagezou.document.local_name import LocalName
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.document.style import NOT_OF_A_STYLE, Style
 from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
 from kagezou.io.files.atomic import write_bytes
@@ -130,7 +130,7 @@ def _style(reader: Reader) -> Style:
     found = reader.record(("style", "name", "figure_px", "values"), ("scene",))
     found["style"].whole(VERSION, VERSION)
     names = found["name"].record(("en", "ja"))
-    layer_lines = {name: line for name, line in OF_LAYER.items() if name not in NOT_OF_A_STYLE}
+    layer_lines = {name: prop for name, prop in OF_LAYER.items() if name not in NOT_OF_A_STYLE}
     height = found["figure_px"]
     if (
         isinstance(height.value, bool)
@@ -160,10 +160,10 @@ def _height(reader: Reader) -> float:
     return float(height)
 
 
-def _values(reader: Reader, lines: Mapping[str, Property]) -> Mapping[str, Value]:
+def _values(reader: Reader, props: Mapping[str, AnyProperty]) -> Mapping[str, Value]:
     values: dict[str, Value] = {}
     for name, each in reader.members().items():
-        if name not in lines:
+        if name not in props:
             raise reader.problem(Message("the key {name!r} is no property that a style can set", name=name))
-        values[name] = lines[name].canonical(each.value)
+        values[name] = props[name].canonical(each.value)
     return MappingProxyType(values)

@@ -12,7 +12,7 @@ from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Kind, Property
+from kagezou.document.property import AnyProperty, Kind
 from kagezou.geometry.box import Box
 from kagezou.io.files.json_text import formatted
 from kagezou.io.project import fields as fields
@@ -45,9 +45,9 @@ def description() -> str:
     for title, table in _OBJECTS.items():
         parts.append(f"\n## {title}\n\n| key | value | meaning |\n|---|---|---|\n")
         parts += [_field_row(name, field) for name, field in table.items()]
-    for title, lines in _PROPERTIES.items():
+    for title, props in _PROPERTIES.items():
         parts.append(f"\n## {title}\n\n| property | value | default | meaning |\n|---|---|---|---|\n")
-        parts += [_property_row(line) for line in lines.values()]
+        parts += [_property_row(prop) for prop in props.values()]
     parts.append("\n## Example\n\n```json\n" + _example_text() + "```\n")
     return "".join(parts)
 
@@ -73,15 +73,15 @@ def _field_row(name: str, field: fields.Field) -> str:
     return f"| `{name}` | {field.kind} | {field.meaning}{' May be missing.' if field.optional else ''} |\n"
 
 
-def _property_row(line: Property) -> str:
-    default = formatted(line.default).strip()
-    return f"| `{line.name}` | {_kind(line)} | `{default}` | {line.help} |\n"
+def _property_row(prop: AnyProperty) -> str:
+    default = formatted(prop.default).strip()
+    return f"| `{prop.name}` | {_kind(prop)} | `{default}` | {prop.help} |\n"
 
 
-def _kind(line: Property) -> str:
-    match line.kind:
+def _kind(prop: AnyProperty) -> str:
+    match prop.kind:
         case Kind.NUMBER:
-            return f"number, {line.low:g} to {line.high:g}{line.unit and ' ' + line.unit}"
+            return f"number, {prop.low:g} to {prop.high:g}{prop.unit and ' ' + prop.unit}"
         case Kind.POINT:
             return "[x, y] in px"
         case Kind.PLACE:
@@ -91,7 +91,7 @@ def _kind(line: Property) -> str:
         case Kind.COLOR:
             return '"#RRGGBB"'
         case Kind.CHOICE:
-            return " or ".join(f'"{choice}"' for choice in line.choices)
+            return " or ".join(f'"{choice}"' for choice in prop.choices)
         case Kind.SWITCH:
             return "true or false"
 

@@ -13,7 +13,7 @@ from kagezou.animation.track import Interpolation, Key, Track, Value, components
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Property, ValueProblem
+from kagezou.document.property import AnyProperty, ValueProblem
 from kagezou.document.set_pieces import MAX_PIECES
 from kagezou.errors import ProjectProblem
 from kagezou.geometry.box import Box
@@ -186,7 +186,7 @@ def _check_order(rows: Reader, frames: Iterable[int], inner: str) -> None:
             raise place.problem(Message("frame {after} does not come after frame {before}", after=after, before=before))
 
 
-def _tracks(reader: Reader, known: Mapping[str, Property]) -> Tracks:
+def _tracks(reader: Reader, known: Mapping[str, AnyProperty]) -> Tracks:
     tracks: dict[str, Track] = {}
     for name, track in reader.members().items():
         if name not in known:
@@ -195,17 +195,17 @@ def _tracks(reader: Reader, known: Mapping[str, Property]) -> Tracks:
     return MappingProxyType(tracks)
 
 
-def _track(reader: Reader, line: Property) -> Track:
+def _track(reader: Reader, prop: AnyProperty) -> Track:
     if not isinstance(reader.value, dict):
-        return Track(_value(reader, line))
+        return Track(_value(reader, prop))
     found = _record(reader, fields.TRACK)
-    keys = tuple(read_key(each, line) for each in found["keys"].items(fields.MAX_ROWS, least=1))
+    keys = tuple(read_key(each, prop) for each in found["keys"].items(fields.MAX_ROWS, least=1))
     _check_order(found["keys"], (key.frame for key in keys), ".frame")
-    constant = _value(found["constant"], line) if "constant" in found else keys[0].value
+    constant = _value(found["constant"], prop) if "constant" in found else keys[0].value
     return Track(constant, keys)
 
 
-def read_key(reader: Reader, line: Property) -> Key:
+def read_key(reader: Reader, prop: AnyProperty) -> Key:
     """Return the key of a property.
 
     Raises
@@ -215,9 +215,9 @@ def read_key(reader: Reader, line: Property) -> Key:
     """
     found = _record(reader, fields.KEY)
     interpolation = Interpolation(found["interpolation"].word([str(each) for each in Interpolation]))
-    if line.holds_only and interpolation is not Interpolation.HOLD:
+    if prop.holds_only and interpolation is not Interpolation.HOLD:
         raise found["interpolation"].problem(Message("a switch or choice can only be held"))
-    value = _value(found["value"], line)
+    value = _value(found["value"], prop)
     most = len(components_of(value) or ())
     return Key(
         frame=found["frame"].whole(1, _MAX_FRAME),
@@ -228,9 +228,9 @@ def read_key(reader: Reader, line: Property) -> Key:
     )
 
 
-def _value(reader: Reader, line: Property) -> Value:
+def _value(reader: Reader, prop: AnyProperty) -> Value:
     try:
-        return line.canonical(reader.value)
+        return prop.canonical(reader.value)
     except ValueProblem as problem:
         raise reader.problem(problem.cause) from problem
 

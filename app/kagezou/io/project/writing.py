@@ -8,7 +8,7 @@ from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
 from kagezou.document.model import Document, Drawing, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.io.files.json_text import JsonRow
 from kagezou.io.project.paths import stored_path
 from kagezou.io.project.review import review_tree
@@ -68,7 +68,7 @@ def _layer(layer: Layer, folder: Path) -> dict[str, object]:
     }
 
 
-def _tracks(tracks: Tracks, table: Mapping[str, Property]) -> dict[str, object]:
+def _tracks(tracks: Tracks, table: Mapping[str, AnyProperty]) -> dict[str, object]:
     """Return the tracks in table order, so that the order of edits never shows in the file."""
     return {name: _track(tracks[name]) for name in table if name in tracks}
 

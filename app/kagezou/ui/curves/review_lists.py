@@ -63,10 +63,10 @@ class NoteList(QWidget):
         """List the notes as they are."""
         self.list.clear()
         for note in sorted(self._bridge.document.notes, key=lambda each: each.frame):
-            line = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
+            prop = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
             layer = "" if note.layer_id is None else f"{self._bridge.document.layer(note.layer_id).name} · "
             author = f" — {note.author}" if note.author else ""
-            item = QListWidgetItem(f"{note.frame}   {layer}{translated(line.label)}{author}\n{note.text}")
+            item = QListWidgetItem(f"{note.frame}   {layer}{translated(prop.label)}{author}\n{note.text}")
             item.setData(_WHAT, note)
             self.list.addItem(item)
         for button in self._buttons:

@@ -7,12 +7,13 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication, QPushButton
 
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_canvas, set_constant
 from kagezou.document.model import Document, Piece
 from kagezou.document.properties import GROUND_POSITION
 from kagezou.document.set_pieces import TAKEN_NAME
 from kagezou.document.set_properties import PIECE_UP
+from kagezou.document.values import value_at
 from kagezou.errors import Problem, UsageProblem
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Point2, Vector3
@@ -104,7 +105,7 @@ class SetImports(QObject):
             self.failed.emit(self.tr("There is no set from a file in this project"))
             return
         path, piece_id = piece.source, piece.id
-        up = str(value_of(self._open_project.bridge.document, of_piece(PIECE_UP, piece_id), 1))
+        up = value_at(self._open_project.bridge.document.piece(piece_id).tracks, PIECE_UP, 1)
 
         def read() -> None:
             self._settled = _Settled(piece_id, path, self._cameras(path), up=up)
@@ -146,7 +147,7 @@ class SetImports(QObject):
         if before is not None and before.made is session.document and before.base is wanted.base:
             session.undo()
         # The bar's set is the new one before the document is: what listens to it looks whether it is still there.
-        up = str(value_of(imported.document, of_piece(PIECE_UP, imported.piece_id), 1))
+        up = value_at(imported.document.piece(imported.piece_id).tracks, PIECE_UP, 1)
         self._settled = replace(wanted, piece_id=imported.piece_id, up=up, made=imported.document)
         with session.gesture(self.tr("Import set")) as gesture:
             gesture.show(imported.document)

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent,
 
 from kagezou.document.model import Document
 from kagezou.errors import Problem
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Point2
 from kagezou.session.session import Gesture
 from kagezou.tools.corner import drawing, ground_line, is_on_ground, wall_line
@@ -164,7 +165,7 @@ class CornerSheet(OverlaySheet):
         if self.stroke is CornerStroke.GROUND:
             name, lay = self.tr("Draw ground line"), ground_line(document, frame)
         elif is_on_ground(document, frame, pointer.canvas_px):
-            name, lay = self.tr("Draw wall"), wall_line(document, frame, bridge.layer_id, choice_name("wall"))
+            name, lay = self.tr("Draw wall"), wall_line(document, frame, bridge.layer_id, choice_name(PieceKind.WALL))
         else:
             self.refused.emit(self.tr("There is no ground here for a wall to stand on: begin below the horizon."))
             return
