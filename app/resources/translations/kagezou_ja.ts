@@ -3424,12 +3424,12 @@ Drop a folder of cels here.</source>
         <translation>セットのこの点がカメラの前にないフレームがあります</translation>
     </message>
     <message>
-        <source>this project needs a newer Kagezou that knows format version {number} (Kagezou {program}); this one knows up to {current}</source>
-        <translation>このプロジェクトには、形式のバージョン {number} が分かる新しい Kagezou（Kagezou {program}）が要ります。この Kagezou が分かるのは {current} までです</translation>
+        <source>this project needs Kagezou {program} or newer (format version {number}); this is Kagezou {own}</source>
+        <translation>このプロジェクトには Kagezou {program} 以降が要ります（形式のバージョン {number}）。これは Kagezou {own} です</translation>
     </message>
     <message>
-        <source>this project needs a newer Kagezou that knows format version {number}; this one knows up to {current}</source>
-        <translation>このプロジェクトには、形式のバージョン {number} が分かる新しい Kagezou が要ります。この Kagezou が分かるのは {current} までです</translation>
+        <source>this project needs a newer Kagezou (format version {number}); this is Kagezou {own}</source>
+        <translation>このプロジェクトには新しい Kagezou が要ります（形式のバージョン {number}）。これは Kagezou {own} です</translation>
     </message>
     <message>
         <source>timed by {path}</source>

@@ -38,9 +38,17 @@ default; a **track** is either a value (constant over the cut) or an object with
 """
 
 
+_RULE: Final = """\
+The version rises with a release whose files an older release would refuse or read wrongly: one that adds a property, a
+key or a choice, or changes what one means. It rises at most once a release. A program reads every version up to its own
+and leads older files over when it saves; of a newer file it says which Kagezou is needed.
+
+"""
+
+
 def description() -> str:
     """Return the whole text of ``FORMAT.md``."""
-    parts = [_HEAD, "\n## Versions\n\n"]
+    parts = [_HEAD, "\n## Versions\n\n", _RULE]
     parts += [f"{int(version)}. `{version.name}`: {text}\n" for version, text in BROUGHT.items()]
     for title, table in _OBJECTS.items():
         parts.append(f"\n## {title}\n\n| key | value | meaning |\n|---|---|---|\n")
