@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import subprocess
 import tempfile
+import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -74,6 +75,15 @@ def update(tools: Path, folder: Path = CATALOGUES) -> None:
             settings = ["-no-obsolete", "-locations", "none", *languages, *plural]
             _run(tools / "lupdate", *window, rest, "-ts", catalogue, *settings)
             _run(tools / "lrelease", catalogue, "-qm", catalogue.with_suffix(".qm"))
+
+
+def unfinished(folder: Path = CATALOGUES) -> Iterator[str]:
+    """Yield the catalogue, the context and the text of whatever is not translated."""
+    for catalogue in sorted(folder.glob("kagezou_*.ts")):
+        for context in ET.parse(catalogue).getroot().iter("context"):
+            for message in context.iter("message"):
+                if message.find("translation[@type='unfinished']") is not None:
+                    yield f"{catalogue.name}: {context.findtext('name')}: {message.findtext('source')}"
 
 
 def _as_calls(found: dict[tuple[str, str], str]) -> str:

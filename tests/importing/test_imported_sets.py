@@ -22,7 +22,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Matrix
-from kagezou.importing.imported_sets import Imported, SetImport, import_set, point_under, stand_at
+from kagezou.importing.imported_sets import ImportedSet, SetImport, import_set, point_under, stand_at
 from kagezou.importing.set_following import follow_camera
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.scene.evaluate import camera_at, evaluate, ground_at, light_at
@@ -237,7 +237,7 @@ def test_standing_elsewhere_under_a_moving_camera_keeps_every_frame() -> None:
         stand_at(document, piece_id, (0.0, 0.0, 50.0))
 
 
-def scale_of(imported: Imported) -> object:
+def scale_of(imported: ImportedSet) -> object:
     return value_of(imported.document, Address(lines.PIECE_SCALE, piece_id=imported.piece_id), 1)
 
 

@@ -70,7 +70,7 @@ class SetImport:
 
 
 @dataclass(frozen=True, slots=True)
-class Imported:
+class ImportedSet:
     """What came of an import: the document, the new piece, and what one should know of it."""
 
     document: Document
@@ -78,7 +78,7 @@ class Imported:
     notes: tuple[Message, ...] = ()
 
 
-def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Imported:
+def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> ImportedSet:
     """Put the set of a file behind the characters, the flat ground giving way to it.
 
     Raises
@@ -103,12 +103,12 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
     piece_id = document.pieces[-1].id
     document = set_constant(document, Address(lines.GROUND_RECEIVES), raw=False)
     if camera is None:
-        return Imported(document, piece_id)
+        return ImportedSet(document, piece_id)
     size = (float(document.canvas.width_px), float(document.canvas.height_px))
     met = first_hit(mesh, *_ray_of(camera, stand, size))
     if met is not None:
         document = set_constant(document, Address(lines.PIECE_ANCHOR, piece_id=piece_id), met)
-    return Imported(follow_camera(document, piece_id, camera), piece_id, _notes(document, camera, met))
+    return ImportedSet(follow_camera(document, piece_id, camera), piece_id, _notes(document, camera, met))
 
 
 def point_under(document: Document, piece_id: str, mesh: Mesh, canvas_px: Point2, frame: int) -> Vector3 | None:

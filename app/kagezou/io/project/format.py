@@ -1,6 +1,6 @@
 """The description of the project format, made from the tables that the reader obeys.
 
-``python -m kagezou.io.project_format`` writes ``FORMAT.md`` beside this module; a test compares the two.
+``python -m kagezou.io.project.format`` writes ``FORMAT.md`` beside this module; a test compares the two.
 """
 
 from fractions import Fraction
@@ -24,7 +24,7 @@ DESCRIPTION: Final = Path(__file__).with_name("FORMAT.md")
 _HEAD: Final = """\
 # The project file (.kage)
 
-Made by `python -m kagezou.io.project_format` from the tables that the reader obeys; do not edit.
+Made by `python -m kagezou.io.project.format` from the tables that the reader obeys; do not edit.
 
 A project is one JSON object as UTF-8 text (a byte order mark is allowed), at most 64 MB. It holds no pictures and no
 code. Reading is strict: a key that is not listed here, a key that stands twice, a value of another kind, NaN, infinity
