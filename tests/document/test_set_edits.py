@@ -42,6 +42,12 @@ def test_pieces_come_and_go(document: Document, kind: str, name: str) -> None:
     assert twin.pieces[-1].name != piece.name
 
 
+def test_a_new_piece_stays_where_a_piece_may_be_however_far_away_the_ground_is() -> None:
+    far = set_constant(EMPTY, Address(GROUND_POSITION), [0.0, -999_999.0])
+    (piece,) = add_piece(far, "wall", PieceKind.WALL).pieces
+    assert piece.tracks["position"].constant == (0.0, -1_000_000.0)
+
+
 def test_a_new_piece_stands_behind_the_ground_line_in_a_natural_size() -> None:
     document = add_piece(EMPTY, "crate", "box", {"angle": 30, "casts": True})
     shown = {name: value_of(document, resolve(document, f"set.crate.{name}"), 1) for name in OF_PIECE}

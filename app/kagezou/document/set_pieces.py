@@ -110,7 +110,7 @@ def _first_values(document: Document, kind: PieceKind) -> dict[str, Value]:
     width, height, depth = (max(part * side, 1.0) for part in sizes.of_canvas)
     return {
         PIECE_KIND.name: kind.value,
-        PIECE_POSITION.name: (x, y - _BEHIND * canvas.height_px),
+        PIECE_POSITION.name: (x, max(y - _BEHIND * canvas.height_px, PIECE_POSITION.low)),
         PIECE_WIDTH.name: width,
         PIECE_HEIGHT.name: height,
         PIECE_DEPTH.name: depth,
