@@ -19,7 +19,7 @@ from kagezou.render.meshes.display import Display
 from kagezou.render.passes.depth_map import DepthMapPass
 from kagezou.render.passes.picture import PicturePass
 from kagezou.render.passes.received import ReceivedCoverage
-from kagezou.render.passes.shadow_image import Drawn, Coloring, ShadowImages
+from kagezou.render.passes.shadow_image import Coloring, Drawn, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.mixing import mixed
 from kagezou.scene.pieces import SetCast
