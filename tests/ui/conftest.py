@@ -148,9 +148,9 @@ def window(qtbot: QtBot, open_project: OpenProject, settings: Settings) -> Itera
 @pytest.fixture
 def walking(qtbot: QtBot, window: MainWindow, cels: Path) -> MainWindow:
     """The window with one character, its first picture on screen."""
-    window.project.bring([cels])
-    window.open_project.bridge.session.mark_saved()
-    qtbot.waitUntil(lambda: window.viewport.stage is not None and window.viewport.stage.pictures_drawn > 0)
+    window.parts.project.bring([cels])
+    window.parts.open_project.bridge.session.mark_saved()
+    qtbot.waitUntil(lambda: window.parts.viewport.stage is not None and window.parts.viewport.stage.pictures_drawn > 0)
     return window
 
 

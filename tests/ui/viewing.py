@@ -78,7 +78,7 @@ def drag(qtbot: QtBot, viewport: Viewport, handle_id: str, way: QPoint, *, let_g
 
 def shadow_is_on_canvas(window: MainWindow) -> bool:
     """Whether something darker than the paper is seen, and none of it touches the canvas' edge but the ground."""
-    grey = picture(window.viewport)[..., :3].min(axis=2)
+    grey = picture(window.parts.viewport)[..., :3].min(axis=2)
     dark = grey < 200
     edges = np.concatenate([dark[0], dark[:, 0], dark[:, -1], dark[-1]])
     return bool(dark.any() and not edges.any())

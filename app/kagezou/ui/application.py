@@ -46,7 +46,7 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     program.show()
     if project is not None:
-        program.window.project.open_path(project)
+        program.window.parts.project.open_path(project)
     program.offer_recovery()
     code = application.exec()
     program.put_away()
@@ -86,8 +86,10 @@ class Application:
         self._language.speak(settings.language)
         self.open_project = OpenProject()
         self.window = self._make_window()
-        self.autosave = Autosave(self.open_project, settings.recovery_folder, lambda: self.window.project.project_name)
-        self.autosave.failed.connect(lambda sentence: self.window.bar.say("autosave", sentence))
+        self.autosave = Autosave(
+            self.open_project, settings.recovery_folder, lambda: self.window.parts.project.project_name
+        )
+        self.autosave.failed.connect(lambda sentence: self.window.parts.bar.say("autosave", sentence))
 
     def show(self) -> None:
         """Bring the window to the screen."""
@@ -95,14 +97,14 @@ class Application:
 
     def say(self, sentence: str) -> None:
         """Say what went wrong, in the window."""
-        self.window.bar.say("incident", sentence)
+        self.window.parts.bar.say("incident", sentence)
 
     def offer_recovery(self) -> None:
         """Ask about work that a program put aside and did not come back for, if there is any."""
         files = left_behind(self._settings.recovery_folder)
         if files:
             dialog = RecoveryDialog(files, self.window)
-            dialog.recovered.connect(self.window.project.recover)
+            dialog.recovered.connect(self.window.parts.project.recover)
             dialog.failed.connect(self.say)
             dialog.open()
 
@@ -116,8 +118,8 @@ class Application:
 
     def speak(self, code: str) -> None:
         """Change the language: the window is made anew, the open project stays."""
-        if self.window.exporting.is_running:
-            self.window.exporting.say_running()
+        if self.window.parts.exporting.is_running:
+            self.window.parts.exporting.say_running()
             return
         self._settings.language = code
         self._language.speak(code)

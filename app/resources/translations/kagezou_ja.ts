@@ -2,22 +2,26 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
-    <name>BoxHand</name>
+    <name>BoxController</name>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 フレーム</translation>
+    </message>
     <message>
         <source>Move keys</source>
         <translation>キーを移動</translation>
     </message>
     <message>
-        <source>Stretch keys</source>
-        <translation>キーを伸縮</translation>
+        <source>Scale keys</source>
+        <translation>キーを拡大縮小</translation>
     </message>
     <message>
         <source>Scale keys in value</source>
         <translation>キーの値を拡大縮小</translation>
     </message>
     <message>
-        <source>Scale keys</source>
-        <translation>キーを拡大縮小</translation>
+        <source>Stretch keys</source>
+        <translation>キーを伸縮</translation>
     </message>
     <message>
         <source>time × %1</source>
@@ -26,10 +30,6 @@
     <message>
         <source>value × %1</source>
         <translation>値 × %1</translation>
-    </message>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 フレーム</translation>
     </message>
 </context>
 <context>
@@ -805,37 +805,6 @@
     </message>
 </context>
 <context>
-    <name>OpenProject</name>
-    <message>
-        <source>New from cels</source>
-        <translation>セルから新規作成</translation>
-    </message>
-    <message>
-        <source>Recover unsaved work</source>
-        <translation>保存していない作業を復元</translation>
-    </message>
-    <message>
-        <source>Import character</source>
-        <translation>キャラクターを読み込み</translation>
-    </message>
-    <message>
-        <source>New from timesheet</source>
-        <translation>タイムシートから新規作成</translation>
-    </message>
-    <message>
-        <source>the work area</source>
-        <translation>ワークエリア</translation>
-    </message>
-    <message>
-        <source>Apply timesheet</source>
-        <translation>タイムシートを適用</translation>
-    </message>
-    <message>
-        <source>Set background</source>
-        <translation>背景を設定</translation>
-    </message>
-</context>
-<context>
     <name>Dialogs</name>
     <message>
         <source>Open Project</source>
@@ -954,6 +923,29 @@
     </message>
 </context>
 <context>
+    <name>Docks</name>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>プロパティ</translation>
+    </message>
+    <message>
+        <source>Styles</source>
+        <translation>スタイル</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>カーブ</translation>
+    </message>
+</context>
+<context>
     <name>DrawingCommands</name>
     <message>
         <source>Split drawing</source>
@@ -1009,11 +1001,7 @@
     </message>
 </context>
 <context>
-    <name>DrawingHand</name>
-    <message>
-        <source>empty</source>
-        <translation>空セル</translation>
-    </message>
+    <name>DrawingController</name>
     <message>
         <source>%1: frames %2 to %3, held %4</source>
         <translation>%1：%2～%3 フレーム、%4 コマ</translation>
@@ -1023,12 +1011,16 @@
         <translation>端をドラッグで長さを変更（Shift で後続も移動）、中央をドラッグで移動</translation>
     </message>
     <message>
+        <source>Hold drawing</source>
+        <translation>セルの長さを変更</translation>
+    </message>
+    <message>
         <source>Move drawing</source>
         <translation>セルを移動</translation>
     </message>
     <message>
-        <source>Hold drawing</source>
-        <translation>セルの長さを変更</translation>
+        <source>empty</source>
+        <translation>空セル</translation>
     </message>
     <message>
         <source>held %1</source>
@@ -1067,6 +1059,37 @@
     <message>
         <source>Bring in %1 and %2 more</source>
         <translation>%1 ほか %2 件を読み込む</translation>
+    </message>
+</context>
+<context>
+    <name>EditedProperty</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1をリセット</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>%1にキーを設定</translation>
+    </message>
+    <message>
+        <source>Remove key of %1</source>
+        <translation>%1のキーを削除</translation>
+    </message>
+    <message>
+        <source>Remove all keys of %1</source>
+        <translation>%1のキーをすべて削除</translation>
+    </message>
+    <message>
+        <source>Unlink %1</source>
+        <translation>%1の共通を解除</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>%1を共通にする</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1を変更</translation>
     </message>
 </context>
 <context>
@@ -1300,7 +1323,11 @@
     </message>
 </context>
 <context>
-    <name>GraphHand</name>
+    <name>GraphController</name>
+    <message>
+        <source>Add key</source>
+        <translation>キーを追加</translation>
+    </message>
     <message>
         <source>Move handle</source>
         <translation>ハンドルを移動</translation>
@@ -1309,13 +1336,13 @@
         <source>Move keys</source>
         <translation>キーを移動</translation>
     </message>
-    <message>
-        <source>Add key</source>
-        <translation>キーを追加</translation>
-    </message>
 </context>
 <context>
-    <name>Hand</name>
+    <name>HandleController</name>
+    <message>
+        <source>Add grounding point</source>
+        <translation>接地点を追加</translation>
+    </message>
     <message>
         <source>Move %1</source>
         <translation>%1を移動</translation>
@@ -1323,10 +1350,6 @@
     <message>
         <source>Nudge %1</source>
         <translation>%1を微調整</translation>
-    </message>
-    <message>
-        <source>Add grounding point</source>
-        <translation>接地点を追加</translation>
     </message>
     <message>
         <source>Remove grounding point</source>
@@ -1477,17 +1500,6 @@
     </message>
 </context>
 <context>
-    <name>Incidents</name>
-    <message>
-        <source>Something went wrong inside the program (%1). Save your project. Details: %2</source>
-        <translation>プログラム内部で問題が起きました（%1）。プロジェクトを保存してください。詳細：%2</translation>
-    </message>
-    <message>
-        <source>no log could be written</source>
-        <translation>ログを書き込めませんでした</translation>
-    </message>
-</context>
-<context>
     <name>Inspector</name>
     <message>
         <source>Camera</source>
@@ -1617,14 +1629,14 @@
     </message>
 </context>
 <context>
-    <name>KeyHand</name>
-    <message>
-        <source>Stretch keys</source>
-        <translation>キーを伸縮</translation>
-    </message>
+    <name>KeyController</name>
     <message>
         <source>Move keys</source>
         <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Stretch keys</source>
+        <translation>キーを伸縮</translation>
     </message>
 </context>
 <context>
@@ -1901,29 +1913,6 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
-    <message>
-        <source>Layers</source>
-        <translation>レイヤー</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>プロパティ</translation>
-    </message>
-    <message>
-        <source>Styles</source>
-        <translation>スタイル</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>タイムライン</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>カーブ</translation>
-    </message>
-</context>
-<context>
     <name>Match</name>
     <message>
         <source>Lay the two orange lines along edges of the floor that run away, the two blue ones along edges square to them. The dash-dotted line is the horizon. Esc ends it.</source>
@@ -2110,6 +2099,37 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>OpenProject</name>
+    <message>
+        <source>New from cels</source>
+        <translation>セルから新規作成</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>保存していない作業を復元</translation>
+    </message>
+    <message>
+        <source>Import character</source>
+        <translation>キャラクターを読み込み</translation>
+    </message>
+    <message>
+        <source>New from timesheet</source>
+        <translation>タイムシートから新規作成</translation>
+    </message>
+    <message>
+        <source>the work area</source>
+        <translation>ワークエリア</translation>
+    </message>
+    <message>
+        <source>Apply timesheet</source>
+        <translation>タイムシートを適用</translation>
+    </message>
+    <message>
+        <source>Set background</source>
+        <translation>背景を設定</translation>
+    </message>
+</context>
+<context>
     <name>PictureWidget</name>
     <message>
         <source>The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.</source>
@@ -2215,34 +2235,6 @@ Drop a folder of cels here.</source>
 </context>
 <context>
     <name>PropertyRow</name>
-    <message>
-        <source>Reset %1</source>
-        <translation>%1をリセット</translation>
-    </message>
-    <message>
-        <source>Key %1</source>
-        <translation>%1にキーを設定</translation>
-    </message>
-    <message>
-        <source>Remove key of %1</source>
-        <translation>%1のキーを削除</translation>
-    </message>
-    <message>
-        <source>Remove all keys of %1</source>
-        <translation>%1のキーをすべて削除</translation>
-    </message>
-    <message>
-        <source>Unlink %1</source>
-        <translation>%1の共通を解除</translation>
-    </message>
-    <message>
-        <source>Link %1</source>
-        <translation>%1を共通にする</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>%1を変更</translation>
-    </message>
     <message>
         <source>Changed; double-click for the default, %1</source>
         <translation>変更済み。ダブルクリックでデフォルト（%1）に戻す</translation>
@@ -2852,6 +2844,17 @@ Drop a folder of cels here.</source>
     <message>
         <source>(slow)</source>
         <translation>（遅れ）</translation>
+    </message>
+</context>
+<context>
+    <name>UnforeseenErrors</name>
+    <message>
+        <source>Something went wrong inside the program (%1). Save your project. Details: %2</source>
+        <translation>プログラム内部で問題が起きました（%1）。プロジェクトを保存してください。詳細：%2</translation>
+    </message>
+    <message>
+        <source>no log could be written</source>
+        <translation>ログを書き込めませんでした</translation>
     </message>
 </context>
 <context>

@@ -429,17 +429,17 @@ def test_the_graph_library_is_loaded_only_when_curves_are_shown(qtbot: QtBot, ke
 
 
 def test_curves_share_the_selection_with_the_timeline_in_the_window(qtbot: QtBot, walking: MainWindow) -> None:
-    session = walking.open_project.bridge.session
+    session = walking.parts.open_project.bridge.session
     session.edit("Key", edits.set_key(session.document, DECLINATION, 3, 50.0))
-    assert walking.curves.findChild(CurveEditor) is None, "the timeline lies before it"
-    walking.actions_of["curves"].trigger()
-    qtbot.waitUntil(lambda: walking.curves.editor is not None)
+    assert walking.parts.curves.findChild(CurveEditor) is None, "the timeline lies before it"
+    walking.parts.actions["curves"].trigger()
+    qtbot.waitUntil(lambda: walking.parts.curves.editor is not None)
     session.select_keys(frozenset({KeyRef(DECLINATION, 3)}))
-    editor = walking.curves.editor
+    editor = walking.parts.curves.editor
     assert editor is not None
     qtbot.waitUntil(editor.isVisible)
     assert any(mark.is_chosen for picture in editor.graph.pictures for mark in picture.keys)
-    walking.actions_of["velocity"].trigger()
+    walking.parts.actions["velocity"].trigger()
     assert editor.findChild(VelocityDialog) is not None
 
 

@@ -13,11 +13,11 @@ from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.invariants import check
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.clips.style_files import loads_style
-from kagezou.ui.commands.table import plain
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.row_menu import fill_row_menu, fill_section_menu
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.menu_words import plain
 from kagezou.ui.widgets.key_button import KeyState
 from kagezou.ui.widgets.scrub_field import MIXED, ScrubField
 from tests.ui.viewing import Clipboard
@@ -68,7 +68,7 @@ def act(menu: QMenu, start: str) -> QAction:
 
 def row_menu(inspector: Inspector, name: str) -> QMenu:
     menu = QMenu(inspector)
-    fill_row_menu(inspector.row(name), menu)
+    fill_row_menu(inspector.row(name).edited, inspector.row(name).mates, menu)
     return menu
 
 
@@ -199,7 +199,7 @@ def test_keys_and_reset_of_several_layers(qtbot: QtBot, inspector: Inspector, tr
     row, session = inspector.row(OPACITY.name), trio.bridge.session
     session.edit("Key", edits.set_key(session.document, row.address, 1, 0.9))
     states = [row.key.state]
-    row.toggle_key()
+    row.edited.toggle_key()
     states.append(row.key.state)
     assert states == [KeyState.KEYED, KeyState.HERE], "on one of three, then on all"
     assert opacities(trio) == [0.6, 0.3, 0.9]
@@ -216,7 +216,7 @@ def test_a_link_is_made_shown_obeyed_and_undone(qtbot: QtBot, inspector: Inspect
     qtbot.mouseClick(row.link, Qt.MouseButton.LeftButton)
     assert row.link.is_linked
     assert opacities(trio) == [0.9, 0.9, 0.9]
-    row.toggle_key()
+    row.edited.toggle_key()
     row.enter(0.4)
     assert all(track_of(session.document, Address(OPACITY, each.id)).is_keyed for each in session.document.layers)
     choose_all(trio)
@@ -336,7 +336,7 @@ def test_a_changed_row_says_so_in_words_too(inspector: Inspector) -> None:
     assert row.label.toolTip().endswith("layers.Third.shadow.fade\nChanged; double-click for the default, 0.0")
     row.enter(1e9)
     assert "1000000000.0 is not a number from 0 to 10000 px" in row.label.toolTip()
-    row.reset()
+    row.edited.reset()
     assert row.label.toolTip().endswith("layers.Third.shadow.fade")
 
 

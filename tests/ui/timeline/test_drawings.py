@@ -15,8 +15,8 @@ from kagezou.document.key_edits import KeyRef
 from kagezou.document.model import Canvas, Cels, Drawing, Exposure
 from kagezou.document.properties import OPACITY
 from kagezou.geometry.box import Box
-from kagezou.ui.commands.table import plain
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.menu_words import plain
 from kagezou.ui.timeline.drawing_bars import Bar, BarPart, bars_of, part_at
 from kagezou.ui.timeline.drawing_menu import fill_drawing_menu
 from kagezou.ui.timeline.rows import RowKind
@@ -279,7 +279,11 @@ def test_the_menu_lists_the_drawings(timeline: Timeline, sheet: OpenProject) -> 
 
 @pytest.mark.usefixtures("clipboard")
 def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, walking: MainWindow) -> None:
-    timeline, session, actions = walking.timeline, walking.open_project.bridge.session, walking.actions_of
+    timeline, session, actions = (
+        walking.parts.timeline,
+        walking.parts.open_project.bridge.session,
+        walking.parts.actions,
+    )
     layer = session.document.layers[0]
     walking.activateWindow()
     timeline.lanes.setFocus()
@@ -293,7 +297,7 @@ def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, wal
     actions["delete"].trigger()
     assert session.document.layer(layer.id).cels.exposures[4].drawing is None
     menu = QMenu()
-    walking.menus.fill_drawings(menu)
+    walking.parts.menus.fill_drawings(menu)
     assert "Expose on Twos" in [plain(action.text()) for action in menu.actions()]
     session.edit("Key", edits.set_key(session.document, Address(OPACITY, layer.id), 3, 0.5))
     session.select_keys(frozenset({KeyRef(Address(OPACITY, layer.id), 3)}))

@@ -10,8 +10,8 @@ from kagezou.document.property import Property
 from kagezou.document.set_pieces import kind_of
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
-from kagezou.ui.sets.list_delegate import kind_icon
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.icons import kind_icon
 from kagezou.ui.system.words import choice_word
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)

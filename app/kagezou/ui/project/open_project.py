@@ -58,7 +58,7 @@ class OpenProject(QObject):
     @property
     def is_blank(self) -> bool:
         """Whether there is nothing to see."""
-        return _is_blank(self.bridge.document)
+        return self.bridge.document.is_blank
 
     @property
     def is_saved(self) -> bool:
@@ -119,7 +119,7 @@ class OpenProject(QObject):
 
         def read(watch: Progress) -> Imported | Brought:
             over = self.bridge.document
-            if _is_blank(over):
+            if over.is_blank:
                 return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
             return brought(sources, over.canvas.box, watch)
 
@@ -177,7 +177,7 @@ class OpenProject(QObject):
 
         def read(watch: Progress) -> Document:
             over = self.bridge.document
-            document = new_document((), background=path, watch=watch).document if _is_blank(over) else over
+            document = new_document((), background=path, watch=watch).document if over.is_blank else over
             self._read_first(set_background(document, path), watch)
             return document
 
@@ -250,10 +250,6 @@ class OpenProject(QObject):
     def _say(self, notes: tuple[str, ...]) -> None:
         for note in notes:
             self.noted.emit(note)
-
-
-def _is_blank(document: Document) -> bool:
-    return not document.layers and not document.pieces and document.background is None
 
 
 def _names(sources: tuple[CharacterSource, ...]) -> str:

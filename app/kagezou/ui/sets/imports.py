@@ -21,10 +21,11 @@ from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece
 from kagezou.importing.set_sizing import FIGURE_METRES, sized
 from kagezou.io.sets.cameras import cameras_of
-from kagezou.ui.project.open_project import OpenProject
+from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.ui.sets.import_bar import KEEP_VIEW, Measure, SetBar
+from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.sentences import sentence_of, spoken
-from kagezou.ui.viewport.picking import Picking
+from kagezou.ui.widgets.picking import Picking
 
 _FOOT_OF_HEIGHT = 0.8
 """Where one stands on a canvas without characters."""
@@ -61,8 +62,10 @@ class SetImports(QObject):
 
     Parameters
     ----------
-    open_project
-        The project.
+    bridge
+        The session.
+    meshes
+        The sets that are read already.
     bar
         The choices.
     picking
@@ -73,9 +76,9 @@ class SetImports(QObject):
     """Why something cannot be done; empty once it could."""
     noted = Signal(str)
 
-    def __init__(self, open_project: OpenProject, bar: SetBar, picking: Picking) -> None:
+    def __init__(self, bridge: Bridge, meshes: MeshCache, bar: SetBar, picking: Picking) -> None:
         super().__init__()
-        self._open_project = open_project
+        self._bridge, self._meshes = bridge, meshes
         self._bar = bar
         self._picking = picking
         self._settled: _Settled | None = None
@@ -88,8 +91,8 @@ class SetImports(QObject):
         bar.closed.connect(self.close)
         picking.picked.connect(self._take)
         picking.stopped.connect(self._stop_picking)
-        open_project.bridge.document_changed.connect(self._follow)
-        open_project.bridge.session_replaced.connect(self.close)
+        bridge.document_changed.connect(self._follow)
+        bridge.session_replaced.connect(self.close)
 
     def bring(self, path: Path, cameras: tuple[SetCamera, ...]) -> None:
         """Put the set of a file into the picture, seen by its first camera where it has one."""
@@ -97,14 +100,14 @@ class SetImports(QObject):
 
     def settle(self) -> None:
         """Show the bar for the set worked on, or for the last there is."""
-        sets = [each for each in self._open_project.bridge.document.pieces if each.source is not None]
+        sets = [each for each in self._bridge.document.pieces if each.source is not None]
         # The one worked on, else the last.
-        piece = max(reversed(sets), key=lambda each: each.id == self._open_project.bridge.piece_id, default=None)
+        piece = max(reversed(sets), key=lambda each: each.id == self._bridge.piece_id, default=None)
         if piece is None or piece.source is None:
             self.failed.emit(self.tr("There is no set from a file in this project"))
             return
         path, piece_id = piece.source, piece.id
-        up = str(value_of(self._open_project.bridge.document, of_piece(PIECE_UP, piece_id), 1))
+        up = str(value_of(self._bridge.document, of_piece(PIECE_UP, piece_id), 1))
 
         def read() -> None:
             self._settled = _Settled(piece_id, path, self._cameras(path), up=up)
@@ -119,8 +122,8 @@ class SetImports(QObject):
         self._bar.hide()
 
     def _bring(self, path: Path, cameras: tuple[SetCamera, ...]) -> None:
-        base = self._open_project.bridge.document
-        if self._open_project.is_blank and cameras:
+        base = self._bridge.document
+        if self._bridge.document.is_blank and cameras:
             longest = max(camera.length_frames for camera in cameras)
             base = set_canvas(base, replace(base.canvas, length_frames=max(base.canvas.length_frames, longest)))
         if not base.layers:
@@ -139,10 +142,10 @@ class SetImports(QObject):
     def _import(self, wanted: _Settled) -> None:
         """Make the choices of an import the present document, as one step, whatever was chosen before."""
         assert wanted.base is not None
-        session, before = self._open_project.bridge.session, self._settled
+        session, before = self._bridge.session, self._settled
         camera = None if wanted.camera == KEEP_VIEW else wanted.cameras[wanted.camera].name
         how = SetImport(wanted.path, _name_of(wanted.path), camera, up=wanted.up)
-        imported = import_set(wanted.base, how, self._open_project.meshes)
+        imported = import_set(wanted.base, how, self._meshes)
         if before is not None and before.made is session.document and before.base is wanted.base:
             session.undo()
         # The bar's set is the new one before the document is: what listens to it looks whether it is still there.
@@ -163,7 +166,7 @@ class SetImports(QObject):
         self._try(lambda: self._choose(up=up))
 
     def _choose(self, *, camera: int | None = None, up: str | None = None) -> None:
-        settled, session = self._settled, self._open_project.bridge.session
+        settled, session = self._settled, self._bridge.session
         if settled is None:
             return
         self._stop_picking()
@@ -197,10 +200,10 @@ class SetImports(QObject):
         self._try(lambda: self._take_place(place))
 
     def _take_place(self, place: Point2) -> None:
-        settled, bridge = self._settled, self._open_project.bridge
+        settled, bridge = self._settled, self._bridge
         if settled is None:
             return
-        mesh = self._open_project.meshes.mesh(settled.path)
+        mesh = self._meshes.mesh(settled.path)
         point = point_under(bridge.document, settled.piece_id, mesh, place, bridge.frame)
         if point is None:
             self._bar.say(self.tr("There is nothing of the set at that place; click another. Esc ends it."))
@@ -214,7 +217,7 @@ class SetImports(QObject):
             self._bar.show_length(shown=len(self._points) == 2)
 
     def _size(self, length: float, measure: str) -> None:
-        settled, bridge = self._settled, self._open_project.bridge
+        settled, bridge = self._settled, self._bridge
         if settled is None or len(self._points) < 2:
             return
         (_, first), (_, second) = self._points
@@ -246,10 +249,10 @@ class SetImports(QObject):
 
     def _piece(self) -> Piece | None:
         wanted = self._settled.piece_id if self._settled else None
-        return next((piece for piece in self._open_project.bridge.document.pieces if piece.id == wanted), None)
+        return next((piece for piece in self._bridge.document.pieces if piece.id == wanted), None)
 
     def _cameras(self, path: Path) -> tuple[SetCamera, ...]:
-        return cameras_of(path, self._open_project.bridge.document.canvas.frame_rate)
+        return cameras_of(path, self._bridge.document.canvas.frame_rate)
 
     def _try(self, do: Callable[[], None]) -> None:
         QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)

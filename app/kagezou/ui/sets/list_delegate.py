@@ -1,14 +1,11 @@
 """How a set piece looks in the list: eye, the picture of its kind, name."""
 
-from functools import cache
-
 from PySide6.QtCore import QObject, QRect, QSize, Qt
 from PySide6.QtGui import QIcon, QPainter
 from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 
-from kagezou.locations import resource_folder
 from kagezou.ui.sets.list_model import PieceRole
-from kagezou.ui.system.icons import icon
+from kagezou.ui.system.icons import kind_icon
 from kagezou.ui.system.theme import BRIGHT, DIM, OFF, TEXT
 from kagezou.ui.system.words import choice_word
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
@@ -58,13 +55,6 @@ class SetDelegate(EyeDelegate):
         painter.drawText(room, flag | Qt.AlignmentFlag.AlignLeft, words)
         painter.setPen(DIM)
         painter.drawText(room, flag | Qt.AlignmentFlag.AlignRight, beside)
-
-
-@cache
-def kind_icon(kind: str) -> QIcon:
-    """Return the picture of a kind of set piece."""
-    is_drawn = (resource_folder() / "icons" / f"{kind}.svg").is_file()
-    return icon(kind if is_drawn else "box")
 
 
 def _words_area(area: QRect) -> QRect:

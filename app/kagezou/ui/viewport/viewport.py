@@ -10,11 +10,11 @@ from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.hand import HandleController
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
-from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
 from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.picking import Picking
 from kagezou.ui.widgets.space_bar import SpaceBar
 
 _CURSORS = {
