@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
-    <name>BoxController</name>
+    <name>BoxDrag</name>
     <message>
         <source>%1 frames</source>
         <translation>%1 フレーム</translation>

@@ -20,13 +20,12 @@ from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION, OPAC
 from kagezou.errors import UsageProblem
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.project.file import save
-from kagezou.ui.curves.choice import GraphKind
+from kagezou.tools.curves.curve_list import curves_of, same_in
+from kagezou.tools.curves.picture import CurvePicture, GraphKind, differing_frames
 from kagezou.ui.curves.curve_editor import CurveEditor
-from kagezou.ui.curves.curve_list import curves_of, same_in
 from kagezou.ui.curves.flags import FlagKind, flags_of
 from kagezou.ui.curves.key_rows import HEADINGS, parse_row, pasted, rows_of, text_of, with_cell
 from kagezou.ui.curves.panel import CurvesPanel
-from kagezou.ui.curves.picture import CurvePicture, differing_frames
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.window.main_window import MainWindow

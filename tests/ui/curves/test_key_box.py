@@ -13,9 +13,9 @@ from kagezou.document.linking import link
 from kagezou.document.model import Canvas, Cels
 from kagezou.document.properties import GROUND_DECLINATION, GROUND_ROLL, OPACITY, SIMPLIFY
 from kagezou.geometry.box import Box
-from kagezou.ui.curves.choice import GraphKind
+from kagezou.tools.curves.key_box import BoxGrip, KeyBox
+from kagezou.tools.curves.picture import GraphKind
 from kagezou.ui.curves.curve_editor import CurveEditor
-from kagezou.ui.curves.key_box import BoxGrip, KeyBox
 from kagezou.ui.project.open_project import OpenProject
 from tests.ui.viewing import move
 

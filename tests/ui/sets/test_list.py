@@ -11,7 +11,7 @@ from kagezou.document import set_properties as s
 from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.edits import set_key
 from kagezou.document.set_pieces import add_piece
-from kagezou.ui.curves.curve_list import curves_of, same_in
+from kagezou.tools.curves.curve_list import curves_of, same_in
 from kagezou.ui.sets.list_model import PieceRole
 from kagezou.ui.window.main_window import MainWindow
 

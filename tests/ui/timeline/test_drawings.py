@@ -15,9 +15,10 @@ from kagezou.document.key_edits import KeyRef
 from kagezou.document.model import Canvas, Cels, Drawing, Exposure
 from kagezou.document.properties import OPACITY
 from kagezou.geometry.box import Box
+from kagezou.tools.timeline.drawing_drag import BarPart
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.menu_words import plain
-from kagezou.ui.timeline.drawing_bars import Bar, BarPart, bars_of, part_at
+from kagezou.ui.timeline.drawing_bars import Bar, bars_of, part_at
 from kagezou.ui.timeline.drawing_menu import fill_drawing_menu
 from kagezou.ui.timeline.rows import RowKind
 from kagezou.ui.timeline.timeline import Timeline

@@ -24,13 +24,13 @@ from kagezou.document.set_properties import PIECE_ANGLE
 from kagezou.geometry.box import Box
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.images.cel_cache import CelCache
+from kagezou.tools.timeline.snapping import snap_frames, snapped
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.time.key_commands import KeyCommands
 from kagezou.ui.time.playback import Player, bounced
 from kagezou.ui.timeline.revealing import ANIMATED, CHANGED, REVEALED, added, animated_or_changed, toggled
 from kagezou.ui.timeline.row_names import Spot
 from kagezou.ui.timeline.rows import Reveal, RowKind
-from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import move

@@ -24,7 +24,8 @@ from kagezou.document.address import track_of
 from kagezou.document.ease_edits import set_ease
 from kagezou.errors import Problem
 from kagezou.io.project.file import load
-from kagezou.ui.curves.choice import Choice, GraphKind
+from kagezou.tools.curves.picture import GraphKind
+from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_tree import CurveTree
 from kagezou.ui.curves.graph import Graph
 from kagezou.ui.curves.key_table import KeyTable

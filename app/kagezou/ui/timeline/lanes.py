@@ -54,7 +54,7 @@ class Lanes(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        if self.hand.keys_at(event.position()) or not self.drawings.press(event):
+        if self.hand.finder.keys_at(event.position()) or not self.drawings.press(event):
             self.hand.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -63,8 +63,8 @@ class Lanes(QWidget):
             return
         self.hand.move(event)
         place = event.position()
-        on_bar = None if self.hand.is_busy or self.hand.keys_at(place) else self.drawings.cursor_at(place)
-        self.setToolTip(self.hand.words_at(place) if on_bar is None else self.drawings.words_at(place))
+        on_bar = None if self.hand.is_busy or self.hand.finder.keys_at(place) else self.drawings.cursor_at(place)
+        self.setToolTip(self.hand.finder.words_at(place) if on_bar is None else self.drawings.words_at(place))
         self.setCursor(self.hand.cursor if on_bar is None else on_bar)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:

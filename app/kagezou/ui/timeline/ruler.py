@@ -11,10 +11,10 @@ from kagezou.animation.timecode import Count, counted, frames_per_second, sheet_
 from kagezou.document.model import Document, Marker, PictureSource
 from kagezou.document.review import move_marker, set_work_area
 from kagezou.session.session import Gesture
+from kagezou.tools.timeline.snapping import snap_frames, snapped
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, TEXT, WELL
 from kagezou.ui.timeline.row_list import is_same
-from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.time_scale import TimeScale
 
 _STEPS: Final = (1, 2, 4, 6, 12, 24, 48, 72, 144, 240, 480, 720, 1440, 2880, 7200, 14400)
