@@ -194,7 +194,7 @@ def layers(qtbot: QtBot, filled: OpenProject) -> LayerList:
     """The list of layers, shown."""
     thumbnails = Thumbnails()
     made = LayerList(filled.bridge, thumbnails)
-    made.destroyed.connect(thumbnails.wait)
+    made.destroyed.connect(thumbnails.finish)
     qtbot.addWidget(made)
     made.resize(300, 400)
     made.show()

@@ -113,7 +113,7 @@ class Parts:
         if self.demo is not None:
             self.demo.finish()
         self.viewport.finish()
-        self.thumbnails.wait()
+        self.thumbnails.finish()
         self.styles.pictures.finish()
         self.welcome.pictures.finish()
         self.time.prefetch.finish()
