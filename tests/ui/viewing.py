@@ -14,7 +14,7 @@ from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.window.main_window import MainWindow
 
 
-class Clipboard:
+class OwnClipboard:
     """Text that is copied and pasted; the screen's own clipboard belongs to every program that runs there."""
 
     def __init__(self) -> None:
@@ -23,7 +23,7 @@ class Clipboard:
     def text(self) -> str:
         return self._text
 
-    def setText(self, text: str) -> None:
+    def put(self, text: str) -> None:
         self._text = text
 
 

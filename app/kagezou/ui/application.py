@@ -15,6 +15,7 @@ from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system import theme
+from kagezou.ui.system.clipboard import SystemClipboard
 from kagezou.ui.system.icons import application_icon
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.offscreen_context import surface_format
@@ -133,6 +134,6 @@ class Application:
         old.deleteLater()
 
     def _make_window(self) -> MainWindow:
-        window = MainWindow(self.open_project, self._settings, self._make_demo)
+        window = MainWindow(self.open_project, self._settings, SystemClipboard(), self._make_demo)
         window.language_chosen.connect(self.speak)
         return window

@@ -12,11 +12,12 @@ from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
 from tests.psd_files import SIZE, Folder, Leaf, block, write_psd
+from tests.ui.viewing import OwnClipboard
 
 
 @pytest.fixture
 def plain(qtbot: QtBot, settings: Settings) -> MainWindow:
-    made = MainWindow(OpenProject(), settings)
+    made = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(made)
     return made
 

@@ -23,6 +23,7 @@ from kagezou.ui.project.project_lock import ProjectLock
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import OwnClipboard
 
 DECLINATION = Address(GROUND_DECLINATION)
 
@@ -167,7 +168,7 @@ def test_an_open_project_is_opened_a_second_time_only_when_agreed(
     path = saved.path
     first = ProjectLock()
     first.hold(path)
-    window = MainWindow(OpenProject(), settings)
+    window = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(window)
     asked: list[str] = []
 
@@ -188,7 +189,7 @@ def test_what_others_saved_meanwhile_is_not_overwritten_unasked(
     qtbot: QtBot, settings: Settings, saved: OpenProject, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     assert saved.path is not None
-    window = MainWindow(OpenProject(), settings)
+    window = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(window)
     window.parts.project.open_path(saved.path)
     turn(saved, 12.0)
@@ -206,7 +207,7 @@ def test_what_others_saved_meanwhile_is_not_overwritten_unasked(
 
 def test_the_next_version_is_saved_beside_the_old_one(qtbot: QtBot, settings: Settings, saved: OpenProject) -> None:
     assert saved.path is not None
-    window = MainWindow(OpenProject(), settings)
+    window = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(window)
     window.parts.project.open_path(saved.path)
     turn(window.parts.open_project, 5.0)

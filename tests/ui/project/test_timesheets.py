@@ -13,6 +13,7 @@ from kagezou.ui.project.dropped_files import arrivals_of
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import OwnClipboard
 
 
 @pytest.fixture
@@ -25,7 +26,7 @@ def sheet(cels: Path) -> Path:
 
 @pytest.fixture
 def plain(qtbot: QtBot, settings: Settings) -> MainWindow:
-    made = MainWindow(OpenProject(), settings)
+    made = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(made)
     return made
 

@@ -23,7 +23,7 @@ from kagezou.ui.timeline.drawing_menu import fill_drawing_menu
 from kagezou.ui.timeline.rows import RowKind
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.window.main_window import MainWindow
-from tests.ui.viewing import move
+from tests.ui.viewing import OwnClipboard, move
 
 NONE, SHIFT, CONTROL = (
     Qt.KeyboardModifier.NoModifier,
@@ -50,7 +50,7 @@ def sheet(open_project: OpenProject) -> OpenProject:
 
 @pytest.fixture
 def timeline(qtbot: QtBot, sheet: OpenProject) -> Timeline:
-    made = Timeline(sheet.bridge)
+    made = Timeline(sheet.bridge, OwnClipboard())
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()
@@ -249,7 +249,6 @@ def test_on_twos_for_the_whole_layer_or_what_is_chosen(timeline: Timeline, sheet
     assert seen(sheet).endswith("DDDDDDDD")
 
 
-@pytest.mark.usefixtures("clipboard")
 def test_drawings_are_pasted_at_the_playhead_on_another_layer(timeline: Timeline, sheet: OpenProject) -> None:
     session, drawings, said = sheet.bridge.session, timeline.drawings, list[str]()
     drawings.refused.connect(said.append)
@@ -278,7 +277,6 @@ def test_the_menu_lists_the_drawings(timeline: Timeline, sheet: OpenProject) -> 
     assert menu.title() == "Filled"
 
 
-@pytest.mark.usefixtures("clipboard")
 def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, walking: MainWindow) -> None:
     timeline, session, actions = (
         walking.parts.timeline,

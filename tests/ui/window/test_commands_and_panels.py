@@ -17,6 +17,7 @@ from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import OwnClipboard
 
 CTRL_SHIFT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 AWAITED = {
@@ -234,7 +235,7 @@ class TestEditor:
         editor.accept()
         assert active.parts.actions["play"].shortcut() == QKeySequence("P")
         active.close_unasked()
-        another = MainWindow(open_project, settings)
+        another = MainWindow(open_project, settings, OwnClipboard())
         assert another.parts.actions["play"].shortcut() == QKeySequence("P")
         assert another.parts.actions["about"].shortcut() == QKeySequence("F12")
         assert another.parts.keyboard.shortcuts.key_set.name.en == "OpenToonz"
@@ -246,7 +247,7 @@ class TestEditor:
     ) -> None:
         settings.set_word("own_shortcuts", "{{")
         active.close_unasked()
-        another = MainWindow(open_project, settings)
+        another = MainWindow(open_project, settings, OwnClipboard())
         assert "shortcuts could not be read" in another.parts.bar.text
         assert another.parts.actions["save"].shortcut() == QKeySequence("Ctrl+S")
         another.close_unasked()
@@ -326,7 +327,7 @@ class TestPanels:
         before = shown_docks(active)
         active.parts.actions["hide_docks"].trigger()
         active.close_unasked()
-        another = MainWindow(open_project, settings)
+        another = MainWindow(open_project, settings, OwnClipboard())
         assert shown_docks(another) == before
         another.close_unasked()
         another.deleteLater()

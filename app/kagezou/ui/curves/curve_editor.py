@@ -33,6 +33,7 @@ from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.sentences import sentence_of
 
 
@@ -43,17 +44,19 @@ class CurveEditor(QWidget):
     ----------
     bridge
         The session.
+    clipboard
+        Where copies go.
     """
 
     refused = Signal(str)
 
-    def __init__(self, bridge: Bridge) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard) -> None:
         super().__init__()
         self._bridge = bridge
         self.choice = Choice(bridge)
         self.tree = CurveTree(bridge, self.choice)
         self.graph = Graph(bridge, self.choice)
-        self.table = KeyTable(bridge, self.choice)
+        self.table = KeyTable(bridge, self.choice, clipboard)
         self.notes = NoteList(bridge, self.choice, lambda: self.table.address)
         self.flags = FlagList(bridge, self.choice)
         self.key_menu = QMenu(self)

@@ -14,9 +14,11 @@ from kagezou.document.set_properties import SET_BLEND, SET_COLOR, SET_OPACITY
 from kagezou.scene.evaluate import camera_at, card_at, ground_at
 from kagezou.ui.panels.piece_sections import PieceName, matters, piece_sections
 from kagezou.ui.panels.property_row import PropertyRow
+from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
@@ -37,9 +39,10 @@ _FADING = (properties.FADE, properties.FADE_CURVE, properties.TIP_COLOR, propert
 class Inspector(QScrollArea):
     """Iterates the property table; a new line there appears here by itself."""
 
-    def __init__(self, bridge: Bridge) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard) -> None:
         super().__init__()
         self._bridge = bridge
+        self.menus = PropertyMenus(clipboard)
         self._built_for: tuple[object, ...] | None = None
         self._folded: frozenset[str] = frozenset()
         self._scene_sections: list[Section] = []
@@ -125,7 +128,7 @@ class Inspector(QScrollArea):
         if piece_id is None or self.owner is None:
             self._column.insertWidget(self._column.count() - 1, of_set)
             return
-        self._layer_sections = piece_sections(self._bridge, piece_id)
+        self._layer_sections = piece_sections(self._bridge, piece_id, self.menus)
         for at, part in enumerate((self.owner, *self._layer_sections, of_set), 1):
             self._column.insertWidget(at, part)
 
@@ -139,10 +142,10 @@ class Inspector(QScrollArea):
                 continue
             title = self._title(line)
             if title not in made:
-                made[title] = Section(title)
+                made[title] = Section(title, self.menus)
                 self._column.insertWidget(before_scene + len(made) - 1, made[title])
             twins = tuple(Address(line, other) for other in others)
-            made[title].add(PropertyRow(self._bridge, Address(line, layer_id), twins))
+            made[title].add(PropertyRow(self._bridge, Address(line, layer_id), self.menus, twins))
         return list(made.values())
 
     def _title(self, line: Property) -> str:

@@ -28,6 +28,7 @@ from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.panels.look_clipboard import LookClipboard
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH
 from kagezou.ui.widgets.tool_button import tool_button
 
@@ -69,11 +70,11 @@ class LayerList(QWidget):
 
     add_asked = Signal()
 
-    def __init__(self, bridge: Bridge, thumbnails: Thumbnails) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard, thumbnails: Thumbnails) -> None:
         super().__init__()
         self._bridge = bridge
         self._follows = False
-        self.looks = LookClipboard(bridge)
+        self.looks = LookClipboard(bridge, clipboard)
         self.model = LayerModel(bridge, thumbnails)
         self.view = LayerView(self.model)
         self.view.selectionModel().selectionChanged.connect(self._choose)

@@ -9,6 +9,7 @@ from kagezou.document.properties import OF_PIECE
 from kagezou.document.property import Property
 from kagezou.document.set_pieces import kind_of
 from kagezou.ui.panels.property_row import PropertyRow
+from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.panels.section import Section
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.icons import kind_icon
@@ -63,12 +64,12 @@ class PieceName(QWidget):
         self.kind.setText(words.replace("%1", choice_word(kind)))
 
 
-def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:
+def piece_sections(bridge: Bridge, piece_id: str, menus: PropertyMenus) -> list[Section]:
     """Return the sections of a piece: where it stands and how large it is, and what it does."""
-    place = Section(QCoreApplication.translate("PieceSections", "Place and size"))
-    does = Section(QCoreApplication.translate("PieceSections", "What it does"))
+    place = Section(QCoreApplication.translate("PieceSections", "Place and size"), menus)
+    does = Section(QCoreApplication.translate("PieceSections", "What it does"), menus)
     for line in OF_PIECE.values():
-        (does if line in _DOES else place).add(PropertyRow(bridge, Address(line, piece_id=piece_id)))
+        (does if line in _DOES else place).add(PropertyRow(bridge, Address(line, piece_id=piece_id), menus))
     return [place, does]
 
 

@@ -12,7 +12,7 @@ from kagezou.errors import Problem
 from kagezou.io.clips.value_clips import dumps_value
 from kagezou.ui.panels.edited_property import EditedProperty
 from kagezou.ui.panels.editors import Editor, editor_for
-from kagezou.ui.panels.row_menu import open_row_menu
+from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.sentences import sentence_of
 from kagezou.ui.system.words import said
@@ -30,6 +30,8 @@ class PropertyRow(QObject):
         The session to edit.
     address
         What is edited.
+    menus
+        What opens its menu.
     others
         The same property of the other layers that are chosen.
 
@@ -41,9 +43,12 @@ class PropertyRow(QObject):
         The properties of its section.
     """
 
-    def __init__(self, bridge: Bridge, address: Address, others: tuple[Address, ...] = ()) -> None:
+    def __init__(
+        self, bridge: Bridge, address: Address, menus: PropertyMenus, others: tuple[Address, ...] = ()
+    ) -> None:
         super().__init__()
         self.address = address
+        self._menus = menus
         self.edited = EditedProperty(bridge, address, others)
         self._shown: tuple[object, ...] | None = None
         self._is_visible = True
@@ -136,4 +141,4 @@ class PropertyRow(QObject):
         self.label.show_changed(changed=changed)
 
     def _open_menu(self, widget: QWidget, at: QPoint) -> None:
-        open_row_menu(self.edited, self.mates, widget, widget.mapToGlobal(at))
+        self._menus.open(self.edited, self.mates, widget, widget.mapToGlobal(at))

@@ -5,16 +5,17 @@ from PySide6.QtWidgets import QGridLayout, QMenu, QSizePolicy, QToolButton, QVBo
 
 from kagezou.ui.panels.edited_property import EditedProperty
 from kagezou.ui.panels.property_row import PropertyRow
-from kagezou.ui.panels.row_menu import fill_section_menu
+from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.system.icons import icon
 
 
 class Section(QWidget):
     """A header and the rows under it, in four columns: key, name, editor, link."""
 
-    def __init__(self, title: str) -> None:
+    def __init__(self, title: str, menus: PropertyMenus) -> None:
         super().__init__()
         self.title = title
+        self._menus = menus
         self._header = QToolButton()
         self._header.setObjectName("section_header")
         self._header.setText(title)
@@ -72,7 +73,7 @@ class Section(QWidget):
     def _open_menu(self, at: QPoint) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        fill_section_menu(self._edited, menu)
+        self._menus.fill_section(self._edited, menu)
         menu.popup(self._header.mapToGlobal(at))
 
     def _fold(self, opened: bool) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.bars import TopBars
 from kagezou.ui.window.docks import Docks
@@ -38,6 +39,8 @@ class MainWindow(QMainWindow):
         The project.
     settings
         What is remembered.
+    clipboard
+        Where copies go.
     make_demo
         Who makes the demo; without it none is offered.
 
@@ -53,10 +56,16 @@ class MainWindow(QMainWindow):
 
     language_chosen = Signal(str)
 
-    def __init__(self, open_project: OpenProject, settings: Settings, make_demo: MakeDemo | None = None) -> None:
+    def __init__(
+        self,
+        open_project: OpenProject,
+        settings: Settings,
+        clipboard: Clipboard,
+        make_demo: MakeDemo | None = None,
+    ) -> None:
         super().__init__()
         self._may_close_unasked = False
-        self.parts = make_parts(self, open_project, settings, make_demo)
+        self.parts = make_parts(self, open_project, settings, clipboard, make_demo)
         self.parts.welcome.offer_demo(offered=make_demo is not None)
         self.pages = QStackedWidget()
         self._lay_out()

@@ -24,6 +24,7 @@ from kagezou.ui.sets.import_bar import SetBar
 from kagezou.ui.sets.imports import SetImports
 from kagezou.ui.sets.list import SetList
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.time.key_commands import KeyCommands
 from kagezou.ui.time.playback import Player
@@ -119,7 +120,13 @@ class Parts:
         self.time.prefetch.finish()
 
 
-def make_parts(window: QMainWindow, open_project: OpenProject, settings: Settings, make_demo: MakeDemo | None) -> Parts:
+def make_parts(
+    window: QMainWindow,
+    open_project: OpenProject,
+    settings: Settings,
+    clipboard: Clipboard,
+    make_demo: MakeDemo | None,
+) -> Parts:
     """Return new parts for a window; without ``make_demo`` no demo is offered.
 
     Parameters
@@ -128,6 +135,8 @@ def make_parts(window: QMainWindow, open_project: OpenProject, settings: Setting
         What their menus, dialogs and shortcuts belong to.
     open_project, settings
         What is worked on, and what is remembered.
+    clipboard
+        Where copies go.
     make_demo
         Who makes the demo.
     """
@@ -141,10 +150,10 @@ def make_parts(window: QMainWindow, open_project: OpenProject, settings: Setting
     player = Player(bridge)
     prefetch = Prefetch(bridge, player, open_project.cels)
     viewport = Viewport(bridge, open_project.cels, open_project.meshes, space)
-    layers, inspector = LayerList(bridge, thumbnails), Inspector(bridge)
+    layers, inspector = LayerList(bridge, clipboard, thumbnails), Inspector(bridge, clipboard)
     styles = StyleList(bridge, settings.style_folder)
-    time = _time_parts(bridge, player, prefetch, actions)
-    timeline = Timeline(bridge, open_project.cels.kept_sources)
+    time = _time_parts(bridge, player, actions, prefetch, KeyCommands(bridge, clipboard))
+    timeline = Timeline(bridge, clipboard, open_project.cels.kept_sources)
     exporting = Exporting(bar)
     # Before the menus: made later, its labels come after the first layout, and the first picture is drawn twice.
     status = Status(bridge, exporting)
@@ -170,16 +179,16 @@ def make_parts(window: QMainWindow, open_project: OpenProject, settings: Setting
         timeline=timeline,
         status=status,
         sets=_set_parts(open_project, viewport, space, menus),
-        curves=CurvesPanel(bridge, menus.fill_keys),
+        curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
         keyboard=Keyboard(window, actions, settings, bar),
         search=CommandSearch(window, actions),
         sheets=_sheets(viewport, bridge, lambda: not (player.is_playing or viewport.hand.is_busy)),
     )
 
 
-def _time_parts(bridge: Bridge, player: Player, prefetch: Prefetch, actions: Actions) -> TimeParts:
+def _time_parts(bridge: Bridge, player: Player, actions: Actions, prefetch: Prefetch, keys: KeyCommands) -> TimeParts:
     transport = Transport(bridge, player, [actions[name] if name else None for name in _BUTTONS])
-    return TimeParts(player, prefetch, transport, KeyCommands(bridge))
+    return TimeParts(player, prefetch, transport, keys)
 
 
 def _set_parts(open_project: OpenProject, viewport: Viewport, space: SpaceBar, menus: Menus) -> SetParts:
