@@ -14,7 +14,7 @@ from kagezou.ui.window.main_window import MainWindow
 @pytest.fixture
 def styles(qtbot: QtBot, walking: MainWindow) -> StyleList:
     walking.docks.all[2].raise_()
-    made = walking.parts.styles
+    made = walking.parts.panels.styles
     last = made.list.count() - 1
     with qtbot.waitSignal(made.pictures.made, timeout=10_000, check_params_cb=lambda index, _: index == last):
         made.reload()
@@ -71,7 +71,7 @@ def test_no_pictures_are_drawn_behind_another_panel(
     qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[object] = []
-    monkeypatch.setattr(walking.parts.styles.pictures, "ask", asked.append)
+    monkeypatch.setattr(walking.parts.panels.styles.pictures, "ask", asked.append)
     walking.parts.open_project.bridge.session.go_to(3)
     qtbot.wait(700)
     assert asked == [], "the layers lie before the styles"

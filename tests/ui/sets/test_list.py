@@ -86,7 +86,7 @@ class TestList:
     def test_a_click_works_on_a_piece_and_a_layer_lets_it_go(self, qtbot: QtBot, standing: MainWindow) -> None:
         view, layers, bridge = (
             standing.parts.sets.pieces.view,
-            standing.parts.layers.view,
+            standing.parts.panels.layers.view,
             standing.parts.open_project.bridge,
         )
         standing.parts.actions["add_box"].trigger()
@@ -134,7 +134,7 @@ class TestList:
             standing.parts.actions["add_box"].trigger()
             heights.append(standing.parts.sets.pieces.view.maximumHeight())
         assert heights[4] == 5 * heights[0] == heights[-1]
-        assert standing.parts.layers.view.minimumHeight() > 40
+        assert standing.parts.panels.layers.view.minimumHeight() > 40
 
     def test_the_kind_is_told_to_the_painter(self, standing: MainWindow) -> None:
         index = standing.parts.sets.pieces.model.index(0)
@@ -142,34 +142,34 @@ class TestList:
 
 
 def test_no_style_is_offered_while_there_is_no_character_to_put_it_on(standing: MainWindow) -> None:
-    states = [standing.parts.styles.isEnabled()]
+    states = [standing.parts.panels.styles.isEnabled()]
     standing.parts.open_project.bridge.session.select("layer-1")
-    states.append(standing.parts.styles.isEnabled())
+    states.append(standing.parts.panels.styles.isEnabled())
     standing.parts.open_project.clear()
-    assert [*states, standing.parts.styles.isEnabled()] == [False, True, False]
+    assert [*states, standing.parts.panels.styles.isEnabled()] == [False, True, False]
 
 
 class TestInspector:
     def shown(self, window: MainWindow) -> list[str]:
-        rows = [row for row in window.parts.inspector.rows if row.address.piece_id is not None]
-        return [row.address.property.name for row in rows if row.editor.isVisibleTo(window.parts.inspector)]
+        rows = [row for row in window.parts.panels.inspector.rows if row.address.piece_id is not None]
+        return [row.address.property.name for row in rows if row.editor.isVisibleTo(window.parts.panels.inspector)]
 
     def test_it_says_whose_properties_they_are_and_shows_those_of_the_kind(self, standing: MainWindow) -> None:
-        owner = standing.parts.inspector.owner
+        owner = standing.parts.panels.inspector.owner
         assert owner is not None
         assert (owner.name.text(), owner.kind.text()) == ("Wall", "Set piece: Wall")
         assert self.shown(standing) == [
             "kind", "position", "angle", "lean", "width", "height", "present", "receives", "blocks", "casts",
         ]  # fmt: skip
-        standing.parts.inspector.row("kind").enter("steps")
+        standing.parts.panels.inspector.row("kind").enter("steps")
         assert owner.kind.text() == "Set piece: Steps"
         assert {"depth", "count"} <= set(self.shown(standing))
         assert "lean" not in self.shown(standing)
-        standing.parts.inspector.row("kind").enter("sphere")
+        standing.parts.panels.inspector.row("kind").enter("sphere")
         assert not {"height", "depth", "angle", "count"} & set(self.shown(standing))
 
     def test_values_and_keys_are_set_on_the_piece(self, standing: MainWindow) -> None:
-        row, bridge = standing.parts.inspector.row("width"), standing.parts.open_project.bridge
+        row, bridge = standing.parts.panels.inspector.row("width"), standing.parts.open_project.bridge
         row.enter(321.0)
         assert steps(standing) == "Change Width"
         row.edited.toggle_key()
@@ -178,27 +178,27 @@ class TestInspector:
 
     def test_the_shadow_of_the_set_stands_right_below_the_piece(self, qtbot: QtBot, standing: MainWindow) -> None:
         def top(widget: QWidget) -> int:
-            return widget.mapTo(standing.parts.inspector, QPoint()).y()
+            return widget.mapTo(standing.parts.panels.inspector, QPoint()).y()
 
-        color, fov = (standing.parts.inspector.row(name).editor for name in ("set.shadow.color", "camera.fov"))
-        qtbot.waitUntil(lambda: top(standing.parts.inspector.row("casts").editor) < top(color) < top(fov))
+        color, fov = (standing.parts.panels.inspector.row(name).editor for name in ("set.shadow.color", "camera.fov"))
+        qtbot.waitUntil(lambda: top(standing.parts.panels.inspector.row("casts").editor) < top(color) < top(fov))
         standing.parts.open_project.bridge.session.select("layer-1")
-        assert standing.parts.inspector.owner is None
+        assert standing.parts.panels.inspector.owner is None
         assert self.shown(standing) == []
         qtbot.waitUntil(lambda: top(color) > top(fov))
 
     def test_a_piece_that_goes_takes_its_rows_with_it(self, standing: MainWindow) -> None:
         standing.parts.open_project.bridge.session.undo()
         assert self.shown(standing) == []
-        assert standing.parts.inspector.row("shadow.opacity").address.layer_id == "layer-1"
+        assert standing.parts.panels.inspector.row("shadow.opacity").address.layer_id == "layer-1"
 
 
 def test_the_timeline_works_on_the_piece_whose_row_is_clicked(standing: MainWindow) -> None:
     bridge = standing.parts.open_project.bridge
     bridge.session.edit("Key", set_key(bridge.document, Address(s.PIECE_WIDTH, piece_id="piece-1"), 3, 200.0))
     bridge.session.select("layer-1")
-    row = next(row for row in standing.parts.timeline.rows.rows if row.piece_id is not None)
-    standing.parts.timeline.names._choose(row)
+    row = next(row for row in standing.parts.time.timeline.rows.rows if row.piece_id is not None)
+    standing.parts.time.timeline.names._choose(row)
     assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)
     assert row.is_about(bridge.layer_ids, bridge.piece_id)
     standing.parts.actions["key_next"].trigger()

@@ -279,7 +279,7 @@ def test_the_menu_lists_the_drawings(timeline: Timeline, sheet: OpenProject) -> 
 
 def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, walking: MainWindow) -> None:
     timeline, session, actions = (
-        walking.parts.timeline,
+        walking.parts.time.timeline,
         walking.parts.open_project.bridge.session,
         walking.parts.actions,
     )

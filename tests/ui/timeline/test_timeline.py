@@ -400,13 +400,13 @@ def test_with_shift_a_letter_adds_what_it_reveals(qtbot: QtBot, walking: MainWin
     assert both == Reveal(REVEALED["reveal_light"] | REVEALED["reveal_tilt"])
     assert added(ANIMATED, "reveal_tilt") == Reveal(REVEALED["reveal_tilt"])
     walking.activateWindow()
-    walking.parts.timeline.lanes.setFocus()
-    qtbot.waitUntil(walking.parts.timeline.lanes.hasFocus)
-    QTest.keyClick(walking.parts.timeline.lanes, Qt.Key.Key_P)
-    QTest.keyClick(walking.parts.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
-    assert walking.parts.timeline.rows.reveal == both
-    QTest.keyClick(walking.parts.timeline.lanes, Qt.Key.Key_R)
-    assert walking.parts.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
+    walking.parts.time.timeline.lanes.setFocus()
+    qtbot.waitUntil(walking.parts.time.timeline.lanes.hasFocus)
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_P)
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    assert walking.parts.time.timeline.rows.reveal == both
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_R)
+    assert walking.parts.time.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
 
 
 def test_revealed_properties_have_rows_whether_keyed_or_not(timeline: Timeline, keyed: OpenProject) -> None:

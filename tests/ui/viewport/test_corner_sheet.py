@@ -118,7 +118,7 @@ def test_a_click_draws_nothing_and_asks_on(qtbot: QtBot, cornering: MainWindow) 
 
 
 def test_where_no_ground_is_seen_it_says_so(qtbot: QtBot, cornering: MainWindow) -> None:
-    cornering.parts.inspector.row("ground.declination").enter(90.0)
+    cornering.parts.panels.inspector.row("ground.declination").enter(90.0)
     qtbot.keyClick(cornering.parts.viewport, Qt.Key.Key_Return)
     before = cornering.parts.open_project.bridge.document
     stroke(qtbot, cornering, (40, 150), (200, 150))

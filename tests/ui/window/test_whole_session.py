@@ -101,7 +101,7 @@ class Person:
 
     def drag_key(self, frame: int, frames_on: int) -> None:
         """Drag a key of the lamp along the timeline."""
-        timeline = self.window.parts.timeline
+        timeline = self.window.parts.time.timeline
         row = next(index for index, each in enumerate(timeline.rows.rows) if each.addresses == (LIGHT,))
         start = QPointF(timeline.scale.middle_of(frame), timeline.rows.top_of(row) + timeline.rows.row_px / 2)
         way = QPointF(frames_on * timeline.scale.cell_px, 0)
@@ -217,7 +217,7 @@ def test_a_whole_session(
     person.qtbot.mouseRelease(viewport, LEFT)
     assert value_of(session.document, LIGHT, 1) != value_of(opened, LIGHT, 1)
 
-    row = next(each for each in person.window.parts.inspector.rows if each.address == LIGHT)
+    row = next(each for each in person.window.parts.panels.inspector.rows if each.address == LIGHT)
     row.key.click()
     person.go_to(6)
     drag(person.qtbot, viewport, "light.lamp", QPoint(-90, -20))

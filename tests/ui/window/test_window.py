@@ -72,7 +72,7 @@ def test_a_folder_dropped_on_the_window_becomes_a_layer(qtbot: QtBot, window: Ma
     assert window.parts.open_project.bridge.document.canvas.length_frames == 6
     assert shadow_is_on_canvas(window)
     assert window.isWindowModified()
-    drop(window, cels, over=window.parts.layers.view.viewport())
+    drop(window, cels, over=window.parts.panels.layers.view.viewport())
     assert [layer.name for layer in window.parts.open_project.bridge.document.layers] == ["walker", "walker 2"]
     window.parts.actions["undo"].trigger()
     window.parts.actions["undo"].trigger()
@@ -178,9 +178,9 @@ def test_frame_commands(walking: MainWindow) -> None:
     for name, frame in (("forward", 2), ("last", 6), ("back", 5), ("first", 1), ("forward_10", 6), ("back_10", 1)):
         actions[name].trigger()
         assert bridge.frame == frame, name
-    walking.parts.inspector.row("ground.roll").edited.toggle_key()
+    walking.parts.panels.inspector.row("ground.roll").edited.toggle_key()
     bridge.session.go_to(4)
-    walking.parts.inspector.row("ground.roll").edited.toggle_key()
+    walking.parts.panels.inspector.row("ground.roll").edited.toggle_key()
     actions["key_previous"].trigger()
     assert bridge.frame == 1
     actions["key_next"].trigger()
@@ -197,8 +197,8 @@ def test_backdrops_change_the_picture(walking: MainWindow) -> None:
 
 def test_delete_removes_the_layer_while_the_list_has_the_focus(qtbot: QtBot, walking: MainWindow) -> None:
     walking.activateWindow()
-    walking.parts.layers.view.setFocus()
-    qtbot.waitUntil(walking.parts.layers.view.hasFocus)
+    walking.parts.panels.layers.view.setFocus()
+    qtbot.waitUntil(walking.parts.panels.layers.view.hasFocus)
     walking.parts.actions["delete"].trigger()
     assert walking.parts.open_project.bridge.document.layers == ()
 
@@ -248,7 +248,7 @@ def test_another_language_makes_another_window_over_the_same_project(
     assert program.window is not old
     assert program.open_project.bridge.document is document
     assert program.window.parts.actions["save"].text() == "保存(&S)"
-    assert program.window.parts.inspector.row("tilt").label.text() == "体の傾き"
+    assert program.window.parts.panels.inspector.row("tilt").label.text() == "体の傾き"
     qtbot.waitUntil(lambda: program.window.parts.viewport.stage is not None)
     assert shadow_is_on_canvas(program.window)
     program.put_away()

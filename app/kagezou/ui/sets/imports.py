@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QPushButton
 
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_canvas, set_constant
@@ -25,6 +25,7 @@ from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.ui.sets.import_bar import KEEP_VIEW, Measure, SetBar
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.sentences import sentence_of, spoken
+from kagezou.ui.system.waiting import waiting
 from kagezou.ui.widgets.picking import Picking
 
 _FOOT_OF_HEIGHT = 0.8
@@ -110,7 +111,8 @@ class SetImports(QObject):
         up = str(value_of(self._bridge.document, of_piece(PIECE_UP, piece_id), 1))
 
         def read() -> None:
-            self._settled = _Settled(piece_id, path, self._cameras(path), up=up)
+            cameras = cameras_of(path, self._bridge.document.canvas.frame_rate)
+            self._settled = _Settled(piece_id, path, cameras, up=up)
             self._show_bar()
 
         self._try(read)
@@ -238,33 +240,29 @@ class SetImports(QObject):
         self._bar.say("")
 
     def _follow(self) -> None:
-        if self._settled is not None and self._piece() is None:
+        if self._settled is not None and _piece_of(self._bridge.document, self._settled) is None:
             self.close()
 
     def _show_bar(self) -> None:
-        settled, piece = self._settled, self._piece()
+        settled, piece = self._settled, _piece_of(self._bridge.document, self._settled)
         if settled is not None and piece is not None:
             names = [camera.name for camera in settled.cameras]
             self._bar.show_set(piece.name, names, settled.camera, settled.up or "y")
 
-    def _piece(self) -> Piece | None:
-        wanted = self._settled.piece_id if self._settled else None
-        return next((piece for piece in self._bridge.document.pieces if piece.id == wanted), None)
-
-    def _cameras(self, path: Path) -> tuple[SetCamera, ...]:
-        return cameras_of(path, self._bridge.document.canvas.frame_rate)
-
     def _try(self, do: Callable[[], None]) -> None:
-        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
-            do()
+            with waiting():
+                do()
         except Problem as problem:
             self.failed.emit(sentence_of(problem))
             self._show_bar()
         else:
             self.failed.emit("")
-        finally:
-            QApplication.restoreOverrideCursor()
+
+
+def _piece_of(document: Document, settled: _Settled | None) -> Piece | None:
+    """Return the piece that is settled, if it is still there."""
+    return next((piece for piece in document.pieces if settled is not None and piece.id == settled.piece_id), None)
 
 
 def _name_of(path: Path) -> str:

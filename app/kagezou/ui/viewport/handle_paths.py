@@ -65,6 +65,10 @@ _EXPLAINING: dict[GuideKind, tuple[str, ...]] = {
 """Guides that only stand in the way until one of their handles is touched, by the beginnings of those handles' ids."""
 
 
+_ELLIPSES = {HandleShape.SUN_DISC: (1.1, 1.1), HandleShape.FOOT: (1.25, 0.75), HandleShape.PEG: (1.0, 1.0)}
+"""How wide and high, in radii."""
+
+
 def is_wanted(kind: GuideKind, active_ids: Iterable[str | None]) -> bool:
     """Whether a guide is worth showing while these handles are hovered, held or selected."""
     handles = _EXPLAINING.get(kind)
@@ -74,14 +78,14 @@ def is_wanted(kind: GuideKind, active_ids: Iterable[str | None]) -> bool:
 def handle_path(shape: HandleShape, radius: float, cursor: Cursor) -> QPainterPath:
     """Return the outline of a handle around the origin; logical px."""
     path = QPainterPath()
+    if shape in _ELLIPSES:
+        across, up = _ELLIPSES[shape]
+        path.addEllipse(QPointF(0, 0), radius * across, radius * up)
+        return path
     match shape:
-        case HandleShape.SUN_DISC:
-            path.addEllipse(QPointF(0, 0), radius * 1.1, radius * 1.1)
         case HandleShape.DIAL:
             path.addPolygon(_star(8, radius * 1.5, radius * 0.95))
             path.closeSubpath()
-        case HandleShape.FOOT:
-            path.addEllipse(QPointF(0, 0), radius * 1.25, radius * 0.75)
         case HandleShape.CROSS:
             path = _cross(radius * 1.3, radius * 0.42)
         case HandleShape.SQUARE:
@@ -96,8 +100,6 @@ def handle_path(shape: HandleShape, radius: float, cursor: Cursor) -> QPainterPa
         case HandleShape.ARROW:
             path.addPolygon(_star(3, radius * 1.5, radius * 0.75))
             path.closeSubpath()
-        case HandleShape.PEG:
-            path.addEllipse(QPointF(0, 0), radius, radius)
         case HandleShape.GRIP:
             path = _two_arrows(radius, upright=cursor is Cursor.VERTICAL)
         case HandleShape.RING:

@@ -56,10 +56,10 @@ class Docks(QObject):
         super().__init__(window)
         self._window = window
         self.all = (
-            Dock("layers", self.tr("Layers"), LayersAndSet(parts.layers, parts.sets.pieces)),
-            Dock("inspector", self.tr("Inspector"), parts.inspector),
-            Dock("styles", self.tr("Styles"), parts.styles),
-            Dock("timeline", self.tr("Timeline"), parts.timeline),
+            Dock("layers", self.tr("Layers"), LayersAndSet(parts.panels.layers, parts.sets.pieces)),
+            Dock("inspector", self.tr("Inspector"), parts.panels.inspector),
+            Dock("styles", self.tr("Styles"), parts.panels.styles),
+            Dock("timeline", self.tr("Timeline"), parts.time.timeline),
             Dock("curves", self.tr("Curves"), parts.curves),
         )
         self._add(parts)
@@ -91,7 +91,7 @@ class Docks(QObject):
             self._window.addDockWidget(areas.BottomDockWidgetArea if below else areas.RightDockWidgetArea, dock)
             parts.menus.add_panel(dock.toggleViewAction())
         curves.visibilityChanged.connect(parts.curves.come)
-        styles.visibilityChanged.connect(parts.styles.come)
+        styles.visibilityChanged.connect(parts.panels.styles.come)
 
     def _arrange(self) -> None:
         layers, _, styles, timeline, curves = self.all

@@ -94,7 +94,7 @@ class MainWindow(QMainWindow):
         self.docks.layout.hide(blank, "blank")
         self.pages.setCurrentWidget(parts.welcome if blank else parts.viewport)
         parts.time.transport.setVisible(not blank)
-        for panel in (parts.inspector, parts.styles, parts.timeline, parts.curves):
+        for panel in (parts.panels.inspector, parts.panels.styles, parts.time.timeline, parts.curves):
             panel.setEnabled(not blank)
         for name in ("save_as", "export", "delete", "rename_layer", "play"):
             parts.actions[name].setEnabled(not blank)

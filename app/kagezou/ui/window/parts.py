@@ -65,12 +65,23 @@ class Sheets:
 
 @dataclass(frozen=True, slots=True)
 class TimeParts:
-    """What runs, shows and changes time outside the timeline."""
+    """What runs, shows and changes time."""
 
     player: Player
     prefetch: Prefetch
     transport: Transport
+    timeline: Timeline
     keys: KeyCommands
+
+
+@dataclass(frozen=True, slots=True)
+class Panels:
+    """What stands beside the picture: layers, the properties of what is worked on, and styles."""
+
+    thumbnails: Thumbnails
+    layers: LayerList
+    inspector: Inspector
+    styles: StyleList
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,13 +103,9 @@ class Parts:
     welcome: Welcome
     viewport: Viewport
     sheets: Sheets
-    thumbnails: Thumbnails
-    layers: LayerList
+    panels: Panels
     sets: SetParts
-    inspector: Inspector
-    styles: StyleList
     time: TimeParts
-    timeline: Timeline
     curves: CurvesPanel
 
     @property
@@ -114,8 +121,8 @@ class Parts:
         if self.demo is not None:
             self.demo.finish()
         self.viewport.finish()
-        self.thumbnails.finish()
-        self.styles.pictures.finish()
+        self.panels.thumbnails.finish()
+        self.panels.styles.pictures.finish()
         self.welcome.pictures.finish()
         self.time.prefetch.finish()
 
@@ -127,33 +134,12 @@ def make_parts(
     clipboard: Clipboard,
     make_demo: MakeDemo | None,
 ) -> Parts:
-    """Return new parts for a window; without ``make_demo`` no demo is offered.
-
-    Parameters
-    ----------
-    window
-        What their menus, dialogs and shortcuts belong to.
-    open_project, settings
-        What is worked on, and what is remembered.
-    clipboard
-        Where copies go.
-    make_demo
-        Who makes the demo.
-    """
-    bridge, actions, bar, space, thumbnails = (
-        open_project.bridge,
-        Actions(window),
-        MessageBar(),
-        SpaceBar(),
-        Thumbnails(),
-    )
+    """Return new parts for a window, to which menus and dialogs belong; without ``make_demo`` no demo is offered."""
+    bridge, actions, bar, space = open_project.bridge, Actions(window), MessageBar(), SpaceBar()
     player = Player(bridge)
-    prefetch = Prefetch(bridge, player, open_project.cels)
     viewport = Viewport(bridge, open_project.cels, open_project.meshes, space)
-    layers, inspector = LayerList(bridge, clipboard, thumbnails), Inspector(bridge, clipboard)
-    styles = StyleList(bridge, settings.style_folder)
-    time = _time_parts(bridge, player, actions, prefetch, KeyCommands(bridge, clipboard))
-    timeline = Timeline(bridge, clipboard, open_project.cels.kept_sources)
+    panels = _panels(bridge, clipboard, settings)
+    time = _time_parts(open_project, clipboard, player, actions)
     exporting = Exporting(bar)
     # Before the menus: made later, its labels come after the first layout, and the first picture is drawn twice.
     status = Status(bridge, exporting)
@@ -171,12 +157,8 @@ def make_parts(
         demo=DemoOpener(make_demo, bar, project.open_recent) if make_demo else None,
         welcome=Welcome(settings.picture_folder),
         viewport=viewport,
-        thumbnails=thumbnails,
-        layers=layers,
-        inspector=inspector,
-        styles=styles,
+        panels=panels,
         time=time,
-        timeline=timeline,
         status=status,
         sets=_set_parts(open_project, viewport, space, menus),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
@@ -186,9 +168,25 @@ def make_parts(
     )
 
 
-def _time_parts(bridge: Bridge, player: Player, actions: Actions, prefetch: Prefetch, keys: KeyCommands) -> TimeParts:
-    transport = Transport(bridge, player, [actions[name] if name else None for name in _BUTTONS])
-    return TimeParts(player, prefetch, transport, keys)
+def _panels(bridge: Bridge, clipboard: Clipboard, settings: Settings) -> Panels:
+    thumbnails = Thumbnails()
+    return Panels(
+        thumbnails,
+        LayerList(bridge, clipboard, thumbnails),
+        Inspector(bridge, clipboard),
+        StyleList(bridge, settings.style_folder),
+    )
+
+
+def _time_parts(open_project: OpenProject, clipboard: Clipboard, player: Player, actions: Actions) -> TimeParts:
+    bridge, cels = open_project.bridge, open_project.cels
+    return TimeParts(
+        player,
+        Prefetch(bridge, player, cels),
+        Transport(bridge, player, [actions[name] if name else None for name in _BUTTONS]),
+        Timeline(bridge, clipboard, cels.kept_sources),
+        KeyCommands(bridge, clipboard),
+    )
 
 
 def _set_parts(open_project: OpenProject, viewport: Viewport, space: SpaceBar, menus: Menus) -> SetParts:

@@ -25,7 +25,7 @@ _QUEUED = Qt.ConnectionType.QueuedConnection
 def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
     """Connect files, history and layers."""
     actions, project, session = parts.actions, parts.project, lambda: parts.bridge.session
-    bridge, welcome = parts.bridge, parts.welcome
+    bridge = parts.bridge
     for name, do in {
         "new": project.new,
         "open": project.open,
@@ -45,17 +45,13 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
         "redo": lambda: session().redo(),
         "delete": lambda: _delete(parts),
         "rename_layer": lambda: _rename(parts),
-        "copy_look": parts.layers.looks.copy,
-        "paste_look": parts.layers.looks.paste,
+        "copy_look": parts.panels.layers.looks.copy,
+        "paste_look": parts.panels.layers.looks.paste,
         "about": lambda: about_dialog(parts.viewport.window(), parts.viewport.device).open(),
     }.items():
         actions.on(name, do)
-    welcome.cels_asked.connect(project.new)
-    welcome.open_asked.connect(project.open)
-    welcome.recent_asked.connect(project.open_recent)
-    if parts.demo is not None:
-        welcome.demo_asked.connect(parts.demo.open)
-    parts.layers.add_asked.connect(project.import_folder)
+    _connect_welcome(parts)
+    parts.panels.layers.add_asked.connect(project.import_folder)
     project.recent_changed.connect(lambda: _show_recent(parts))
     parts.open_project.path_changed.connect(verbs.show_title)
     bridge.saved_changed.connect(verbs.show_title)
@@ -124,11 +120,20 @@ def connect_messages(parts: Parts) -> None:
 
     viewport.failed.connect(lambda sentence: bar.say("graphics", sentence), _QUEUED)
     viewport.broken_changed.connect(show_broken, _QUEUED)
-    parts.layers.looks.refused.connect(lambda sentence: bar.say("look", sentence, Severity.NOTE))
-    parts.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
+    parts.panels.layers.looks.refused.connect(lambda sentence: bar.say("look", sentence, Severity.NOTE))
+    parts.panels.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(parts.status.show_device, _QUEUED)
     parts.open_project.noted.connect(lambda sentence: bar.say(sentence, spoken(sentence), Severity.WARNING))
+
+
+def _connect_welcome(parts: Parts) -> None:
+    welcome, project = parts.welcome, parts.project
+    welcome.cels_asked.connect(project.new)
+    welcome.open_asked.connect(project.open)
+    welcome.recent_asked.connect(project.open_recent)
+    if parts.demo is not None:
+        welcome.demo_asked.connect(parts.demo.open)
 
 
 def _show_recent(parts: Parts) -> None:
@@ -175,13 +180,13 @@ def _export(parts: Parts) -> None:
 
 
 def _rename(parts: Parts) -> None:
-    (parts.sets.pieces if parts.bridge.piece_id else parts.layers).rename_current()
+    (parts.sets.pieces if parts.bridge.piece_id else parts.panels.layers).rename_current()
 
 
 def _delete(parts: Parts) -> None:
-    if parts.layers.view.hasFocus():
-        parts.layers.remove_current()
-    elif parts.timeline.lanes.hasFocus() and parts.timeline.drawings.are_chosen:
-        parts.timeline.drawings.empty()
+    if parts.panels.layers.view.hasFocus():
+        parts.panels.layers.remove_current()
+    elif parts.time.timeline.lanes.hasFocus() and parts.time.timeline.drawings.are_chosen:
+        parts.time.timeline.drawings.empty()
     elif (parts.viewport.hasFocus() or not parts.time.keys.delete()) and not parts.viewport.hand.delete_selected():
         remove_touched(parts)

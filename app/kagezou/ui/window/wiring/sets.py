@@ -29,7 +29,7 @@ def connect_set(parts: Parts, verbs: WindowVerbs) -> None:
         for name in needing_a_picture:
             actions[name].setEnabled(not parts.open_project.is_blank)
         # Styles are looks of a character's shadow.
-        parts.styles.setEnabled(bridge.layer_id is not None)
+        parts.panels.styles.setEnabled(bridge.layer_id is not None)
         for name in ("rename_piece", "duplicate_piece", "remove_piece"):
             actions[name].setEnabled(bridge.piece_id is not None)
 

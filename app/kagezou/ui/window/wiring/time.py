@@ -36,7 +36,7 @@ def connect_playback(parts: Parts, verbs: WindowVerbs) -> None:
     actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
     actions.on("go_to_frame", parts.time.transport.ask_frame)
     actions.on("read_ahead", parts.project.read_ahead)
-    parts.project.loading.progressed.connect(parts.timeline.ruler.update)
+    parts.project.loading.progressed.connect(parts.time.timeline.ruler.update)
     actions.on("play", lambda: _play(parts))
     parts.space.tapped.connect(lambda: _play(parts))
     parts.viewport.step_asked.connect(step)
@@ -78,7 +78,7 @@ def connect_jumps(parts: Parts) -> None:
 
 def connect_keys(parts: Parts) -> None:
     """Connect the commands on keys, work area and markers."""
-    keys, timeline, actions = parts.time.keys, parts.timeline, parts.actions
+    keys, timeline, actions = parts.time.keys, parts.time.timeline, parts.actions
     connected: dict[str, Callable[[], object]] = {
         "set_keys": keys.set_here,
         "copy_keys": keys.copy,
@@ -108,7 +108,12 @@ def connect_keys(parts: Parts) -> None:
 
 def connect_drawings(parts: Parts) -> None:
     """Connect the commands on exposures; within the timeline copy and paste are theirs while drawings are chosen."""
-    drawings, actions, timeline, keys = parts.timeline.drawings, parts.actions, parts.timeline, parts.time.keys
+    drawings, actions, timeline, keys = (
+        parts.time.timeline.drawings,
+        parts.actions,
+        parts.time.timeline,
+        parts.time.keys,
+    )
     connected: dict[str, Callable[[], object]] = {
         "drawing_split": drawings.split,
         "drawing_empty": drawings.empty,
@@ -133,7 +138,7 @@ def connect_drawings(parts: Parts) -> None:
 
 def connect_timeline(parts: Parts) -> None:
     """Connect what the timeline shows."""
-    timeline, actions, settings = parts.timeline, parts.actions, parts.settings
+    timeline, actions, settings = parts.time.timeline, parts.actions, parts.settings
     actions.on("timeline_fit", timeline.fit)
     actions.on("timeline_in", partial(timeline.zoom, 1.5))
     actions.on("timeline_out", partial(timeline.zoom, 1 / 1.5))
@@ -161,7 +166,7 @@ def connect_curves(parts: Parts, layout: PanelLayout) -> None:
 
 
 def _reveal(parts: Parts, name: str) -> None:
-    rows = parts.timeline.rows
+    rows = parts.time.timeline.rows
     adds = QGuiApplication.keyboardModifiers() & Qt.KeyboardModifier.ShiftModifier
     rows.show_only(added(rows.reveal, name) if adds else toggled(rows.reveal, name))
 
