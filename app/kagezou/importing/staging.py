@@ -191,7 +191,7 @@ def _read(sources: Sequence[CharacterSource], watch: Progress) -> Brought:
 
 
 def _with_background(document: Document, found: Sequence[PicturePart], notes: list[Message]) -> Document:
-    """Put the first of what was found under everything, unless there is a background; the others are told."""
+    """Put the first of what was found under everything, unless there is a background; the others are reported."""
     taken = found[:1] if document.background is None else ()
     notes += [
         Message(

@@ -30,7 +30,7 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     Parameters
     ----------
     project
-        The project to open; one that cannot be opened is told in the window.
+        The project to open; one that cannot be opened is reported in the window.
     arguments
         What Qt itself may take from the command line, such as ``-platform``.
     make_demo
