@@ -163,7 +163,7 @@ def test_nothing_of_it_is_imported_until_it_is_used() -> None:
     import subprocess
 
     code = (
-        "import sys, kagezou.export.video, kagezou.export.frames, kagezou.io.layered;"
+        "import sys, kagezou.export.video, kagezou.export.frames, kagezou.io.images.layered;"
         "print([name for name in ('av', 'psd_tools') if name in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

