@@ -12,7 +12,7 @@ from typing import Any, Final
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Document, file_of
 from kagezou.errors import UsageProblem
-from kagezou.export.jobs import planned
+from kagezou.export.planning import planned
 from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem

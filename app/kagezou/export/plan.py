@@ -11,12 +11,13 @@ from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.after_effects.drawings import exposed
 from kagezou.export.after_effects.mattes import MATTES, at_full_opacity
+from kagezou.export.after_effects.renderings import matte_renderings
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE
-from kagezou.export.jobs import LayeredContent, Plan, pictures_of, planned
-from kagezou.export.layered import part_names
+from kagezou.export.layered import LayeredContent
 from kagezou.export.names import safe_names
-from kagezou.export.receivers import receivers_of
-from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, RECEIVERS, SUFFIXES, ExportRequest
+from kagezou.export.planning import Plan, planned
+from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
+from kagezou.export.sequences import sequences_of
 from kagezou.export.video import VideoRequest, video_jobs
 
 
@@ -163,7 +164,7 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
             return tuple(f"{folder.name}/  {length} × {suffix}" for folder in made.folders)
         case ExportKind.LAYERED:
             content = made.jobs[0].content
-            names = part_names(content) if isinstance(content, LayeredContent) else ()
+            names = content.part_names if isinstance(content, LayeredContent) else ()
             # As a list of layers has them: the uppermost first.
             return (f"{made.folders[0].name}/  {length} × {suffix}", *(f"    {name}" for name in reversed(names)))
         case ExportKind.AFTER_EFFECTS:
@@ -180,15 +181,14 @@ def preview(document: Document, plan: ExportPlan, place: Place) -> tuple[str, ..
 def _shadow_lines(document: Document, plan: ExportPlan, made: Plan, suffix: str) -> Iterator[str]:
     """Yield the folders of a hand-off's shadows and mattes, with how many files each gets where that is known."""
     length = document.canvas.length_frames
-    for folder in made.folders:
-        count = max(pictures_of(made, folder)) + 1 if plan.per_drawing else length
-        yield f"shadows/{folder.name}/  {count} × {suffix}"
+    for sequence in made.sequences:
+        count = max(made.pictures_of(sequence)) + 1 if plan.per_drawing else length
+        yield f"shadows/{sequence.label}/  {count} × {suffix}"
     each = suffix if plan.per_drawing else f"{length} × {suffix}"
-    shadows = [folder.name for folder in made.folders if not folder.name.endswith("_received")]
-    asked = dict.fromkeys("shadow" if matte == "lit" else matte for matte in plan.mattes)
-    for matte in asked:
-        labels = [receiver.label for receiver in receivers_of(document)] if matte == RECEIVERS else shadows
-        yield from (f"matte_{matte}/{label}/  {each}" for label in labels)
+    request = frames_request(document, plan, Path(), workers=1)
+    for matte in matte_renderings(plan.mattes):
+        sequences = sequences_of(document, replace(request, only=matte.only))
+        yield from (f"{matte.folder}/{sequence.label}/  {each}" for sequence in sequences)
 
 
 def _copy_lines(document: Document, plan: ExportPlan) -> Iterator[str]:

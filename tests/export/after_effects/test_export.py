@@ -22,10 +22,11 @@ from kagezou.document.model import Cels, Document, Exposure, Marker
 from kagezou.document.properties import GROUNDING, LIGHT_POSITION, OPACITY
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import OutputProblem, UsageProblem
-from kagezou.export.after_effects.building import Written, hand_off
+from kagezou.export.after_effects.building import RenderedFootage, Written, hand_off
 from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import referenced
 from kagezou.export.after_effects.export import HandedOff, HandOffRequest, export_to_after_effects
+from kagezou.export.after_effects.renderings import SHADOWS
 from kagezou.export.after_effects.script import script_of
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import project
@@ -313,7 +314,7 @@ def test_drawings_of_different_sizes_become_as_large_as_the_canvas(tmp_path: Pat
 @given(name=st.one_of(st.sampled_from(NASTY), layer_names))
 def test_no_name_escapes_its_string(name: str, tmp_path: Path) -> None:
     document = cut(tmp_path / "cut", length=6)
-    written = Written(tmp_path, {("shadow", "layer-1"): (tmp_path / "a_1.png", 6, None)}, {}, None)
+    written = Written(tmp_path, {(SHADOWS, "layer-1"): RenderedFootage(tmp_path / "a_1.png", 6)}, {}, None)
     made = hand_off(document, name, name, written)
     text = script_of(made)
     assert text.isascii()
