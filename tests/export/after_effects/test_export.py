@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -12,11 +13,11 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from kagezou.animation.ease import Ease
-from kagezou.animation.track import Interpolation, Track, components_of
+from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document import review
-from kagezou.document.address import Address, resolve, value_of
+from kagezou.document.address import Address, value_of
 from kagezou.document.ease_edits import set_ease
-from kagezou.document.edits import add_layer, rename_layer, set_background, set_canvas, set_key, set_track
+from kagezou.document.edits import add_layer, rename_layer, set_background, set_canvas, set_key
 from kagezou.document.key_edits import all_keys
 from kagezou.document.model import Cels, Document, Exposure, Marker
 from kagezou.document.properties import GROUNDING, LIGHT_POSITION, OPACITY
@@ -376,11 +377,14 @@ def test_what_after_effects_cannot_have_is_refused(tmp_path: Path) -> None:
         handed_off(document, tmp_path / "ae", format="tga")
 
 
-def test_a_channel_of_holds_is_reached_linearly(document: Document) -> None:
-    held = set_track(document, resolve(document, "ground.roll"), Track(0.0))
-    held = with_key(with_key(held, "ground.roll", 1, 2.0), "ground.roll", 5, 3.0)
-    keys = channel_of(held.tracks["ground.roll"], 0, held.canvas.frame_rate).keys
-    assert [(key.time, key.value) for key in keys] == [(0.0, 2.0), (4 / 24, 3.0)]
+def test_a_key_is_reached_as_the_one_before_it_is_left() -> None:
+    kinds = (Interpolation.HOLD, Interpolation.BEZIER, Interpolation.LINEAR, Interpolation.HOLD)
+    track = Track(0.0, tuple(Key(frame, float(frame), kind) for frame, kind in enumerate(kinds, start=1)))
+    keys = channel_of(track, 0, Fraction(24)).keys
+    assert [(key.time, key.value) for key in keys] == [(n / 24, n + 1.0) for n in range(4)]
+    # As After Effects makes keys itself, which gives one behind a hold an incoming hold.
+    assert [key.into for key in keys] == ["LINEAR", "HOLD", "BEZIER", "LINEAR"]
+    assert [key.out for key in keys] == ["HOLD", "BEZIER", "LINEAR", "HOLD"]
 
 
 def replace_cels(document: Document, cels: Cels) -> Document:
