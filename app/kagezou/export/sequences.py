@@ -64,22 +64,32 @@ def sequences_of(document: Document, request: ExportRequest) -> tuple[Sequence, 
     UsageProblem
         A layer is asked for that the document does not have, or there is nothing to make.
     """
-    subjects = _layered(document, request) if request.layered else _apart(document, request)
+    layered: list[tuple[str, Subject]] = [(LAYERED, layered_subject(document, request))] if request.layered else []
+    subjects = layered or list(_apart(document, request))
+    if not subjects:
+        raise _nothing()
     digits = digits_for(document.canvas.length_frames)
-    found = tuple(Sequence(each, label, request.folder / label, digits, request.suffix) for label, each in subjects)
-    if not found:
-        raise UsageProblem("there is nothing to render: the project has no visible character layer")
-    return found
+    return tuple(Sequence(each, label, request.folder / label, digits, request.suffix) for label, each in subjects)
 
 
-def _layered(document: Document, request: ExportRequest) -> Iterator[tuple[str, Subject]]:
-    """Yield the one sequence of frames of layers: with some layers chosen they hold those alone."""
-    layers = tuple(
-        LayerOfFrame(layer.id, layer.name, ever_receives(layer)) for layer in chosen_layers(document, request)
-    )
+def layered_subject(document: Document, request: ExportRequest) -> LayeredSubject:
+    """Return what layered frames show: with some layers chosen they hold those alone.
+
+    Raises
+    ------
+    UsageProblem
+        As for `sequences_of`.
+    """
+    layers = chosen_layers(document, request)
+    if not layers:
+        raise _nothing()
     is_whole = request.layers is None
-    if layers:
-        yield LAYERED, LayeredSubject(layers, is_whole and set_ever_casts(document), is_whole)
+    characters = tuple(LayerOfFrame(layer.id, layer.name, ever_receives(layer)) for layer in layers)
+    return LayeredSubject(characters, is_whole and set_ever_casts(document), is_whole)
+
+
+def _nothing() -> UsageProblem:
+    return UsageProblem("there is nothing to render: the project has no visible character layer")
 
 
 def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Subject]]:

@@ -7,7 +7,7 @@ from PySide6.QtCore import QThread, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from kagezou.errors import Problem
-from kagezou.export.work import ExportOutcome, Work
+from kagezou.export.exporters.exporter import ExportOutcome, Work
 from kagezou.ui.system.icons import icon
 from kagezou.ui.system.offscreen_context import OffscreenSurface
 from kagezou.ui.system.sentences import sentence_of, spoken

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QCoreApplication, Qt
 
 from kagezou.document.style import apply_style
-from kagezou.export.plan import ExportPlan, Place, dumps_plan, loads_plan
-from kagezou.export.work import work_of
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.table import exporter_of
+from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.commands.search import CommandSearch
 from kagezou.ui.export.dialog import ExportDialog
@@ -166,14 +167,14 @@ def _export(window: "MainWindow") -> None:
     folder = Path(settings.folder("export")) if settings.folder("export") else beside
     place = Place(folder / f"{name}_export", path, name)
     document = window.open_project.bridge.document
-    plan = loads_plan(settings.word("export_plan", ""))
-    dialog = ExportDialog(document, plan, place, settings.preset_folder, window)
+    remembered = loads_choices(settings.word("export_plan", ""))
+    dialog = ExportDialog(document, remembered, place, settings.preset_folder, window)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
 
-    def start(plan: ExportPlan, chosen: Place) -> None:
-        settings.set_word("export_plan", dumps_plan(plan))
+    def start(choices: ExportChoices, chosen: Place) -> None:
+        settings.set_word("export_plan", dumps_choices(choices))
         settings.remember_folder("export", chosen.folder.parent)
-        window.exporting.start(work_of(document, plan, chosen))
+        window.exporting.start(exporter_of(choices).work(document, choices, chosen))
 
     dialog.chosen.connect(start)
     dialog.open()
