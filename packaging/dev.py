@@ -7,6 +7,8 @@
     python3 packaging/dev.py test [...]    set up, then lint, types, floors and tests (arguments go to pytest)
     python3 packaging/dev.py lint          set up, then lint, types and floors
     python3 packaging/dev.py setup         set up only
+    python3 packaging/dev.py hooks         set up, then have git run the checks before every commit
+    python3 packaging/dev.py translate     set up, then bring the catalogues of translations up to date
 
 Needs nothing but a Python of the supported range; what is already done is not done again.
 """
@@ -29,7 +31,9 @@ ROOT = Path(__file__).resolve().parents[1]
 OLDEST, NEWEST = (3, 11), (3, 13)
 PROCESSES = min(os.cpu_count() or 1, 3)
 """Of the tests: the windows among them share one screen and so one process, which takes about as long as all others."""
-VERBS = ("demo", "app", "test", "lint", "setup")
+VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate")
+PLAIN = ("lint", "setup", "hooks", "translate")
+"""Verbs that take no arguments and read the sources alone, but for ``setup``."""
 CHECKS = (
     ("ruff check", ("-m", "ruff", "check", ".")),
     ("ruff format", ("-m", "ruff", "format", "--check", ".")),
@@ -61,7 +65,7 @@ def set_up(verb: str) -> Environment:
     environment = Environment(ROOT, sys.version_info[:2])
     extra = "" if verb in ("demo", "app") else "dev"
     support = () if environment.is_ready(extra) else virtual_environment_support(environment.version)
-    if verb == "lint":  # reads the sources, draws nothing
+    if verb in ("lint", "hooks", "translate"):  # read the sources, draw nothing
         supply(support, (), say)
     elif verb in ("test", "setup"):
         supply([*support, *HEADLESS, *WINDOW, *TESTS], (), say)
@@ -96,11 +100,28 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
         return subprocess.call([str(environment.python), "-m", "pytest", *selection], cwd=ROOT, env=variables)
 
 
+def translate(environment: Environment) -> None:
+    """Bring the catalogues up to date, and name what still has no translation."""
+    # Only here: set-up itself must be readable by an older Python, to say that it is too old.
+    import dev_translations
+
+    place = [str(environment.python), "-c", "import PySide6; print(PySide6.__path__[0])"]
+    tools = Path(subprocess.run(place, capture_output=True, text=True, check=True).stdout.strip())
+    dev_translations.update(tools)
+    for text in dev_translations.unfinished():
+        say(f"not translated: {text}")
+
+
 def run_verb(verb: str, arguments: Sequence[str]) -> int:
     """Set up for the verb, do it, and return the exit code."""
     environment = set_up(verb)
     if verb == "setup":
         say(f"Ready: {environment.python}")
+        return 0
+    if verb == "hooks":
+        return subprocess.call([str(environment.python), "-m", "pre_commit", "install"], cwd=ROOT)
+    if verb == "translate":
+        translate(environment)
         return 0
     if verb in ("demo", "app"):
         command = [str(environment.python), "-m", "kagezou", *(["demo"] if verb == "demo" else [])]
@@ -119,7 +140,7 @@ def main(arguments: Sequence[str]) -> int:
     if problem:
         sys.stderr.write(f"{problem}\n")
         return 1
-    if not arguments or arguments[0] not in VERBS or (arguments[0] in ("lint", "setup") and arguments[1:]):
+    if not arguments or arguments[0] not in VERBS or (arguments[0] in PLAIN and arguments[1:]):
         wants_help = bool(arguments) and arguments[0] in ("-h", "--help")
         (sys.stdout if wants_help else sys.stderr).write(__doc__ or "")
         return 0 if wants_help else 2

@@ -12,7 +12,7 @@ from kagezou.animation.track import Interpolation, Key, Track, Value, components
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Kind, Property
+from kagezou.document.property import AnyProperty, Kind
 from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import VanishingLines
 
@@ -27,10 +27,10 @@ lines = st.tuples(points, points)
 vanishing_lines = st.builds(VanishingLines, st.tuples(lines, lines), st.tuples(lines, lines))
 
 
-def values(line: Property) -> st.SearchStrategy[Value]:
-    match line.kind:
+def values(prop: AnyProperty) -> st.SearchStrategy[Value]:
+    match prop.kind:
         case Kind.NUMBER:
-            return st.floats(line.low, line.high, allow_subnormal=False)
+            return st.floats(prop.low, prop.high, allow_subnormal=False)
         case Kind.POINT:
             return points
         case Kind.PLACE:
@@ -40,7 +40,7 @@ def values(line: Property) -> st.SearchStrategy[Value]:
         case Kind.COLOR:
             return st.integers(0, 0xFFFFFF).map(lambda number: f"#{number:06X}")
         case Kind.CHOICE:
-            return st.sampled_from(line.choices)
+            return st.sampled_from(prop.choices)
         case Kind.SWITCH:
             return st.booleans()
 
@@ -49,22 +49,22 @@ eases = st.builds(Ease, st.floats(-1e6, 1e6), st.floats(0, 1))
 
 
 @st.composite
-def keys(draw: st.DrawFn, line: Property, frame: int) -> Key:
-    value = draw(values(line))
-    interpolation = Interpolation.HOLD if line.holds_only else draw(st.sampled_from(list(Interpolation)))
+def keys(draw: st.DrawFn, prop: AnyProperty, frame: int) -> Key:
+    value = draw(values(prop))
+    interpolation = Interpolation.HOLD if prop.holds_only else draw(st.sampled_from(list(Interpolation)))
     most = len(components_of(value) or ())
     each = st.lists(eases, max_size=most).map(tuple)
     return Key(frame, value, interpolation, draw(each), draw(each))
 
 
 @st.composite
-def tracks(draw: st.DrawFn, line: Property) -> Track:
+def tracks(draw: st.DrawFn, prop: AnyProperty) -> Track:
     frames = sorted(draw(st.sets(st.integers(1, 1000), max_size=4)))
-    return Track(draw(values(line)), tuple(draw(keys(line, frame)) for frame in frames))
+    return Track(draw(values(prop)), tuple(draw(keys(prop, frame)) for frame in frames))
 
 
 @st.composite
-def track_tables(draw: st.DrawFn, table: dict[str, Property]) -> Tracks:
+def track_tables(draw: st.DrawFn, table: dict[str, AnyProperty]) -> Tracks:
     chosen = draw(st.sets(st.sampled_from(sorted(table)), max_size=4))
     return MappingProxyType({name: draw(tracks(table[name])) for name in sorted(chosen)})
 
@@ -109,9 +109,9 @@ said = st.text(st.characters(codec="utf-8"), max_size=20)
 @st.composite
 def notes(draw: st.DrawFn, layer_ids: list[str]) -> Note:
     layer_id = draw(st.sampled_from([None, *layer_ids]))
-    line = draw(st.sampled_from(sorted(OF_DOCUMENT if layer_id is None else OF_LAYER)))
+    name = draw(st.sampled_from(sorted(OF_DOCUMENT if layer_id is None else OF_LAYER)))
     words = draw(said.filter(lambda text: bool(text.strip())))
-    return Note(draw(st.integers(1, 1000)), line, words, layer_id, draw(said))
+    return Note(draw(st.integers(1, 1000)), name, words, layer_id, draw(said))
 
 
 @st.composite

@@ -15,6 +15,7 @@ from kagezou.cli import main as command_line
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import PROGRAM, speak_plainly, tell
 from kagezou.errors import GraphicsProblem
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.render.gpu.context import GraphicsContext
@@ -91,7 +92,7 @@ class _WindowSystemContext:
             from kagezou.ui.system.offscreen_context import OffscreenSurface
         except ImportError as error:
             raise GraphicsProblem(
-                f"no OpenGL is to be had: the window's libraries cannot be loaded: {error}"
+                Message("no OpenGL is to be had: the window's libraries cannot be loaded: {error}", error=error)
             ) from error
         self._application = None if QGuiApplication.instance() else QGuiApplication([PROGRAM])
         self._context = OffscreenSurface().open()

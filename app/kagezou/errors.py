@@ -1,16 +1,36 @@
 """What goes wrong outside the program, as one sentence and one exit code.
 
-A ``Problem`` is meant for the person at the open_project: its text names the file and the cause and needs no traceback.
+A ``Problem`` is meant for the person who works: its message names the file and the cause and needs no traceback.
 Anything else that escapes is a defect of ours.
 """
 
 from typing import ClassVar
 
+from kagezou.message import Message, Translate
+
 
 class Problem(Exception):
-    """Something the user can understand and mend; ``str(problem)`` is the whole sentence."""
+    """Something the user can understand and mend; ``str(problem)`` is the whole sentence in English.
+
+    Parameters
+    ----------
+    message
+        The sentence with its values, to be translated where it is shown.
+    """
 
     exit_code: ClassVar[int] = 1
+
+    def __init__(self, message: Message) -> None:
+        super().__init__(message)
+        self.message = message
+
+    def formatted(self, translate: Translate) -> str:
+        """Return the sentence in the language of ``translate``."""
+        return self.message.formatted(translate)
+
+    def sentence(self, translate: Translate) -> str:
+        """Return it with a capital where English begins with one."""
+        return self.message.sentence(translate)
 
 
 class UsageProblem(Problem):

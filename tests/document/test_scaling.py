@@ -6,14 +6,14 @@ from hypothesis import strategies as st
 from kagezou.animation.track import Value, components_of
 from kagezou.document.model import Canvas, Document, Tracks
 from kagezou.document.properties import TABLE
-from kagezou.document.property import Property, Scope
+from kagezou.document.property import AnyProperty, Scope
 from kagezou.document.scaling import scaled, usable_divisor
 from tests.documents import documents
 
 
-def value(tracks: Tracks, line: Property, frame: float) -> Value:
-    track = tracks.get(line.name)
-    return line.default if track is None else track.value_at(frame)
+def value(tracks: Tracks, prop: AnyProperty, frame: float) -> Value:
+    track = tracks.get(prop.name)
+    return prop.default if track is None else track.value_at(frame)
 
 
 def holders(document: Document, scope: Scope) -> list[Tracks]:
@@ -30,10 +30,10 @@ def holders(document: Document, scope: Scope) -> list[Tracks]:
 @given(documents(), st.sampled_from([2, 4]), st.floats(1, 1000))
 def test_lengths_are_divided_at_every_frame_and_nothing_else_is(document: Document, divisor: int, frame: float) -> None:
     small = scaled(document, divisor)
-    for line in TABLE:
-        for before, after in zip(holders(document, line.scope), holders(small, line.scope), strict=True):
-            full, part = value(before, line, frame), value(after, line, frame)
-            if line.unit != "px":
+    for prop in TABLE:
+        for before, after in zip(holders(document, prop.scope), holders(small, prop.scope), strict=True):
+            full, part = value(before, prop, frame), value(after, prop, frame)
+            if prop.unit != "px":
                 assert part == full
                 continue
             for whole, piece in zip(components_of(full) or (), components_of(part) or (), strict=True):

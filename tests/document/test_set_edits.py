@@ -13,16 +13,18 @@ from kagezou.document.address import Address, path_of, resolve, track_of, value_
 from kagezou.document.edits import remove_key, set_constant, set_key
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Document, Piece
+from kagezou.document.piece_kinds import kind_of
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
-from kagezou.document.set_pieces import MAX_PIECES, add_piece, copy_piece, kind_of, remove_piece, rename_piece
-from kagezou.document.set_properties import GROUND_RECEIVES, KINDS
+from kagezou.document.set_pieces import MAX_PIECES, add_piece, copy_piece, remove_piece, rename_piece
+from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.errors import ProjectProblem, UsageProblem
+from kagezou.geometry.sets.measures import PieceKind
 from tests.documents import documents
 
 EMPTY = set_constant(Document(Canvas(1000, 800)), Address(GROUND_POSITION), [500, 700])
 
 
-@given(documents(), st.sampled_from(KINDS), st.text(st.characters(codec="utf-8"), max_size=20))
+@given(documents(), st.sampled_from(PieceKind), st.text(st.characters(codec="utf-8"), max_size=20))
 def test_pieces_come_and_go(document: Document, kind: str, name: str) -> None:
     try:
         added = add_piece(document, name, kind)
@@ -38,6 +40,12 @@ def test_pieces_come_and_go(document: Document, kind: str, name: str) -> None:
     check(twin)
     assert twin.pieces[-1].tracks == piece.tracks
     assert twin.pieces[-1].name != piece.name
+
+
+def test_a_new_piece_stays_where_a_piece_may_be_however_far_away_the_ground_is() -> None:
+    far = set_constant(EMPTY, Address(GROUND_POSITION), [0.0, -999_999.0])
+    (piece,) = add_piece(far, "wall", PieceKind.WALL).pieces
+    assert piece.tracks["position"].constant == (0.0, -1_000_000.0)
 
 
 def test_a_new_piece_stands_behind_the_ground_line_in_a_natural_size() -> None:

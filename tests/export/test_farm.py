@@ -14,11 +14,11 @@ import pytest
 from kagezou.document.edits import rename_layer, set_background
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
-from kagezou.document.set_properties import MESH
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, template, write_bundle
 from kagezou.export.frames import export_frames
 from kagezou.export.request import ExportRequest
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.io.project.file import save
 from kagezou.io.project.path_mapping import Rule, mapped, read_rules, with_mapped_paths
 from kagezou.render.gpu.context import open_headless_context
@@ -188,8 +188,8 @@ def test_a_set_is_named_and_moved_with_all_its_files(document: Document, tmp_pat
     street.write_text(json.dumps({"asset": {"version": "2.0"}, "buffers": buffers}))
     (tmp_path / "a b.bin").write_bytes(b"")
     (tmp_path / "broken.gltf").write_text("{")
-    document = add_piece(document, "street", MESH, source=street)
-    document = add_piece(document, "broken", MESH, source=tmp_path / "broken.gltf")
+    document = add_piece(document, "street", PieceKind.MESH, source=street)
+    document = add_piece(document, "broken", PieceKind.MESH, source=tmp_path / "broken.gltf")
     job, _ = bundle(add_piece(document, "wall", "wall"), tmp_path)
     named = json.loads((job.parent / ASSETS).read_text())["assetReferences"]["inputs"]["filenames"]
     assert {str(street), str(tmp_path / "a b.bin"), str(tmp_path / "broken.gltf")} <= set(named)

@@ -179,7 +179,7 @@ def test_going_on_past_drawings_that_cannot_be_read(tmp_path: Path) -> None:
     (tmp_path / "drawings" / "a_0006.png").write_bytes(b"no picture")
     summary = export(document, tmp_path / "out", keep_going=True, workers=3)
     assert [failure.frames for failure in summary.failures] == [(2,), (6, 7, 8)]
-    assert "a_0006.png" in summary.failures[1].sentence
+    assert "a_0006.png" in str(summary.failures[1].message)
     assert (summary.written, summary.cancelled, summary.is_whole) == (4, False, False)
     assert len(bytes_below(tmp_path / "out")) == 4
 

@@ -12,13 +12,15 @@ from psd_tools import PSDImage
 from psd_tools.constants import BlendMode
 
 from kagezou.document.edits import add_layer, set_background
-from kagezou.document.model import Cels, Document, Exposure, PicturePart
+from kagezou.document.model import Cels, Document, Exposure
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images import oiio_parts
-from kagezou.io.images.layered import LayeredImage, LayerPart, write_layered
+from kagezou.io.images.layered import write_layered
 from kagezou.io.images.reading import read_cel
 from kagezou.io.images.writing import write_rgba
+from kagezou.io.pixels.layers import LayeredImage, LayerPart
+from kagezou.picture_source import PicturePart
 from tests.export.small_cuts import HEIGHT, WIDTH, bytes_below, cut, drawings, export, with_key, with_values
 
 

@@ -12,6 +12,7 @@ from kagezou.export.pictures import FlatPicture, Picture
 from kagezou.export.pipeline import Draw, PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, planned
 from kagezou.export.request import ExportRequest
+from kagezou.message import Message
 from tests.export.small_cuts import cut
 
 
@@ -113,7 +114,7 @@ def failing_on(frame: int, problem: Exception) -> Callable[[FrameJob], None]:
 
 
 def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[FrameJob, ...]) -> None:
-    failing = steps(failing_on(7, InputProblem("broken")), picture, written)
+    failing = steps(failing_on(7, InputProblem(Message("broken"))), picture, written)
     outcomes = list(flow(jobs, failing, 2, 4, never))
     assert [number(outcome.job) for outcome in outcomes if outcome.problem] == [7]
     assert len(outcomes) == 20
@@ -122,7 +123,7 @@ def test_a_drawing_that_cannot_be_read_fails_alone(jobs: tuple[FrameJob, ...]) -
 def test_a_full_disk_ends_everything_and_leaves_no_worker(jobs: tuple[FrameJob, ...]) -> None:
     def write(job: FrameJob, drawn: Picture) -> str:
         if number(job) == 5:
-            raise DiskFullProblem("full")
+            raise DiskFullProblem(Message("full"))
         return written(job, drawn)
 
     with pytest.raises(DiskFullProblem):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from kagezou.document.edits import add_layer, set_canvas
-from kagezou.document.model import Cels, Document, Exposure, PicturePart
+from kagezou.document.model import Cels, Document, Exposure
 from kagezou.errors import UsageProblem
 from kagezou.export.after_effects.export import HandOffRequest, export_to_after_effects
 from kagezou.export.request import RECEIVED, SHADOWS
@@ -15,6 +15,7 @@ from kagezou.geometry.box import Box
 from kagezou.io.images.reading import read_cel
 from kagezou.io.images.writing import write_rgba
 from kagezou.io.psd.file import psd_tree
+from kagezou.picture_source import PicturePart
 from kagezou.render.gpu.context import open_headless_context
 from tests.export.small_cuts import cut, drawings, export, with_key, with_values
 

@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kagezou.document import set_properties as lines
 from kagezou.document.address import Address
 from kagezou.document.edits import add_layer, set_constant
 from kagezou.document.model import Canvas, Cels, Document
@@ -13,6 +12,7 @@ from kagezou.document.properties import GROUND_POSITION
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.importing.set_placing import placement
 from kagezou.importing.set_sizing import figure_height, sized
 
@@ -20,7 +20,7 @@ from kagezou.importing.set_sizing import figure_height, sized
 def stage() -> Document:
     document = add_layer(Document(Canvas(800, 600)), "A", Cels(), Box(300, 200, 500, 520))
     document = set_constant(document, Address(GROUND_POSITION), (400.0, 520.0))
-    return add_piece(document, "set", lines.MESH, {"position": (400.0, 520.0)}, Path("/sets/a.glb"))
+    return add_piece(document, "set", PieceKind.MESH, {"position": (400.0, 520.0)}, Path("/sets/a.glb"))
 
 
 @pytest.mark.parametrize("heights", [0.25, 1.0, 3.5])

@@ -38,7 +38,7 @@ def test_a_gap_holds_the_drawing_before_and_is_told(tmp_path: Path) -> None:
     (layer,) = result.document.layers
     assert [exposure.frame for exposure in layer.cels.exposures] == [1, 2, 5, 8]
     assert layer.cels.drawing_at(4) == layer.cels.drawings[1]
-    assert "walk: missing 3-4,6-7; the drawing before is held" in result.notes
+    assert "walk: missing 3-4,6-7; the drawing before is held" in map(str, result.notes)
 
 
 def test_an_inserted_drawing_takes_a_frame_of_its_own(tmp_path: Path) -> None:
@@ -89,7 +89,7 @@ def test_left_out_pictures_are_told(tmp_path: Path) -> None:
     write_walk(tmp_path / "walk", [1, 2])
     for name in ("colors", "model", "notes", "zip"):
         write_cel(tmp_path / "walk" / f"{name}.png", (4, 4))
-    (note,) = staged(tmp_path / "walk").notes
+    (note,) = map(str, staged(tmp_path / "walk").notes)
     assert note.endswith("walk: left out, as they have no number: colors.png, model.png, notes.png, …")
 
 
@@ -98,7 +98,9 @@ def test_odd_sizes_are_told_and_the_canvas_holds_the_largest(tmp_path: Path) -> 
     write_cel(tmp_path / "walk/walk_0003.png", (420, 280), (200, 100, 240, 250))
     result = staged(tmp_path / "walk")
     assert (result.document.canvas.width_px, result.document.canvas.height_px) == (420, 300)
-    assert any("walk: drawings differ in size, first" in note and "420 × 280 px" in note for note in result.notes)
+    assert any(
+        "walk: drawings differ in size, first" in note and "420 × 280 px" in note for note in map(str, result.notes)
+    )
 
 
 def test_paths_are_absolute(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -140,19 +142,25 @@ def test_a_character_of_empty_drawings_takes_the_whole_canvas_and_says_so(tmp_pa
     result = staged(tmp_path / "A")
     assert result.document.layers[0].figure == Box(0, 0, 40, 60)
     assert result.document.tracks["ground.position"].constant == (20.0, 60.0)
-    assert result.notes == ("A: there is nothing solid in its drawings; the whole canvas was taken as the figure",)
+    assert tuple(map(str, result.notes)) == (
+        "A: there is nothing solid in its drawings; the whole canvas was taken as the figure",
+    )
 
 
 def test_a_figure_that_reaches_the_lower_edge_is_told(tmp_path: Path) -> None:
     cut = write_cel(tmp_path / "bust.png", (100, 100), (20, 10, 80, 100))
     result = staged(cut)
     assert result.document.tracks["ground.position"].constant == (50.0, 100.0)
-    assert any(note.startswith("bust: the figure reaches the lower edge of its drawing") for note in result.notes)
+    assert any(
+        note.startswith("bust: the figure reaches the lower edge of its drawing") for note in map(str, result.notes)
+    )
 
 
 def test_a_drawing_over_the_canvas_is_told(tmp_path: Path) -> None:
     big = write_cel(tmp_path / "big.png", (100, 100), (20, 10, 80, 90))
-    assert "big: its drawings of 100 × 100 px reach over the canvas of 80 × 60 px" in staged(big, size=(80, 60)).notes
+    assert "big: its drawings of 100 × 100 px reach over the canvas of 80 × 60 px" in map(
+        str, staged(big, size=(80, 60)).notes
+    )
 
 
 # ---- more characters
@@ -190,8 +198,8 @@ def test_a_broken_drawing_is_told_and_the_others_are_used(tmp_path: Path) -> Non
     result = staged(tmp_path / "walk")
     assert len(result.document.layers[0].cels.drawings) == 7
     assert result.document.layers[0].figure.left == 152
-    assert sum("walk_0001.png: the file is empty" in note for note in result.notes) == 1
-    assert "walk: 4 drawings cannot be opened" in result.notes
+    assert sum("walk_0001.png: the file is empty" in note for note in map(str, result.notes)) == 1
+    assert "walk: 4 drawings cannot be opened" in map(str, result.notes)
 
 
 def test_a_drawing_cut_short_is_told_once(tmp_path: Path) -> None:
@@ -199,7 +207,7 @@ def test_a_drawing_cut_short_is_told_once(tmp_path: Path) -> None:
     path = tmp_path / "walk/walk_0001.png"
     path.write_bytes(path.read_bytes()[:-20])
     result = staged(tmp_path / "walk")
-    assert [note for note in result.notes if "walk_0001.png" in note] == [f"{path}: the file is cut short"]
+    assert [note for note in map(str, result.notes) if "walk_0001.png" in note] == [f"{path}: the file is cut short"]
 
 
 def test_a_character_of_broken_drawings_is_refused(tmp_path: Path) -> None:

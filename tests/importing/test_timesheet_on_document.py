@@ -30,7 +30,7 @@ def document_with(**layers: list[str]) -> Document:
 def exposed(document: Document, *tracks: SheetTrack, length: int = 24) -> tuple[list[tuple[Exposure, ...]], list[str]]:
     changed, notes = timed(document, Timesheet("c", length, tracks))
     invariants.check(changed)
-    return [layer.cels.exposures for layer in changed.layers], notes
+    return [layer.cels.exposures for layer in changed.layers], [str(note) for note in notes]
 
 
 def test_cels_are_found_by_number_not_by_place() -> None:

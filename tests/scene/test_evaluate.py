@@ -8,12 +8,13 @@ from hypothesis import strategies as st
 
 from kagezou.document import edits
 from kagezou.document.address import Address
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, PicturePart
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.light import sun
+from kagezou.picture_source import PicturePart
 from kagezou.scene.evaluate import card_at, contact_of, evaluate, light_at
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import ShadowLook
@@ -156,6 +157,36 @@ class TestTiming:
         assert [lights.index(each) for each in lights] == [0, 0, 0, 3, 3, 3]
         ones = self.lights("ones")
         assert (lights[0], lights[3]) == (ones[0], ones[3])
+
+    @pytest.mark.parametrize(
+        ("part", "ends"),
+        [
+            ("look", {"shadow.opacity": (0.1, 0.9)}),
+            ("look", {"shadow.color": ("#000000", "#FFFFFF")}),
+            ("look", {"shadow.fade": (100.0, 600.0), "shadow.fade_curve": (1.0, 6.0)}),
+            ("look", {"shadow.tip_distance": (100.0, 600.0), "shadow.tip_color": ("#000000", "#FFFFFF")}),
+            ("card", {"tilt": (-50.0, 50.0)}),
+            ("simplify", {"shadow.simplify": (10.0, 60.0)}),
+            ("edge", {"shadow.softness": (1.0, 60.0)}),
+            ("water", {"shadow.wave1.amplitude": (10.0, 60.0)}),
+        ],
+        ids=lambda value: value if isinstance(value, str) else "+".join(value),
+    )
+    def test_all_of_a_shadow_waits(self, part: str, ends: dict[str, tuple[object, object]]) -> None:
+        """What is keyed of the look, the card and the filters changes with every frame, or with the drawings."""
+        ones, waiting = self.seen(part, ends, "ones"), self.seen(part, ends, "exposures")
+        assert len({repr(each) for each in ones}) == 6
+        assert waiting == [ones[0]] * 3 + [ones[3]] * 3
+
+    def seen(self, part: str, ends: dict[str, tuple[object, object]], timing: str) -> list[object]:
+        cels = Cels((Drawing("1", Path("/c/1.png")), Drawing("2", Path("/c/2.png"))), (Exposure(1, 0), Exposure(4, 1)))
+        document = edits.add_layer(Document(Canvas(400, 300, length_frames=6)), "A", cels, Box(100, 50, 200, 250))
+        for name, values in {"shadow.timing": (timing, timing), **ends}.items():
+            address = Address(OF_LAYER[name], "layer-1")
+            for frame, value in zip((1, 6), values, strict=True):
+                document = edits.set_key(document, address, frame, value)
+        layers = [evaluate(document, frame).layers[0] for frame in range(1, 7)]
+        return [getattr(layer if part == "look" else layer.cast, part) for layer in layers]
 
 
 def test_a_layer_receives_the_plain_shadows_of_the_others() -> None:

@@ -6,7 +6,7 @@ from kagezou.document import properties as p
 from kagezou.document.edits import remove_layer
 from kagezou.document.invariants import check
 from kagezou.document.model import Document
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.errors import UsageProblem
 from kagezou.tools.grounding import add_grounding, remove_grounding
 from kagezou.tools.handle import GuideKind, hit
@@ -20,7 +20,7 @@ HALF = 0.5  # cos 60°, the default declination
 ROOT = 3**0.5 / 2  # sin 60°
 
 
-def lamp_at(*position: float) -> tuple[Property, object]:
+def lamp_at(*position: float) -> tuple[AnyProperty, object]:
     return (p.LIGHT_POSITION, position)
 
 
@@ -310,7 +310,7 @@ def test_a_drag_of_a_tip_that_is_gone_changes_nothing() -> None:
         ((p.VISIBLE, False),),
     ],
 )
-def test_there_is_no_handle_where_there_is_no_tip(settings: tuple[tuple[Property, object], ...]) -> None:
+def test_there_is_no_handle_where_there_is_no_tip(settings: tuple[tuple[AnyProperty, object], ...]) -> None:
     document = document_with(*settings)
     assert "shadow.tip" not in ids(document)
     assert GuideKind.SHADOW_RAY not in {guide.kind for guide in handles_of(document, 1, LAYER, CanvasView()).guides}

@@ -10,7 +10,7 @@ from hypothesis.strategies import DrawFn
 
 from kagezou.document import properties as p
 from kagezou.document.model import Document
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.geometry.camera import project
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import foot_of
@@ -44,7 +44,7 @@ def scenes(draw: DrawFn, kind: str, *, high: bool = False, points: tuple[int, in
     lamp = moved(at, (draw(st.floats(900 if high else 5, 3000)), ground.normal))
     fov = draw(st.one_of(st.just(0.0), st.floats(5, 100)))
     grounding = draw(st.lists(grounding_points, min_size=points[0], max_size=points[1]))
-    settings: list[tuple[Property, object]] = [
+    settings: list[tuple[AnyProperty, object]] = [
         (p.LIGHT_KIND, kind), (p.GROUND_POSITION, position), (p.GROUND_ROLL, roll), (p.GROUND_DECLINATION, declination),
         (p.LIGHT_POSITION, lamp), (p.FOV, fov), (p.GROUNDING, tuple(grounding)),
         (p.LIGHT_AZIMUTH, draw(st.floats(-720, 720))), (p.LIGHT_ELEVATION, draw(st.floats(3, 90))),

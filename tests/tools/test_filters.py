@@ -4,13 +4,13 @@ import pytest
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.tools.handles import handles_of
 from kagezou.tools.pointer import Modifiers
 from kagezou.tools.view import CanvasView
 from tests.tools.tool_scenes import LAYER, Hand, document_with, handle, number
 
-Settings = tuple[tuple[Property, object], ...]
+Settings = tuple[tuple[AnyProperty, object], ...]
 SUN: Settings = (
     (properties.LIGHT_KIND, "sun"), (properties.LIGHT_AZIMUTH, 0.0), (properties.LIGHT_ELEVATION, 45.0),
 )  # fmt: skip

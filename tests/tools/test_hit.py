@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kagezou.document.property import Words
+from kagezou.message import Message
 from kagezou.tools.handle import (
     EDGE_MARGIN_PX,
     HIT_RADIUS_PX,
@@ -18,7 +18,7 @@ from kagezou.tools.view import CanvasView
 
 
 def ring(name: str, x: float, y: float, *, stays_in_view: bool = False) -> Handle:
-    return Handle(name, HandleShape.RING, (x, y), None, Words(name, name), stays_in_view=stays_in_view)
+    return Handle(name, HandleShape.RING, (x, y), None, Message("{name}", name=name), stays_in_view=stays_in_view)
 
 
 def test_the_nearest_handle_is_hit() -> None:

@@ -8,15 +8,16 @@ from kagezou.document import set_properties as s
 from kagezou.document.address import Address, value_of
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Document
-from kagezou.document.property import Property
-from kagezou.document.set_properties import BUILT_KINDS
+from kagezou.document.piece_kinds import BUILT_KINDS
+from kagezou.document.property import AnyProperty
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.scene.evaluate import evaluate
 from kagezou.tools.placing import add_placed
 from tests.tools.tool_scenes import LAYER, document_with
 
 
-def value(document: Document, piece_id: str, line: Property) -> object:
-    return value_of(document, Address(line, piece_id=piece_id), 1)
+def value(document: Document, piece_id: str, prop: AnyProperty) -> object:
+    return value_of(document, Address(prop, piece_id=piece_id), 1)
 
 
 def point(document: Document, piece_id: str) -> tuple[float, float]:
@@ -34,7 +35,9 @@ def point(document: Document, piece_id: str) -> tuple[float, float]:
     st.floats(20, 80),
     st.floats(300, 700),
 )
-def test_a_new_piece_stands_on_the_canvas(kind: str, fov: float, roll: float, declination: float, x: float) -> None:
+def test_a_new_piece_stands_on_the_canvas(
+    kind: PieceKind, fov: float, roll: float, declination: float, x: float
+) -> None:
     document = document_with(
         (p.FOV, fov), (p.GROUND_ROLL, roll), (p.GROUND_DECLINATION, declination), (p.GROUND_POSITION, (x, 900.0))
     )
@@ -47,7 +50,7 @@ def test_a_new_piece_stands_on_the_canvas(kind: str, fov: float, roll: float, de
 
 
 def test_it_is_sized_from_the_figure_and_a_wall_stands_behind_it() -> None:
-    document, piece_id = add_placed(document_with(), 1, LAYER, "wall", "Back")
+    document, piece_id = add_placed(document_with(), 1, LAYER, PieceKind.WALL, "Back")
     height = value(document, piece_id, s.PIECE_HEIGHT)
     assert isinstance(height, float)
     assert 700 < height < 1000
@@ -56,21 +59,21 @@ def test_it_is_sized_from_the_figure_and_a_wall_stands_behind_it() -> None:
 
 def test_a_box_stands_where_the_shadow_falls_if_there_is_room() -> None:
     for lamp, side in (((-400.0, 100.0, 600.0), 1), ((1400.0, 100.0, 600.0), -1)):
-        document, piece_id = add_placed(document_with((p.LIGHT_POSITION, lamp)), 1, LAYER, "box", "Box")
+        document, piece_id = add_placed(document_with((p.LIGHT_POSITION, lamp)), 1, LAYER, PieceKind.BOX, "Box")
         assert (point(document, piece_id)[0] - 500) * side > 100
 
 
 def test_pieces_do_not_stand_in_one_another() -> None:
     document, places = document_with(), []
     for _ in range(4):
-        document, piece_id = add_placed(document, 1, LAYER, "box", "Box")
+        document, piece_id = add_placed(document, 1, LAYER, PieceKind.BOX, "Box")
         places.append(point(document, piece_id))
     assert len(set(places)) == 4
 
 
 def test_without_a_character_and_on_a_ground_seen_edge_on_there_is_a_piece_still() -> None:
-    bare, _ = add_placed(Document(Canvas(800, 600)), 1, None, "box", "Box")
-    edge_on, _ = add_placed(document_with((p.GROUND_DECLINATION, 90.0)), 1, None, "wall", "Wall")
+    bare, _ = add_placed(Document(Canvas(800, 600)), 1, None, PieceKind.BOX, "Box")
+    edge_on, _ = add_placed(document_with((p.GROUND_DECLINATION, 90.0)), 1, None, PieceKind.WALL, "Wall")
     for document in (bare, edge_on):
         check(document)
         assert len(document.pieces) == 1

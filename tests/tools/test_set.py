@@ -11,6 +11,7 @@ from kagezou.document import properties as p
 from kagezou.document import set_properties as s
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
+from kagezou.document.piece_kinds import BUILT_KINDS
 from kagezou.document.set_pieces import rename_piece
 from kagezou.geometry.ground import place_on
 from kagezou.geometry.vectors import Point2, dot
@@ -42,7 +43,7 @@ def sets(draw: DrawFn, *kinds: str, lowest: float = 20.0) -> Document:
     position = draw(st.tuples(st.floats(200, 800), st.floats(750, 950)))
     assume(place_on(camera_at(document, 1), ground_at(document, 1), position) is not None)
     return with_piece(
-        document, draw(st.sampled_from(kinds or s.BUILT_KINDS)), position=list(position),
+        document, draw(st.sampled_from(kinds or BUILT_KINDS)), position=list(position),
         angle=draw(st.floats(-400, 400)), lean=draw(st.floats(-60, 60)), width=draw(st.floats(20, 700)),
         height=draw(st.floats(20, 700)), depth=draw(st.floats(20, 500)),
     )  # fmt: skip
@@ -177,7 +178,7 @@ def test_arrows_move_a_piece_and_a_drag_says_its_values() -> None:
     moved = nudge(handle(document, "piece.position"), document, 1, 10, 0, CanvasView())
     assert place(moved, s.PIECE_POSITION) == (310, 860)
     wider = Hand(document, "piece.width").to(20, 0)
-    assert readout(handle(document, "piece.width"), document, wider, 1) == "Width 140 (+40)"
+    assert list(map(str, readout(handle(document, "piece.width"), document, wider, 1))) == ["Width 140 (+40)"]
 
 
 def test_a_height_is_what_it_looks_like() -> None:

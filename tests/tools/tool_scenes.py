@@ -9,7 +9,7 @@ from kagezou.document.address import Address, value_of
 from kagezou.document.edits import add_layer, set_constant
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.box import Box
 from kagezou.geometry.vectors import Point2
@@ -26,20 +26,20 @@ FREE = Modifiers(snap=False)
 UNZOOMED = CanvasView()
 
 
-def document_with(*settings: tuple[Property, object]) -> Document:
+def document_with(*settings: tuple[AnyProperty, object]) -> Document:
     """Return one figure of 200x700 px standing on the ground at (500, 900), and any properties set."""
     cels = Cels((Drawing("1", Path("1.png")),), (Exposure(1, 0),))
     document = add_layer(Document(Canvas(1000, 1000, length_frames=24)), "A", cels, FIGURE)
-    for line, raw in ((properties.GROUND_POSITION, (500.0, 900.0)), *settings):
-        document = set_constant(document, address(line), raw)
+    for prop, raw in ((properties.GROUND_POSITION, (500.0, 900.0)), *settings):
+        document = set_constant(document, address(prop), raw)
     check(document)
     return document
 
 
-def address(line: Property) -> Address:
-    if line.name in properties.OF_PIECE:
-        return Address(line, piece_id=PIECE)
-    return Address(line, LAYER if line.name in properties.OF_LAYER else None)
+def address(prop: AnyProperty) -> Address:
+    if prop.name in properties.OF_PIECE:
+        return Address(prop, piece_id=PIECE)
+    return Address(prop, LAYER if prop.name in properties.OF_LAYER else None)
 
 
 def with_piece(document: Document, kind: str, **values: object) -> Document:
@@ -55,18 +55,18 @@ def handles(document: Document, view: CanvasView | None = None, frame: int = 1, 
     return handles_of(document, frame, worked_on[0], view or CanvasView(), worked_on[1])
 
 
-def value(document: Document, line: Property, frame: int = 1) -> object:
-    return value_of(document, address(line), frame)
+def value(document: Document, prop: AnyProperty, frame: int = 1) -> object:
+    return value_of(document, address(prop), frame)
 
 
-def number(document: Document, line: Property, frame: int = 1) -> float:
-    found = value(document, line, frame)
+def number(document: Document, prop: AnyProperty, frame: int = 1) -> float:
+    found = value(document, prop, frame)
     assert isinstance(found, float)
     return found
 
 
-def place(document: Document, line: Property = properties.LIGHT_POSITION) -> tuple[float, ...]:
-    found = value(document, line)
+def place(document: Document, prop: AnyProperty = properties.LIGHT_POSITION) -> tuple[float, ...]:
+    found = value(document, prop)
     assert isinstance(found, tuple)
     return tuple(part for part in found if isinstance(part, float))
 

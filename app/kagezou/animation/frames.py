@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable
 
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 _PART = re.compile(r"(\d+)(?:-(\d+)(?:x(\d+))?)?")
 MAX_FRAMES = 1_000_000
@@ -22,12 +23,18 @@ def parse_frames(text: str) -> tuple[int, ...]:
         found = _PART.fullmatch(part.strip())
         if found is None:
             raise UsageProblem(
-                f"frames {text!r}: {part.strip()!r} is neither a frame such as 12 nor a range such as 1-48"
+                Message(
+                    "frames {text!r}: {part!r} is neither a frame such as 12 nor a range such as 1-48",
+                    text=text,
+                    part=part.strip(),
+                )
             )
         first = int(found[1])
         last = int(found[2] or first)
         if first < 1 or last < first or last > MAX_FRAMES:
-            raise UsageProblem(f"frames {text!r}: {part.strip()!r} must count upward from frame 1")
+            raise UsageProblem(
+                Message("frames {text!r}: {part!r} must count upward from frame 1", text=text, part=part.strip())
+            )
         frames.update(range(first, last + 1, max(int(found[3] or 1), 1)))
     return tuple(sorted(frames))
 

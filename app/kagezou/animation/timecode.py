@@ -5,6 +5,7 @@ from enum import StrEnum
 from fractions import Fraction
 
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 _FRAME = re.compile(r"(\d{1,7})")
 _OFFSET = re.compile(r"([+-])\s*(\d{1,7})")
@@ -68,4 +69,4 @@ def parse_frame(text: str, current: int, rate: Fraction) -> int:
         return current + int(found[1] + found[2])
     if found := _SECONDS.fullmatch(typed):
         return int(found[1]) * frames_per_second(rate) + int(found[2])
-    raise UsageProblem(f"{typed[:30]!r} is not a frame; type 84, 3+12, 3:12 or +6")
+    raise UsageProblem(Message("{typed!r} is not a frame; type 84, 3+12, 3:12 or +6", typed=typed[:30]))

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Final, NoReturn
 
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 _BROADCAST: Final = {"23.976": 24000, "23.98": 24000, "29.97": 30000, "47.952": 48000, "59.94": 60000}
 """Frame rates that people round: so many thousand-and-firsts a second."""
@@ -30,7 +31,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Raise UsageProblem with the message and where help is to be had."""
-        raise UsageProblem(f"{message} (see {self.prog} --help)")
+        raise UsageProblem(Message("{message} (see {prog} --help)", message=message, prog=self.prog))
 
     def options_of(self, words: Sequence[str]) -> argparse.Namespace:
         """Parse, and name the option that was probably meant by one there is not."""

@@ -7,12 +7,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.animation.track import Value
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.property import Property
+from kagezou.document.values import value_at
 from kagezou.importing.staging import CharacterSource, Imported, new_document
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
@@ -76,14 +76,14 @@ def _means(whole: int, small: int) -> NDArray[np.float32]:
     return np.asarray(inside / inside.sum(axis=1, keepdims=True), np.float32)
 
 
-def _on_layers(values: Mapping[Property, float]) -> Adjust:
+def _on_layers(values: Mapping[Property[float], float]) -> Adjust:
     """Return an adjustment of every layer; lengths are given as parts of the figure's height."""
 
     def adjust(document: Document) -> Document:
         for layer in document.layers:
-            for line, part in values.items():
-                value = part * layer.figure.height if line.unit == "px" else part
-                document = set_constant(document, Address(line, layer.id), min(max(value, line.low), line.high))
+            for prop, part in values.items():
+                value = part * layer.figure.height if prop.unit == "px" else part
+                document = set_constant(document, Address(prop, layer.id), min(max(value, prop.low), prop.high))
         return document
 
     return adjust
@@ -91,26 +91,21 @@ def _on_layers(values: Mapping[Property, float]) -> Adjust:
 
 def _light(document: Document) -> Document:
     """Put the lamp on the other side, as far from the middle of the first character."""
-    address = Address(properties.LIGHT_POSITION)
-    x, y, z = _numbers(value_of(document, address, 1))
+    x, y, z = value_at(document.tracks, properties.LIGHT_POSITION, 1)
     figure = document.layers[0].figure
-    return set_constant(document, address, (figure.left + figure.right - x, y, z))
+    return set_constant(document, Address(properties.LIGHT_POSITION), (figure.left + figure.right - x, y, z))
 
 
 def _ground(document: Document) -> Document:
     """Put the ground line a little higher than the lowest foot."""
-    address = Address(properties.GROUND_POSITION)
-    x, y = _numbers(value_of(document, address, 1))
-    return set_constant(document, address, (x, y - ceil(0.02 * document.layers[0].figure.height)))
+    x, y = value_at(document.tracks, properties.GROUND_POSITION, 1)
+    return set_constant(
+        document, Address(properties.GROUND_POSITION), (x, y - ceil(0.02 * document.layers[0].figure.height))
+    )
 
 
 def _declination(document: Document) -> Document:
     return set_constant(document, Address(properties.GROUND_DECLINATION), 42.0)
-
-
-def _numbers(value: Value) -> tuple[float, ...]:
-    assert isinstance(value, tuple)
-    return tuple(part for part in value if isinstance(part, float))
 
 
 _CALM: Final = {properties.WAVE1.amplitude: 0.012, properties.WAVE1.wavelength: 0.1, properties.WAVE_ANCHOR: 0.1}

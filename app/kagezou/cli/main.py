@@ -14,6 +14,7 @@ from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import Interrupted, stopping_at_once
 from kagezou.cli.terminal import PROGRAM, give, tell
 from kagezou.errors import Problem, UsageProblem
+from kagezou.message import Message
 
 VERBS: Final = {
     "new": "make a project of character drawings",
@@ -102,8 +103,10 @@ def _dispatched(arguments: Sequence[str], doors: EntryPoints) -> int:
         give(f"{PROGRAM} {__version__}")
         return 0
     if verb not in VERBS:
-        hint = did_you_mean(verb, VERBS) or "; a project ends in .kage"
-        raise UsageProblem(f"{verb!r} is neither a command nor a project{hint} (see kagezou --help)")
+        hint = did_you_mean(verb, VERBS) or Message("; a project ends in .kage")
+        raise UsageProblem(
+            Message("{verb!r} is neither a command nor a project{hint} (see kagezou --help)", verb=verb, hint=hint)
+        )
     module: _Verb = importlib.import_module(f"kagezou.cli.verbs.{verb.replace('-', '_')}")
     parser = Parser(verb, module.DESCRIPTION, module.EXAMPLES)
     module.add_arguments(parser)

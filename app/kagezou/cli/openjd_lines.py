@@ -4,6 +4,8 @@ import sys
 import time
 from typing import TextIO
 
+from kagezou.message import Message
+
 _EVERY_S = 0.5
 
 
@@ -36,9 +38,9 @@ class JobLines:
             self._tell("progress", f"{100 * done / max(total, 1):.1f}")
             self._tell("status", f"{done} of {total} files")
 
-    def fail(self, sentence: str) -> None:
+    def fail(self, problem: Message) -> None:
         """Tell why the task is not whole."""
-        self._tell("fail", sentence)
+        self._tell("fail", str(problem))
 
     def _tell(self, what: str, text: str) -> None:
         # A session reads line by line: one sentence is one line.

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from kagezou.cli.interruption import Interruption
 from kagezou.cli.terminal import give, give_json, note, tell
 from kagezou.errors import SomeFramesFailed
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.export.request import Summary
@@ -16,7 +17,8 @@ def report(summary: "Summary", *, as_json: bool) -> None:
 
     for layer, name in summary.names.items():
         if layer != name and not as_json:
-            note(f"layer {layer!r} is written as {name!r}, which every system accepts")
+            words = "layer {layer!r} is written as {name!r}, which every system accepts"
+            note(Message(words, layer=layer, name=name))
     if as_json:
         give_json(
             {
@@ -24,7 +26,7 @@ def report(summary: "Summary", *, as_json: bool) -> None:
                 "written": summary.written,
                 "drawn": summary.drawn,
                 "trusted": summary.trusted,
-                "failed": [{"frames": list(each.frames), "why": each.sentence} for each in summary.failures],
+                "failed": [{"frames": list(each.frames), "why": str(each.message)} for each in summary.failures],
                 "whole": summary.is_whole,
                 "folders": [shown(folder) for folder in summary.folders],
                 "names": summary.names,
@@ -42,12 +44,12 @@ def verdict(summary: "Summary", interruption: Interruption) -> int:
     from kagezou.animation.frames import format_frames
 
     for failure in summary.failures:
-        tell(f"frame {format_frames(failure.frames)}: {failure.sentence}")
+        tell(f"frame {format_frames(failure.frames)}: {failure.message}")
     if summary.cancelled:
         done = summary.written + summary.trusted
         tell(f"stopped after {done} of {summary.files} frames, all of them whole; --skip-existing goes on from there")
         return interruption.exit_code
     if summary.failures:
         failed = sum(len(failure.frames) for failure in summary.failures)
-        raise SomeFramesFailed(f"{failed} of {summary.files} frames failed")
+        raise SomeFramesFailed(Message("{failed} of {files} frames failed", failed=failed, files=summary.files))
     return 0

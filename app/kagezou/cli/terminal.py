@@ -8,6 +8,8 @@ import time
 from collections.abc import Mapping, Sequence
 from typing import Final, TextIO
 
+from kagezou.message import Message
+
 PROGRAM: Final = "kagezou"
 _REDRAW_S: Final = 0.1
 _BAR: Final = 24
@@ -29,7 +31,7 @@ def tell(sentence: str) -> None:
     sys.stderr.flush()
 
 
-def note(sentence: str) -> None:
+def note(sentence: Message) -> None:
     """Say one line that is no error, on stderr."""
     tell(f"note: {sentence}")
 

@@ -6,6 +6,7 @@ from typing import NoReturn
 from kagezou.animation.track import Interpolation, Track, Value
 from kagezou.cli.terminal import Json
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 
 def json_of_value(value: Value) -> Json:
@@ -53,7 +54,8 @@ def value_of_text(path: str, text: str) -> object:
         bare = text.removeprefix("#")
         if text and bare.isascii() and bare.replace("_", "").isalnum():
             return text
-        raise NotJson(f'{path}: {text[:60]!r} is not JSON: a number, true, "word", [x, y] or [[x, y], ...]') from None
+        words = '{path}: {text!r} is not JSON: a number, true, "word", [x, y] or [[x, y], ...]'
+        raise NotJson(Message(words, path=path, text=text[:60])) from None
     return value
 
 

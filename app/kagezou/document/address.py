@@ -5,17 +5,19 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from kagezou.animation.track import Track, Value
-from kagezou.document.model import Document
+from kagezou.document.model import Document, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 
 @dataclass(frozen=True, slots=True)
 class Address:
     """One property of the document, or of the layer or the set piece with an id."""
 
-    property: Property
+    property: AnyProperty
     layer_id: str | None = None
     piece_id: str | None = None
 
@@ -39,8 +41,11 @@ def resolve(document: Document, path: str) -> Address:
         if path.startswith(prefix) and path.removeprefix(prefix) in OF_PIECE:
             return Address(OF_PIECE[path.removeprefix(prefix)], piece_id=piece.id)
     near = get_close_matches(path, [path_of(document, address) for address in addresses(document)], n=1)
-    hint = f"; did you mean {near[0]}?" if near else ""
-    raise UsageProblem(f"there is no property {path!r} in this project{hint}")
+    if near:
+        raise UsageProblem(
+            Message("there is no property {path!r} in this project; did you mean {near}?", path=path, near=near[0])
+        )
+    raise UsageProblem(Message("there is no property {path!r} in this project", path=path))
 
 
 def path_of(document: Document, address: Address) -> str:
@@ -54,25 +59,28 @@ def path_of(document: Document, address: Address) -> str:
 
 def addresses(document: Document) -> Iterator[Address]:
     """Yield every property of the document in table order, then those of its layers and set pieces."""
-    for line in OF_DOCUMENT.values():
-        yield Address(line)
+    for prop in OF_DOCUMENT.values():
+        yield Address(prop)
     for layer in document.layers:
-        for line in OF_LAYER.values():
-            yield Address(line, layer.id)
+        for prop in OF_LAYER.values():
+            yield Address(prop, layer.id)
     for piece in document.pieces:
-        for line in OF_PIECE.values():
-            yield Address(line, piece_id=piece.id)
+        for prop in OF_PIECE.values():
+            yield Address(prop, piece_id=piece.id)
+
+
+def tracks_of(document: Document, address: Address) -> Tracks:
+    """Return all tracks of the owner of an address."""
+    if address.piece_id is not None:
+        return document.piece(address.piece_id).tracks
+    return document.tracks if address.layer_id is None else document.layer(address.layer_id).tracks
 
 
 def track_of(document: Document, address: Address) -> Track:
     """Return the track at an address; a property that was never set has its default as its constant."""
-    if address.piece_id is not None:
-        tracks = document.piece(address.piece_id).tracks
-    else:
-        tracks = document.tracks if address.layer_id is None else document.layer(address.layer_id).tracks
-    return tracks.get(address.property.name) or Track(address.property.default)
+    return tracks_of(document, address).get(address.property.name) or Track(address.property.default)
 
 
 def value_of(document: Document, address: Address, frame: float) -> Value:
     """Return the value at a frame."""
-    return track_of(document, address).value_at(frame)
+    return value_at(tracks_of(document, address), address.property, frame)

@@ -27,9 +27,9 @@ def set_all(document: Document, addresses: Addresses, raw: object, frame: int) -
 def change_all(document: Document, addresses: Addresses, change: Callable[[float], float], frame: int) -> Document:
     """Change each number at a frame by itself; what leaves the property's range stays at its end."""
     for address in _apart(document, addresses):
-        value, line = value_of(document, address, frame), address.property
+        value, prop = value_of(document, address, frame), address.property
         if isinstance(value, float):
-            document = set_value(document, address, min(max(change(value), line.low), line.high), frame)
+            document = set_value(document, address, min(max(change(value), prop.low), prop.high), frame)
     return document
 
 

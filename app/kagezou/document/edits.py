@@ -11,9 +11,11 @@ from types import MappingProxyType
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, PictureSource, Tracks
+from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
+from kagezou.message import Message
+from kagezou.picture_source import PictureSource
 
 
 def set_track(document: Document, address: Address, track: Track) -> Document:
@@ -47,15 +49,23 @@ def set_key(
     UsageProblem
         If the value is not valid, the frame is before 1, or a switch or choice is asked to move.
     """
-    line = address.property
+    prop = address.property
     if frame < 1:
-        raise UsageProblem(f"{line.name}: a key cannot lie on frame {frame}, frames count from 1")
-    if line.holds_only and interpolation not in (None, Interpolation.HOLD):
-        raise UsageProblem(f"{line.name}: a switch or choice can only be held, not keyed {interpolation}")
+        raise UsageProblem(
+            Message("{line}: a key cannot lie on frame {frame}, frames count from 1", line=prop.name, frame=frame)
+        )
+    if prop.holds_only and interpolation not in (None, Interpolation.HOLD):
+        raise UsageProblem(
+            Message(
+                "{line}: a switch or choice can only be held, not keyed {interpolation}",
+                line=prop.name,
+                interpolation=interpolation,
+            )
+        )
     track = track_of(document, address)
-    value = line.canonical(raw)
+    value = prop.canonical(raw)
     old = track.key_at(frame)
-    chosen = Interpolation.HOLD if line.holds_only else interpolation or _usual(track, frame)
+    chosen = Interpolation.HOLD if prop.holds_only else interpolation or _usual(track, frame)
     if old is not None and chosen == old.interpolation:
         key = replace(old, value=value)
     else:
@@ -103,7 +113,7 @@ def rename_layer(document: Document, layer_id: str, name: str) -> Document:
         return document
     _check_name(name)
     if any(other.name == name for other in document.layers):
-        raise UsageProblem(f"there is already a layer named {name!r}")
+        raise UsageProblem(Message("there is already a layer named {name!r}", name=name))
     return _with_layer(document, replace(layer, name=name))
 
 
@@ -142,7 +152,9 @@ def free_name(document: Document, name: str) -> str:
 
 def _check_name(name: str) -> None:
     if not name.strip() or not name.isprintable() or len(name) > 200:
-        raise UsageProblem(f"a layer cannot be named {name[:60]!r}: a name is 1 to 200 printable characters")
+        raise UsageProblem(
+            Message("a layer cannot be named {name!r}: a name is 1 to 200 printable characters", name=name[:60])
+        )
 
 
 def _free_id(document: Document) -> str:

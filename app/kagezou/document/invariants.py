@@ -8,6 +8,7 @@ from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.errors import ProjectProblem, UsageProblem
+from kagezou.message import Message
 
 
 def check(document: Document) -> None:
@@ -16,16 +17,18 @@ def check(document: Document) -> None:
     ids = [layer.id for layer in document.layers]
     names = [layer.name for layer in document.layers]
     if len(set(ids)) != len(ids):
-        raise ProjectProblem("layers: two layers have the same id")
+        raise ProjectProblem(Message("layers: two layers have the same id"))
     if len(set(names)) != len(names):
-        raise ProjectProblem("layers: two layers have the same name")
+        raise ProjectProblem(Message("layers: two layers have the same name"))
     for layer in document.layers:
         frames = [exposure.frame for exposure in layer.cels.exposures]
         if any(after <= before for before, after in pairwise(frames)):
-            raise ProjectProblem(f"layers.{layer.name}: exposures are out of order")
+            raise ProjectProblem(Message("layers.{layer}: exposures are out of order", layer=layer.name))
         shown = [exposure.drawing for exposure in layer.cels.exposures if exposure.drawing is not None]
         if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
-            raise ProjectProblem(f"layers.{layer.name}: an exposure names a drawing that is not there")
+            raise ProjectProblem(
+                Message("layers.{layer}: an exposure names a drawing that is not there", layer=layer.name)
+            )
     _check_pieces(document)
     _check_links(document)
     _check_tracks(document)
@@ -35,41 +38,61 @@ def check(document: Document) -> None:
 def _check_review(document: Document) -> None:
     first, last = document.work_area or (1, 1)
     if not 1 <= first <= last:
-        raise ProjectProblem(f"work_area: frames {first} to {last} are no stretch of time")
+        raise ProjectProblem(
+            Message("work_area: frames {first} to {last} are no stretch of time", first=first, last=last)
+        )
     frames = [marker.frame for marker in document.markers]
     if frames != sorted(set(frames)) or (frames and frames[0] < 1):
-        raise ProjectProblem("markers: markers are out of order")
+        raise ProjectProblem(Message("markers: markers are out of order"))
     ids = {layer.id for layer in document.layers}
     for note in document.notes:
         known = OF_DOCUMENT if note.layer_id is None else OF_LAYER if note.layer_id in ids else {}
         if note.property not in known:
-            raise ProjectProblem(f"notes: there is no property {note.property!r} of layer {note.layer_id!r}")
+            raise ProjectProblem(
+                Message(
+                    "notes: there is no property {property!r} of layer {layer_id!r}",
+                    property=note.property,
+                    layer_id=note.layer_id,
+                )
+            )
 
 
 def _check_links(document: Document) -> None:
     for name in sorted(document.linked):
         if name not in LINKABLE:
-            raise ProjectProblem(f"linked: {name!r} cannot be the same for all layers")
+            raise ProjectProblem(Message("linked: {name!r} cannot be the same for all layers", name=name))
         tracks = [track_of(document, Address(LINKABLE[name], layer.id)) for layer in document.layers]
         if any(track != tracks[0] for track in tracks):
-            raise ProjectProblem(f"linked: {name} is not the same for all layers")
+            raise ProjectProblem(Message("linked: {name} is not the same for all layers", name=name))
 
 
 def _check_pieces(document: Document) -> None:
     if len({piece.id for piece in document.pieces}) != len(document.pieces):
-        raise ProjectProblem("set: two pieces have the same id")
+        raise ProjectProblem(Message("set: two pieces have the same id"))
     if len({piece.name for piece in document.pieces}) != len(document.pieces):
-        raise ProjectProblem("set: two pieces have the same name")
+        raise ProjectProblem(Message("set: two pieces have the same name"))
 
 
 def _check_canvas(document: Document) -> None:
     canvas = document.canvas
     if not (1 <= canvas.width_px <= 16384 and 1 <= canvas.height_px <= 16384):
-        raise ProjectProblem(f"canvas: {canvas.width_px}x{canvas.height_px} is not within 1x1 to 16384x16384 px")
+        raise ProjectProblem(
+            Message(
+                "canvas: {width_px}x{height_px} is not within 1x1 to 16384x16384 px",
+                width_px=canvas.width_px,
+                height_px=canvas.height_px,
+            )
+        )
     if not 0 < canvas.frame_rate <= 1000:
-        raise ProjectProblem(f"canvas: {canvas.frame_rate} frames a second is not within 0 to 1000")
+        raise ProjectProblem(
+            Message("canvas: {frame_rate} frames a second is not within 0 to 1000", frame_rate=canvas.frame_rate)
+        )
     if not 1 <= canvas.length_frames <= 1_000_000:
-        raise ProjectProblem(f"canvas: a cut of {canvas.length_frames} frames is not within 1 to 1000000")
+        raise ProjectProblem(
+            Message(
+                "canvas: a cut of {length_frames} frames is not within 1 to 1000000", length_frames=canvas.length_frames
+            )
+        )
 
 
 def _check_tracks(document: Document) -> None:
@@ -78,13 +101,25 @@ def _check_tracks(document: Document) -> None:
         path = path_of(document, address)
         frames = [key.frame for key in track.keys]
         if frames != sorted(set(frames)) or (frames and frames[0] < 1):
-            raise ProjectProblem(f"{path}: keys are out of order")
-        for value, where in ((track.constant, "constant"), *((key.value, f"frame {key.frame}") for key in track.keys)):
+            raise ProjectProblem(Message("{path}: keys are out of order", path=path))
+        for value, where in (
+            (track.constant, Message("constant")),
+            *((key.value, Message("frame {frame}", frame=key.frame)) for key in track.keys),
+        ):
             try:
                 canonical = address.property.canonical(value)
             except UsageProblem as problem:
-                raise ProjectProblem(f"{path}: {where}: {problem}") from problem
+                raise ProjectProblem(
+                    Message("{path}: {where}: {problem}", path=path, where=where, problem=problem)
+                ) from problem
             if canonical != value:
-                raise ProjectProblem(f"{path}: {where}: {value!r} is not kept in its canonical form")
+                raise ProjectProblem(
+                    Message(
+                        "{path}: {where}: {value!r} is not kept in its canonical form",
+                        path=path,
+                        where=where,
+                        value=value,
+                    )
+                )
         if address.property.holds_only and any(key.interpolation is not Interpolation.HOLD for key in track.keys):
-            raise ProjectProblem(f"{path}: a switch or choice can only be held")
+            raise ProjectProblem(Message("{path}: a switch or choice can only be held", path=path))

@@ -159,8 +159,8 @@ def _added(address: Address, value: Value, amounts: tuple[float, ...]) -> Value:
     parts = components_of(value)
     if parts is None or not any(amounts):
         return value
-    line = address.property
-    low, high = (0.0, 255.0) if line.kind is Kind.COLOR else (line.low, line.high)
+    prop = address.property
+    low, high = (0.0, 255.0) if prop.kind is Kind.COLOR else (prop.low, prop.high)
     padded = amounts + (0.0,) * (len(parts) - len(amounts))
     moved = tuple(min(max(part + more, low), high) for part, more in zip(parts, padded, strict=False))
     return rebuilt(value, moved)

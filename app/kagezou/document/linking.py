@@ -12,11 +12,12 @@ from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
 from kagezou.document.model import Document
 from kagezou.document.properties import GROUNDING, OF_LAYER
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
-LINKABLE: Final[Mapping[str, Property]] = MappingProxyType({
-    name: line for name, line in OF_LAYER.items() if line is not GROUNDING
+LINKABLE: Final[Mapping[str, AnyProperty]] = MappingProxyType({
+    name: prop for name, prop in OF_LAYER.items() if prop is not GROUNDING
 })  # fmt: skip
 """Every layer property but the places on the canvas, which are each character's own."""
 
@@ -36,7 +37,7 @@ def link(document: Document, address: Address) -> Document:
     """
     name = address.property.name
     if address.layer_id is None or name not in LINKABLE:
-        raise UsageProblem(f"{name} cannot be the same for all characters")
+        raise UsageProblem(Message("{name} cannot be the same for all characters", name=name))
     track = track_of(document, address)
     for layer in document.layers:
         document = set_track(document, Address(address.property, layer.id), track)

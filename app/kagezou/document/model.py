@@ -10,6 +10,7 @@ from types import MappingProxyType
 from kagezou.animation.track import Track
 from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import VanishingLines
+from kagezou.picture_source import PicturePart, PictureSource
 
 Tracks = Mapping[str, Track]
 """Property name → track; a property that is missing has its default as its constant."""
@@ -30,31 +31,6 @@ class Canvas:
     def box(self) -> Box:
         """The whole picture."""
         return Box(0, 0, self.width_px, self.height_px)
-
-
-@dataclass(frozen=True, slots=True)
-class PicturePart:
-    """A layer or a group within a picture file.
-
-    Parameters
-    ----------
-    path
-        The file.
-    address
-        The names that lead to it, as :func:`kagezou.io.psd.tree.addressed` joins them.
-    """
-
-    path: Path
-    address: str
-
-
-PictureSource = Path | PicturePart
-"""What pixels come from: a whole file, or a part of one."""
-
-
-def file_of(source: PictureSource) -> Path:
-    """Return the file that a picture comes from."""
-    return source.path if isinstance(source, PicturePart) else source
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,16 @@
 from dataclasses import dataclass
 from enum import StrEnum
 from math import isfinite
+from typing import Generic, TypeAlias, TypeVar
 
 from kagezou.animation.track import Value
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 MAX_COORDINATE_PX = 1_000_000.0
 MAX_POINTS = 64
+
+T_co = TypeVar("T_co", bound=Value, covariant=True)
 
 
 class Kind(StrEnum):
@@ -35,24 +39,32 @@ class Scope(StrEnum):
     PIECE = "piece"
 
 
+class ValueProblem(UsageProblem):
+    """A value that a property cannot have.
+
+    Attributes
+    ----------
+    cause
+        Why, without the name of the property.
+    """
+
+    def __init__(self, name: str, cause: Message) -> None:
+        super().__init__(Message("{name}: {cause}", name=name, cause=cause))
+        self.cause = cause
+
+
 @dataclass(frozen=True, slots=True)
-class Words:
-    """One text in the two languages of the program."""
-
-    en: str
-    ja: str
-
-
-@dataclass(frozen=True, slots=True)
-class Property:
-    """One line of the property table.
+class Property(Generic[T_co]):
+    """One line of the property table; ``Property[float]`` is one whose values are numbers.
 
     Parameters
     ----------
     name
         The path; for a property of a layer or a set piece the part after ``layers.NAME.`` or ``set.NAME.``.
-    kind, scope, unit, default
+    kind, scope, unit
         ``unit`` is "px", "°" or "" for a plain number.
+    default
+        What it is where nothing was ever set; every value is of its type.
     low, high
         The range of a number, both ends included.
     choices
@@ -66,9 +78,9 @@ class Property:
     name: str
     kind: Kind
     scope: Scope
-    default: Value
-    label: Words
-    help: Words
+    default: T_co
+    label: Message
+    help: Message
     unit: str = ""
     low: float = -MAX_COORDINATE_PX
     high: float = MAX_COORDINATE_PX
@@ -89,7 +101,7 @@ class Property:
         """The names of the value's numbers; empty where it has none or any number of them."""
         match self.kind:
             case Kind.NUMBER:
-                return (self.label.en,)
+                return (str(self.label),)
             case Kind.POINT:
                 return ("x", "y")
             case Kind.PLACE:
@@ -99,14 +111,23 @@ class Property:
             case _:
                 return ()
 
-    def canonical(self, raw: object) -> Value:
+    def typed(self, value: Value) -> T_co:
+        """Return a value of this property's track as what it is; TypeError if it cannot be one of this property."""
+        if isinstance(value, type(self.default)):
+            return value
+        raise TypeError(f"{self.name} cannot be {value!r}")
+
+    def canonical(self, raw: object) -> T_co:
         """Return ``raw`` (a JSON value or a value of this property) as a valid value of this property.
 
         Raises
         ------
         UsageProblem
-            With one sentence that says what is wrong and what is allowed.
+            A ValueProblem: one sentence that says what is wrong and what is allowed.
         """
+        return self.typed(self._checked(raw))
+
+    def _checked(self, raw: object) -> Value:
         match self.kind:
             case Kind.NUMBER:
                 return self._number(raw)
@@ -122,31 +143,48 @@ class Property:
             case Kind.CHOICE:
                 if isinstance(raw, str) and raw in self.choices:
                     return raw
-                raise self._refused(raw, "one of " + ", ".join(f'"{choice}"' for choice in self.choices))
+                raise self._refused(
+                    raw, Message("one of {choices}", choices=", ".join(f'"{choice}"' for choice in self.choices))
+                )
             case Kind.SWITCH:
                 if isinstance(raw, bool):
                     return raw
-                raise self._refused(raw, "true or false")
+                raise self._refused(raw, Message("true or false"))
 
     def _number(self, raw: object) -> float:
         number = _finite(raw)
         if number is None or not self.low <= number <= self.high:
-            raise self._refused(raw, f"a number from {self.low:g} to {self.high:g}{self.unit and ' ' + self.unit}")
+            raise self._refused(
+                raw,
+                Message(
+                    "a number from {low:g} to {high:g}{unit}",
+                    low=self.low,
+                    high=self.high,
+                    unit=self.unit and " " + self.unit,
+                ),
+            )
         return number
 
     def _coordinates(self, raw: object, count: int) -> tuple[float, ...]:
-        wanted = f"a point [{', '.join('xyz'[:count])}] in px"
+        wanted = Message("a point [{axes}] in px", axes=", ".join("xyz"[:count]))
         if not isinstance(raw, (list, tuple)) or len(raw) != count:
             raise self._refused(raw, wanted)
         numbers = tuple(_finite(part) for part in raw)
         inside = tuple(n for n in numbers if n is not None and abs(n) <= MAX_COORDINATE_PX)
         if len(inside) != count:
-            raise self._refused(raw, f"{wanted}, each within ±{MAX_COORDINATE_PX:g}")
+            raise self._refused(
+                raw,
+                Message(
+                    "{wanted}, each within ±{most_coordinate_px:g}", wanted=wanted, most_coordinate_px=MAX_COORDINATE_PX
+                ),
+            )
         return inside
 
     def _points(self, raw: object) -> tuple[tuple[float, float], ...]:
         if not isinstance(raw, (list, tuple)) or len(raw) > MAX_POINTS:
-            raise self._refused(raw, f"a list of at most {MAX_POINTS} points [[x, y], …] in px")
+            raise self._refused(
+                raw, Message("a list of at most {most_points} points [[x, y], …] in px", most_points=MAX_POINTS)
+            )
         pairs = (self._coordinates(part, 2) for part in raw)
         return tuple((pair[0], pair[1]) for pair in pairs)
 
@@ -155,11 +193,16 @@ class Property:
             digits = raw[1:]
             if all(digit in "0123456789abcdefABCDEF" for digit in digits):
                 return "#" + digits.upper()
-        raise self._refused(raw, 'a colour such as "#20203A"')
+        raise self._refused(raw, Message('a colour such as "#20203A"'))
 
-    def _refused(self, raw: object, wanted: str) -> UsageProblem:
+    def _refused(self, raw: object, wanted: Message) -> "ValueProblem":
         shown = repr(raw)
-        return UsageProblem(f"{self.name}: {shown if len(shown) <= 60 else shown[:57] + '...'} is not {wanted}")
+        value = shown if len(shown) <= 60 else shown[:57] + "..."
+        return ValueProblem(self.name, Message("{value} is not {wanted}", value=value, wanted=wanted))
+
+
+AnyProperty: TypeAlias = Property[Value]
+"""A property whatever its values are."""
 
 
 def _finite(raw: object) -> float | None:

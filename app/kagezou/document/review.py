@@ -5,6 +5,7 @@ from dataclasses import replace
 from kagezou.document.address import Address
 from kagezou.document.model import Document, Marker, Note
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 MAX_TEXT_CHARACTERS = 4000
 
@@ -29,7 +30,13 @@ def set_marker(document: Document, marker: Marker) -> Document:
         If it lies before frame 1, lasts less than nothing, or says too much.
     """
     if marker.frame < 1 or marker.duration_frames < 0:
-        raise UsageProblem(f"a marker cannot lie on frame {marker.frame} for {marker.duration_frames} frames")
+        raise UsageProblem(
+            Message(
+                "a marker cannot lie on frame {frame} for {duration_frames} frames",
+                frame=marker.frame,
+                duration_frames=marker.duration_frames,
+            )
+        )
     _check_text(marker.comment)
     others = [other for other in document.markers if other.frame != marker.frame]
     markers = tuple(sorted((*others, marker), key=lambda each: each.frame))
@@ -59,7 +66,7 @@ def add_note(document: Document, address: Address, frame: int, text: str, author
         If it says nothing or too much, or lies before frame 1.
     """
     if not text.strip() or frame < 1:
-        raise UsageProblem("a note needs words and a frame from 1 on")
+        raise UsageProblem(Message("a note needs words and a frame from 1 on"))
     _check_text(text)
     note = Note(frame, address.property.name, text, address.layer_id, author)
     return replace(document, notes=(*document.notes, note))
@@ -76,4 +83,10 @@ def change_note(document: Document, note: Note, text: str) -> Document:
 
 def _check_text(text: str) -> None:
     if len(text) > MAX_TEXT_CHARACTERS:
-        raise UsageProblem(f"a text of {len(text)} characters is longer than the {MAX_TEXT_CHARACTERS} allowed")
+        raise UsageProblem(
+            Message(
+                "a text of {count} characters is longer than the {most_text_characters} allowed",
+                count=len(text),
+                most_text_characters=MAX_TEXT_CHARACTERS,
+            )
+        )

@@ -75,8 +75,8 @@ def _scaled_values(address: Address, key: Key, values: ByComponent, slower: floa
     if parts is None:
         return key
     scalings = [values.get((address, index), UNSCALED) for index in range(len(parts))]
-    line = address.property
-    low, high = (0.0, 255.0) if line.kind is Kind.COLOR else (line.low, line.high)
+    prop = address.property
+    low, high = (0.0, 255.0) if prop.kind is Kind.COLOR else (prop.low, prop.high)
     numbers = tuple(
         part if scaling is UNSCALED else min(max(scaling.of(part), low), high)
         for part, scaling in zip(parts, scalings, strict=True)

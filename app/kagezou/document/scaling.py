@@ -10,7 +10,7 @@ from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track, Value
 from kagezou.document.model import Canvas, Document, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.geometry.box import Box
 
 _LENGTH = "px"
@@ -54,10 +54,10 @@ def _piece(piece: Piece, divisor: int) -> Piece:
     return replace(piece, tracks=_tracks(piece.tracks, OF_PIECE, divisor))
 
 
-def _tracks(tracks: Tracks, table: Mapping[str, Property], divisor: int) -> Tracks:
-    lengths = {name: line for name, line in table.items() if line.unit == _LENGTH}
+def _tracks(tracks: Tracks, table: Mapping[str, AnyProperty], divisor: int) -> Tracks:
+    lengths = {name: prop for name, prop in table.items() if prop.unit == _LENGTH}
     # What has no track has its default, which is a length as well.
-    whole = {name: tracks.get(name, Track(line.default)) for name, line in lengths.items()}
+    whole = {name: tracks.get(name, Track(prop.default)) for name, prop in lengths.items()}
     return MappingProxyType({**tracks, **{name: _track(track, divisor) for name, track in whole.items()}})
 
 

@@ -4,37 +4,29 @@ from collections.abc import Mapping
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
-from types import MappingProxyType
 
-from kagezou.animation.track import Track, Value
-from kagezou.document.address import Address, value_of
+from kagezou.animation.track import Value
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Piece
+from kagezou.document.piece_kinds import TRAITS
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
 from kagezou.document.set_properties import (
     GROUND_RECEIVES,
-    MESH,
     PIECE_DEPTH,
     PIECE_HEIGHT,
     PIECE_KIND,
     PIECE_POSITION,
     PIECE_WIDTH,
 )
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
+from kagezou.geometry.sets.measures import PieceKind
+from kagezou.message import Message
 
 MAX_PIECES = 200
 TAKEN_NAME = "shadow"
 """``set.shadow`` is the shadow of the set itself."""
-
-_MEASURES = MappingProxyType({
-    "wall": (0.8, 0.6, 0.2),
-    "box": (0.25, 0.2, 0.2),
-    "steps": (0.35, 0.2, 0.35),
-    "ramp": (0.3, 0.15, 0.4),
-    "cylinder": (0.15, 0.35, 0.15),
-    "sphere": (0.2, 0.2, 0.2),
-})  # fmt: skip
-"""How wide, high and deep a new piece is, as parts of the canvas' smaller side."""
 
 _BEHIND = 0.06
 """A new piece stands behind the ground line by this part of the canvas' height."""
@@ -54,7 +46,7 @@ def add_piece(
     document, name
         Where and as what.
     kind
-        One of ``set_properties.KINDS``.
+        One of the words of ``PieceKind``.
     values
         Constants that differ from that, by property name.
     source
@@ -67,13 +59,13 @@ def add_piece(
     """
     _check_name(name)
     if len(document.pieces) >= MAX_PIECES:
-        raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
+        raise UsageProblem(Message("a set has at most {most_pieces} pieces", most_pieces=MAX_PIECES))
     piece = Piece(_free_id(document), _free_name(document, name), source=source)
     document = replace(document, pieces=(*document.pieces, piece))
-    first: dict[str, object] = {**_first_values(document, str(PIECE_KIND.canonical(kind))), **(values or {})}
+    first: dict[str, object] = {**_first_values(document, PieceKind(PIECE_KIND.canonical(kind))), **(values or {})}
     for each, raw in first.items():
         if each not in OF_PIECE:
-            raise UsageProblem(f"a set piece has no property {each!r}")
+            raise UsageProblem(Message("a set piece has no property {each!r}", each=each))
         document = set_constant(document, Address(OF_PIECE[each], piece_id=piece.id), raw)
     return document
 
@@ -94,7 +86,7 @@ def rename_piece(document: Document, piece_id: str, name: str) -> Document:
         return document
     _check_name(name)
     if any(other.name == name for other in document.pieces):
-        raise UsageProblem(f"there is already a set piece named {name!r}")
+        raise UsageProblem(Message("there is already a set piece named {name!r}", name=name))
     changed = replace(piece, name=name)
     return replace(document, pieces=tuple(changed if each.id == piece_id else each for each in document.pieces))
 
@@ -103,28 +95,22 @@ def copy_piece(document: Document, piece_id: str) -> Document:
     """Put a second piece of the same properties into the set, under a free name."""
     piece = document.piece(piece_id)
     if len(document.pieces) >= MAX_PIECES:
-        raise UsageProblem(f"a set has at most {MAX_PIECES} pieces")
+        raise UsageProblem(Message("a set has at most {most_pieces} pieces", most_pieces=MAX_PIECES))
     twin = replace(piece, id=_free_id(document), name=_free_name(document, piece.name))
     return replace(document, pieces=(*document.pieces, twin))
 
 
-def kind_of(piece: Piece, frame: float = 1) -> str:
-    """Return what a piece is at a frame."""
-    track = piece.tracks.get(PIECE_KIND.name) or Track(PIECE_KIND.default)
-    return str(track.value_at(frame))
-
-
-def _first_values(document: Document, kind: str) -> dict[str, Value]:
+def _first_values(document: Document, kind: PieceKind) -> dict[str, Value]:
     canvas = document.canvas
     side = min(canvas.width_px, canvas.height_px)
-    ground = value_of(document, Address(GROUND_POSITION), 1)
-    x, y = (part for part in ground if isinstance(part, float)) if isinstance(ground, tuple) else (0.0, 0.0)
-    if kind == MESH:
-        return {PIECE_KIND.name: kind, PIECE_POSITION.name: (x, y)}
-    width, height, depth = (max(part * side, 1.0) for part in _MEASURES[kind])
+    x, y = value_at(document.tracks, GROUND_POSITION, 1)
+    sizes = TRAITS[kind].first_sizes
+    if sizes is None:
+        return {PIECE_KIND.name: kind.value, PIECE_POSITION.name: (x, y)}
+    width, height, depth = (max(part * side, 1.0) for part in sizes.of_canvas)
     return {
-        PIECE_KIND.name: kind,
-        PIECE_POSITION.name: (x, y - _BEHIND * canvas.height_px),
+        PIECE_KIND.name: kind.value,
+        PIECE_POSITION.name: (x, max(y - _BEHIND * canvas.height_px, PIECE_POSITION.low)),
         PIECE_WIDTH.name: width,
         PIECE_HEIGHT.name: height,
         PIECE_DEPTH.name: depth,
@@ -137,9 +123,13 @@ def _has_file(document: Document) -> bool:
 
 def _check_name(name: str) -> None:
     if not name.strip() or not name.isprintable() or len(name) > 200:
-        raise UsageProblem(f"a set piece cannot be named {name[:60]!r}: a name is 1 to 200 printable characters")
+        raise UsageProblem(
+            Message("a set piece cannot be named {name!r}: a name is 1 to 200 printable characters", name=name[:60])
+        )
     if name == TAKEN_NAME:
-        raise UsageProblem(f"a set piece cannot be named {name!r}: set.{name} is the shadow of the whole set")
+        raise UsageProblem(
+            Message("a set piece cannot be named {name!r}: set.{name} is the shadow of the whole set", name=name)
+        )
 
 
 def _free_name(document: Document, name: str) -> str:

@@ -8,14 +8,15 @@ from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_value
+from kagezou.document.local_name import LocalName
 from kagezou.document.model import Document
-from kagezou.document.property import Kind, Property, Words
+from kagezou.document.property import AnyProperty, Kind
 
 NOT_OF_A_STYLE = frozenset({properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name})
 """Properties that belong to a cut, not to a look."""
 
 LINES = tuple(
-    line for line in properties.OF_LAYER.values() if line.name.startswith("shadow.") and line.name not in NOT_OF_A_STYLE
+    prop for prop in properties.OF_LAYER.values() if prop.name.startswith("shadow.") and prop.name not in NOT_OF_A_STYLE
 )
 """What a style may hold of a layer."""
 
@@ -38,7 +39,7 @@ class Style:
         By names of the scene's properties, where the look needs a light of its own.
     """
 
-    name: Words
+    name: LocalName
     figure_px: float
     values: Values
     scene: Values = field(default_factory=lambda: MappingProxyType({}))
@@ -48,8 +49,8 @@ def apply_style(document: Document, layer_id: str, style: Style, frame: int) -> 
     """Put a style on a layer: keyed properties get a key on ``frame``, the others a new constant."""
     scale = document.layer(layer_id).figure.height / style.figure_px
     for name, value in style.values.items():
-        line = properties.OF_LAYER[name]
-        document = set_value(document, Address(line, layer_id), _scaled(line, value, scale), frame)
+        prop = properties.OF_LAYER[name]
+        document = set_value(document, Address(prop, layer_id), _scaled(prop, value, scale), frame)
     for name, value in style.scene.items():
         document = set_value(document, Address(properties.OF_DOCUMENT[name]), value, frame)
     return document
@@ -57,12 +58,12 @@ def apply_style(document: Document, layer_id: str, style: Style, frame: int) -> 
 
 def style_of(document: Document, layer_id: str, frame: int, name: str) -> Style:
     """Return the look that a layer has at a frame; the light of the scene is no part of it."""
-    values = {line.name: value_of(document, Address(line, layer_id), frame) for line in LINES}
+    values = {prop.name: value_of(document, Address(prop, layer_id), frame) for prop in LINES}
     height = float(document.layer(layer_id).figure.height)
-    return Style(Words(name, name), height, MappingProxyType(values))
+    return Style(LocalName(name), height, MappingProxyType(values))
 
 
-def _scaled(line: Property, value: Value, scale: float) -> Value:
-    if line.kind is not Kind.NUMBER or line.unit != "px" or not isinstance(value, float):
+def _scaled(prop: AnyProperty, value: Value, scale: float) -> Value:
+    if prop.kind is not Kind.NUMBER or prop.unit != "px" or not isinstance(value, float):
         return value
-    return min(max(value * scale, line.low), line.high)
+    return min(max(value * scale, prop.low), prop.high)

@@ -4,6 +4,7 @@ import ast
 from math import isfinite
 
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 _MAX_LENGTH = 60
 
@@ -25,7 +26,9 @@ def evaluate(text: str, current: float) -> float:
         If the text is no such thing, or its result is not finite.
     """
     typed = text.strip().replace("−", "-").replace("×", "*").replace(",", ".")
-    refused = UsageProblem(f"{text.strip()[:30]!r} is not a number; type 12.5, *2, /3, +10, -=10 or 50%")
+    refused = UsageProblem(
+        Message("{text!r} is not a number; type 12.5, *2, /3, +10, -=10 or 50%", text=text.strip()[:30])
+    )
     if not typed or len(typed) > _MAX_LENGTH:
         raise refused
     try:

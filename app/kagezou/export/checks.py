@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import Final
 
-from kagezou.document.model import PicturePart
 from kagezou.errors import DiskFullProblem, InputProblem
 from kagezou.export.planning import FrameJob, Plan
 from kagezou.export.request import ExportRequest
@@ -13,6 +12,8 @@ from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.psd.file import has_part
 from kagezou.io.sets.mesh_cache import is_mesh
+from kagezou.message import Message
+from kagezou.picture_source import PicturePart
 
 LISTED: Final = 50
 """So many missing files are named in full; of more, the number is."""
@@ -49,10 +50,13 @@ def check_sources(jobs: Collection[FrameJob]) -> None:
     if not missing:
         return
     if len(missing) == 1:
-        kind = "set" if is_mesh(Path(missing[0])) else "drawing"
-        raise InputProblem(f"{missing[0]}: the {kind} is missing")
-    rest = f" and {len(missing) - LISTED} more" if len(missing) > LISTED else ""
-    raise InputProblem(f"{len(missing)} drawings are missing: {', '.join(missing[:LISTED])}{rest}")
+        if is_mesh(Path(missing[0])):
+            raise InputProblem(Message("{path}: the set is missing", path=missing[0]))
+        raise InputProblem(Message("{path}: the drawing is missing", path=missing[0]))
+    listed: object = ", ".join(missing[:LISTED])
+    if len(missing) > LISTED:
+        listed = Message("{names} and {count} more", names=listed, count=len(missing) - LISTED)
+    raise InputProblem(Message("{count} drawings are missing: {names}", count=len(missing), names=listed))
 
 
 def prepare_folders(request: ExportRequest, plan: Plan) -> None:
@@ -75,8 +79,13 @@ def prepare_folders(request: ExportRequest, plan: Plan) -> None:
     free = shutil.disk_usage(request.folder).free
     if needed > free:
         raise DiskFullProblem(
-            f"{shown(request.folder)}: {plan.files} files need at least {needed >> 20} MB, "
-            f"but only {free >> 20} MB are free on the disk"
+            Message(
+                "{folder}: {files} files need at least {needed} MB, but only {free} MB are free on the disk",
+                folder=shown(request.folder),
+                files=plan.files,
+                needed=needed >> 20,
+                free=free >> 20,
+            )
         )
 
 

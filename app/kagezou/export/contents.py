@@ -11,12 +11,13 @@ from typing import Self
 
 import numpy as np
 
-from kagezou.document.model import Drawing, PictureSource, file_of
+from kagezou.document.model import Drawing
 from kagezou.export.painter import Painter
 from kagezou.export.pictures import FlatPicture, Picture, ShadowPicture
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.io.images.writing import ShadowImage
+from kagezou.picture_source import PictureSource, file_of
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Received, Scene, SetShadow, ShadowCast, ShadowLook

@@ -10,13 +10,15 @@ from pathlib import Path
 from typing import Any, Final
 
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Document, file_of
+from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.planning import planned
 from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
 from kagezou.io.sets.gltf import files_beside
+from kagezou.message import Message
+from kagezou.picture_source import file_of
 
 TEMPLATE: Final = "template.json"
 PARAMETERS: Final = "parameter_values.json"
@@ -51,7 +53,9 @@ class FarmRequest:
 
     def __post_init__(self) -> None:
         if not 1 <= self.chunk <= MAX_CHUNK:
-            raise UsageProblem(f"a task has 1 to {MAX_CHUNK} frames, not {self.chunk}")
+            raise UsageProblem(
+                Message("a task has 1 to {most_chunk} frames, not {chunk}", most_chunk=MAX_CHUNK, chunk=self.chunk)
+            )
 
 
 def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tuple[Path, ...]:
@@ -112,15 +116,18 @@ def _words(request: FarmRequest) -> list[str]:
     words += ["--path-mapping", "{{Session.PathMappingRulesFile}}", "--skip-existing", "--openjd"]
     for layer in export.layers or ():
         if "{{" in layer:
-            raise UsageProblem(f"the layer {layer!r} cannot be named in a job: it has braces")
+            raise UsageProblem(Message("the layer {layer!r} cannot be named in a job: it has braces", layer=layer))
         words += ["--layer", layer]
     switches = {"--composite": export.composite, "--layered": export.layered, "--receivers": export.receivers}
     return words + [switch for switch, is_on in switches.items() if is_on]
 
 
 def _definitions(document: Document, request: FarmRequest) -> list[Json]:
-    length, export = document.canvas.length_frames, request.export
-    depths = sorted({depth for each in DEPTHS.values() for depth in each})
+    """Return what may be given to a job: places first, then how its frames are made."""
+    return [*_places(), *_settings(document, request)]
+
+
+def _places() -> list[Json]:
     return [
         {
             "name": "ProjectFile",
@@ -136,6 +143,13 @@ def _definitions(document: Document, request: FarmRequest) -> list[Json]:
             "dataFlow": "OUT",
             "description": "Where the shadow layers go.",
         },
+    ]
+
+
+def _settings(document: Document, request: FarmRequest) -> list[Json]:
+    length, export = document.canvas.length_frames, request.export
+    depths = sorted({depth for each in DEPTHS.values() for depth in each})
+    return [
         {
             "name": "Frames",
             "type": "STRING",

@@ -131,7 +131,7 @@ class _Run:
         if outcome.problem is not None:
             if not self.request.keep_going:
                 raise outcome.problem
-            self.failures.append(Failure(tuple(target.frame for target in job.targets), str(outcome.problem)))
+            self.failures.append(Failure(tuple(target.frame for target in job.targets), outcome.problem.message))
             return
         for target in job.targets:
             self.ledger.add(target.path, self.fingerprints[job.content], outcome.written or "")

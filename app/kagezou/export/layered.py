@@ -11,9 +11,9 @@ from kagezou.export.contents import CompositeContent, Content, Sources
 from kagezou.export.painter import Painter
 from kagezou.export.pictures import LayeredPicture, Picture
 from kagezou.geometry.box import Box, centred_offset
-from kagezou.io.images.layered import LayeredImage, LayerPart
 from kagezou.io.images.reading import Cel, Steps
 from kagezou.io.images.writing import ShadowImage
+from kagezou.io.pixels.layers import LayeredImage, LayerPart
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.scene.scene import LayerScene, SetShadow, ShadowLook
 

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from kagezou.document.model import PictureSource
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Cel, read_cel
+from kagezou.picture_source import PictureSource
 from kagezou.render.renderer import Renderer
 
 

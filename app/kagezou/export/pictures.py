@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
-from kagezou.io.images.layered import LayeredImage, write_layered
+from kagezou.io.images.layered import write_layered
 from kagezou.io.images.writing import ShadowImage, encode_png, encode_rgba_png, write_rgba, write_shadow
+from kagezou.io.pixels.layers import LayeredImage
 
 Pixels = NDArray[Any]
 

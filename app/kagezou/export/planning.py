@@ -9,7 +9,7 @@ from kagezou.export.contents import Content
 from kagezou.export.names import safe_names
 from kagezou.export.request import ExportRequest
 from kagezou.export.selection import chosen_frames
-from kagezou.export.sequences import Sequence, sequences_of
+from kagezou.export.sequences import OutputSequence, sequences_of
 from kagezou.scene.evaluate import evaluate
 
 
@@ -17,7 +17,7 @@ from kagezou.scene.evaluate import evaluate
 class OutputFile:
     """One file of a sequence; ``frame`` is the first that it is for."""
 
-    sequence: Sequence
+    sequence: OutputSequence
     frame: int
     path: Path
 
@@ -50,7 +50,7 @@ class Plan:
     """
 
     jobs: tuple[FrameJob, ...]
-    sequences: tuple[Sequence, ...]
+    sequences: tuple[OutputSequence, ...]
     names: dict[str, str]
 
     @property
@@ -63,7 +63,7 @@ class Plan:
         """The folders of the sequences."""
         return tuple(sequence.folder for sequence in self.sequences)
 
-    def pictures_of(self, sequence: Sequence) -> tuple[int, ...]:
+    def pictures_of(self, sequence: OutputSequence) -> tuple[int, ...]:
         """Return which picture, from 0 in the order in which they appear, a sequence shows on each of its frames."""
         shown: dict[int, int] = {}
         number = 0
@@ -92,7 +92,7 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     return Plan(jobs, sequences, {each.name: names[each.name] for each in document.layers if each.id in owners})
 
 
-def jobs_of(document: Document, frames: Iterable[int], sequences: tuple[Sequence, ...]) -> tuple[FrameJob, ...]:
+def jobs_of(document: Document, frames: Iterable[int], sequences: tuple[OutputSequence, ...]) -> tuple[FrameJob, ...]:
     """Return the different pictures of some sequences in the order of their first frames."""
     targets: dict[Content, list[OutputFile]] = {}
     for frame in frames:
@@ -106,7 +106,7 @@ def jobs_of(document: Document, frames: Iterable[int], sequences: tuple[Sequence
 
 def _each_once(jobs: tuple[FrameJob, ...]) -> Iterator[FrameJob]:
     """Yield the jobs with one target in each sequence they go to, numbered from 1."""
-    numbers: dict[Sequence, int] = {}
+    numbers: dict[OutputSequence, int] = {}
     for job in jobs:
         first = {target.sequence: target for target in reversed(job.targets)}
         targets = []

@@ -11,7 +11,8 @@ from kagezou.export.names import safe_names
 from kagezou.export.remembered import choices_of
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import input_problem, output_problem, shown
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
+from kagezou.message import Message
 
 SUFFIX: Final = ".json"
 VERSION: Final = 1
@@ -59,13 +60,15 @@ def load_preset(path: Path) -> Preset:
         raise input_problem(path, error) from error
     try:
         if len(data) > _MAX_BYTES:
-            raise ProjectProblem("it is too large for one")
+            raise ProjectProblem(Message("it is too large for one"))
         found = Reader(parse(data.decode())).record(("export_preset", "name", "plan"))
         found["export_preset"].whole(VERSION, VERSION)
         return Preset(_checked(str(found["name"].value)), choices_of(found["plan"].value), path)
     except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
-        cause = "it is not UTF-8 text" if isinstance(problem, UnicodeDecodeError) else problem
-        raise InputProblem(f"{shown(path)} is not an export preset: {cause}") from problem
+        cause = Message("it is not UTF-8 text") if isinstance(problem, UnicodeDecodeError) else problem
+        raise InputProblem(
+            Message("{path} is not an export preset: {cause}", path=shown(path), cause=cause)
+        ) from problem
 
 
 def save_preset(folder: Path, name: str, choices: ExportChoices) -> Preset:
@@ -104,7 +107,7 @@ def rename_preset(folder: Path, preset: Preset, name: str) -> Preset:
     if name == preset.name:
         return preset
     if any(each.name == name for each in presets_in(folder)[0]):
-        raise UsageProblem(f"there is an export preset {name!r} already")
+        raise UsageProblem(Message("there is an export preset {name!r} already", name=name))
     renamed = save_preset(folder, name, preset.choices)
     remove_preset(preset)
     return renamed
@@ -128,7 +131,13 @@ def _checked(name: str) -> str:
     """Return a name without spaces around it, if it can be one."""
     name = name.strip()
     if not name or len(name) > _MAX_NAME or not name.isprintable():
-        raise UsageProblem(f"an export preset is named by 1 to {_MAX_NAME} printable characters, not {name[:60]!r}")
+        raise UsageProblem(
+            Message(
+                "an export preset is named by 1 to {most_name} printable characters, not {name!r}",
+                most_name=_MAX_NAME,
+                name=name[:60],
+            )
+        )
     return name
 
 

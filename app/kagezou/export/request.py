@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
 """The formats and the suffix of their files."""
@@ -75,17 +76,35 @@ class ExportRequest:
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:
-            raise UsageProblem(f"layered frames cannot be written as {self.format!r}, only as psd or exr")
+            raise UsageProblem(
+                Message("layered frames cannot be written as {format!r}, only as psd or exr", format=self.format)
+            )
         if self.layered and self.composite:
-            raise UsageProblem("a layered frame holds what a composite is made of; ask for one of the two")
+            raise UsageProblem(Message("a layered frame holds what a composite is made of; ask for one of the two"))
         if not self.layered and self.format not in SUFFIXES:
-            hint = ", which needs layered frames," if self.format in LAYERED_SUFFIXES else ""
-            raise UsageProblem(f"frames cannot be written as {self.format!r}{hint} only as {', '.join(SUFFIXES)}")
+            hint = Message(", which needs layered frames,") if self.format in LAYERED_SUFFIXES else ""
+            raise UsageProblem(
+                Message(
+                    "frames cannot be written as {format!r}{hint} only as {suffixes}",
+                    format=self.format,
+                    hint=hint,
+                    suffixes=", ".join(SUFFIXES),
+                )
+            )
         if self.depth not in DEPTHS[self.format]:
             depths = " or ".join(str(depth) for depth in DEPTHS[self.format])
-            raise UsageProblem(f"{self.format} frames have {depths} bits a channel, not {self.depth}")
+            raise UsageProblem(
+                Message(
+                    "{format} frames have {depths} bits a channel, not {depth}",
+                    format=self.format,
+                    depths=depths,
+                    depth=self.depth,
+                )
+            )
         if not 1 <= self.workers <= MAX_WORKERS:
-            raise UsageProblem(f"{self.workers} workers are not 1 to {MAX_WORKERS}")
+            raise UsageProblem(
+                Message("{workers} workers are not 1 to {most_workers}", workers=self.workers, most_workers=MAX_WORKERS)
+            )
 
     @property
     def suffix(self) -> str:
@@ -103,7 +122,7 @@ class Failure:
     """Files that could not be made, by their frames, and why in one sentence."""
 
     frames: tuple[int, ...]
-    sentence: str
+    message: Message
 
 
 @dataclass(frozen=True, slots=True)

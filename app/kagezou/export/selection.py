@@ -9,6 +9,7 @@ from kagezou.document.property import Property
 from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.request import ExportRequest
+from kagezou.message import Message
 
 
 def chosen_frames(document: Document, request: ExportRequest) -> tuple[int, ...]:
@@ -23,8 +24,12 @@ def chosen_frames(document: Document, request: ExportRequest) -> tuple[int, ...]
     if request.frames is None:
         return tuple(range(1, length + 1))
     beyond = [frame for frame in request.frames if not 1 <= frame <= length]
-    if beyond or not request.frames:
-        raise UsageProblem(f"frame {beyond[0] if beyond else 'none'} is not in the cut, which has frames 1-{length}")
+    if beyond:
+        raise UsageProblem(
+            Message("frame {frame} is not in the cut, which has frames 1-{length}", frame=beyond[0], length=length)
+        )
+    if not request.frames:
+        raise UsageProblem(Message("frame none is not in the cut, which has frames 1-{length}", length=length))
     return tuple(sorted(set(request.frames)))
 
 
@@ -41,11 +46,7 @@ def chosen_layers(document: Document, request: ExportRequest) -> tuple[Layer, ..
     by_name = {layer.name: layer for layer in document.layers}
     for name in request.layers:
         if name not in by_name:
-            near = get_close_matches(name, by_name, n=1)
-            hint = (
-                f"; did you mean {near[0]!r}?" if near else f", only {', '.join(map(repr, by_name)) or 'none at all'}"
-            )
-            raise UsageProblem(f"there is no layer {name!r} in this project{hint}")
+            raise UsageProblem(_no_layer(name, tuple(by_name)))
     return tuple(layer for layer in document.layers if layer.name in request.layers)
 
 
@@ -59,12 +60,22 @@ def set_ever_casts(document: Document) -> bool:
     return any(_is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
 
 
+def _no_layer(name: str, known: tuple[str, ...]) -> Message:
+    near = get_close_matches(name, known, n=1)
+    if near:
+        return Message("there is no layer {name!r} in this project; did you mean {near!r}?", name=name, near=near[0])
+    if known:
+        others = ", ".join(map(repr, known))
+        return Message("there is no layer {name!r} in this project, only {others}", name=name, others=others)
+    return Message("there is no layer {name!r} in this project, only none at all", name=name)
+
+
 def _is_ever_visible(layer: Layer) -> bool:
     return _is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
 
 
-def _is_ever(track: Track | None, line: Property) -> bool:
+def _is_ever(track: Track | None, prop: Property[bool]) -> bool:
     """Whether a switch is on at any time."""
     if track is None:
-        return bool(line.default)
+        return prop.default
     return any(key.value for key in track.keys) if track.is_keyed else bool(track.constant)

@@ -20,6 +20,7 @@ from kagezou.export.subjects import (
     ShadowSubject,
     Subject,
 )
+from kagezou.message import Message
 
 COMPOSITE: Final = "composite"
 """The folder and the first part of the files of composites."""
@@ -28,7 +29,7 @@ LAYERED: Final = "layered"
 
 
 @dataclass(frozen=True, slots=True)
-class Sequence:
+class OutputSequence:
     """Numbered files of one subject in a folder of their own.
 
     Parameters
@@ -56,7 +57,7 @@ class Sequence:
         return self.folder / f"{self.label}_{number:0{self.digits}d}{self.suffix}"
 
 
-def sequences_of(document: Document, request: ExportRequest) -> tuple[Sequence, ...]:
+def sequences_of(document: Document, request: ExportRequest) -> tuple[OutputSequence, ...]:
     """Return the sequences that a request asks for, never none.
 
     Raises
@@ -69,7 +70,9 @@ def sequences_of(document: Document, request: ExportRequest) -> tuple[Sequence, 
     if not subjects:
         raise _nothing()
     digits = digits_for(document.canvas.length_frames)
-    return tuple(Sequence(each, label, request.folder / label, digits, request.suffix) for label, each in subjects)
+    return tuple(
+        OutputSequence(each, label, request.folder / label, digits, request.suffix) for label, each in subjects
+    )
 
 
 def layered_subject(document: Document, request: ExportRequest) -> LayeredSubject:
@@ -89,7 +92,7 @@ def layered_subject(document: Document, request: ExportRequest) -> LayeredSubjec
 
 
 def _nothing() -> UsageProblem:
-    return UsageProblem("there is nothing to render: the project has no visible character layer")
+    return UsageProblem(Message("there is nothing to render: the project has no visible character layer"))
 
 
 def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Subject]]:

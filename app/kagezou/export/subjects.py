@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
 from kagezou.document.model import Document
 from kagezou.document.set_properties import GROUND_RECEIVES
+from kagezou.document.values import rgb_at, value_at
 from kagezou.export.contents import (
     BlankContent,
     CompositeContent,
@@ -96,7 +96,7 @@ class ReceiverSubject:
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return the matte; an empty one where the receiver is not there."""
-        has_ground = bool(value_of(document, Address(GROUND_RECEIVES), frame))
+        has_ground = value_at(document.tracks, GROUND_RECEIVES, frame)
         pieces = tuple(
             replace(piece, casts=piece.id == self.piece_id, blocks=False, receives=False) for piece in scene.pieces
         )
@@ -159,6 +159,4 @@ def _seen(scene: Scene, layer_id: str) -> LayerScene | None:
 
 
 def _nothing(document: Document, layer_id: str, scene: Scene, frame: int) -> Content:
-    text = str(value_of(document, Address(properties.COLOR, layer_id), frame))
-    red, green, blue = bytes.fromhex(text.removeprefix("#"))
-    return BlankContent(scene, (red, green, blue))
+    return BlankContent(scene, rgb_at(document.layer(layer_id).tracks, properties.COLOR, frame))

@@ -15,12 +15,13 @@ from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, jobs_of
 from kagezou.export.request import SHADOWS, Cancelled, ExportRequest, Progress
 from kagezou.export.selection import chosen_frames
-from kagezou.export.sequences import Sequence, sequences_of
+from kagezou.export.sequences import OutputSequence, sequences_of
 from kagezou.export.subjects import CompositeSubject
 from kagezou.io.files.atomic import replace_by
 from kagezou.io.files.faults import output_problem
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.video import VideoKind, VideoWriter, converted, frames_in, kind_of
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 _DEPTH: Final = 8
@@ -109,7 +110,7 @@ def video_jobs(document: Document, request: VideoRequest) -> tuple[FrameJob, ...
     )
 
 
-def _sequence(document: Document, request: VideoRequest) -> tuple[Sequence, tuple[int, ...]]:
+def _sequence(document: Document, request: VideoRequest) -> tuple[OutputSequence, tuple[int, ...]]:
     """Return what is shown, and on which frames."""
     wanted = ExportRequest(request.path.parent, frames=request.frames, workers=request.workers)
     if request.layer is None:
@@ -156,4 +157,6 @@ class _Film:
             if done < length:
                 raise _Stopped
         if frames_in(temp) != length:
-            raise output_problem(self.request.path, "cannot be written: it reads back with other frames than it got")
+            raise output_problem(
+                self.request.path, Message("cannot be written: it reads back with other frames than it got")
+            )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kagezou.animation.frames import format_frames
-from kagezou.document.model import Cels, Drawing, Exposure, PicturePart
+from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
@@ -17,6 +17,8 @@ from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.paths import absolute
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.psd.undrawn import drawn_by_extra
+from kagezou.message import Message
+from kagezou.picture_source import PicturePart
 
 MAX_NAME_CHARACTERS = 200
 _SHOWN_NAMES = 3
@@ -56,7 +58,7 @@ class NewCels:
     cels: Cels
     size_px: tuple[int, int]
     length_frames: int
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +76,7 @@ class Held:
     """
 
     layers: list[NewCels]
-    notes: list[str]
+    notes: list[Message]
     backgrounds: tuple[PicturePart, ...] = ()
 
 
@@ -112,7 +114,7 @@ def _held_by_psd(source: CharacterSource, path: Path, watch: Progress) -> Held:
     drawn = [node for node in cast.backgrounds if node not in backgrounds]
     characters = (*(PsdCharacter(each.name, (PsdCel(each.name, each),)) for each in drawn), *cast.characters)
     if not characters and not backgrounds:
-        raise InputProblem(f"{shown(path)}: every layer in it is hidden or empty")
+        raise InputProblem(Message("{path}: every layer in it is hidden or empty", path=shown(path)))
     head = f"{source.name} " if source.name else ""
     size = (tree.width_px, tree.height_px)
     names = [head + printable(each.name) for each in characters]
@@ -131,14 +133,20 @@ def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, i
     return NewCels(name, cels, size, len(drawings), tuple(_undrawn_notes(name, tuple(undrawn))))
 
 
-def _undrawn_notes(name: str, undrawn: tuple[str, ...]) -> list[str]:
+def _undrawn_notes(name: str, undrawn: tuple[str, ...]) -> list[Message]:
     by_extra = drawn_by_extra(undrawn)
     never = [each for each in undrawn if each not in by_extra]
     notes = []
     if never:
-        notes.append(f"{name}: these are not drawn: {', '.join(never)}")
+        notes.append(Message("{name}: these are not drawn: {never}", name=name, never=", ".join(never)))
     if by_extra:
-        notes.append(f"{name}: these are drawn only after pip install 'kagezou[psd]': {', '.join(by_extra)}")
+        notes.append(
+            Message(
+                "{name}: these are drawn only after pip install 'kagezou[psd]': {by_extra}",
+                name=name,
+                by_extra=", ".join(by_extra),
+            )
+        )
     return notes
 
 
@@ -146,12 +154,24 @@ def _is_opaque(part: PicturePart) -> bool:
     return read_matte(part).is_full
 
 
-def _left_out_of(path: Path, cast: PsdCharacters) -> list[str]:
+def _left_out_of(path: Path, cast: PsdCharacters) -> list[Message]:
     notes = []
     if cast.hidden:
-        notes.append(f"{shown(path)}: left out, as they are hidden: {_some(node.name for node in cast.hidden)}")
+        notes.append(
+            Message(
+                "{path}: left out, as they are hidden: {names}",
+                path=shown(path),
+                names=_some(node.name for node in cast.hidden),
+            )
+        )
     if cast.empty:
-        notes.append(f"{shown(path)}: left out, as they are empty: {_some(node.name for node in cast.empty)}")
+        notes.append(
+            Message(
+                "{path}: left out, as they are empty: {names}",
+                path=shown(path),
+                names=_some(node.name for node in cast.empty),
+            )
+        )
     if cast.unnumbered:
         notes.append(_left_out(path, (node.name for node in cast.unnumbered)))
     return notes
@@ -163,8 +183,8 @@ def printable(name: str) -> str:
     return text[:MAX_NAME_CHARACTERS] or "Character"
 
 
-def _left_out(path: Path, names: Iterable[str]) -> str:
-    return f"{shown(path)}: left out, as they have no number: {_some(names)}"
+def _left_out(path: Path, names: Iterable[str]) -> Message:
+    return Message("{path}: left out, as they have no number: {names}", path=shown(path), names=_some(names))
 
 
 def _some(names: Iterable[str]) -> str:
@@ -176,7 +196,10 @@ def _new_cels(name: str, sequence: Sequence, source: CharacterSource, watch: Pro
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
     size, notes = _measured(name, cels.drawings, watch)
     if sequence.gaps and not source.is_timed:
-        notes.insert(0, f"{name}: missing {format_frames(sequence.gaps)}; the drawing before is held")
+        notes.insert(
+            0,
+            Message("{name}: missing {gaps}; the drawing before is held", name=name, gaps=format_frames(sequence.gaps)),
+        )
     last = cels.exposures[-1].frame
     return NewCels(name, cels, size, last, tuple(notes))
 
@@ -202,7 +225,7 @@ def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:
     return tuple(exposures)
 
 
-def _measured(name: str, drawings: tuple[Drawing, ...], watch: Progress) -> tuple[tuple[int, int], list[str]]:
+def _measured(name: str, drawings: tuple[Drawing, ...], watch: Progress) -> tuple[tuple[int, int], list[Message]]:
     """Return the largest width and height, and notes about drawings that differ or cannot be opened."""
     infos: list[tuple[Drawing, ImageInfo]] = []
     problems: list[InputProblem] = []
@@ -214,9 +237,9 @@ def _measured(name: str, drawings: tuple[Drawing, ...], watch: Progress) -> tupl
             problems.append(problem)
     if not infos:
         raise problems[0]
-    notes = [str(problem) for problem in problems[:_SHOWN_NAMES]]
+    notes = [problem.message for problem in problems[:_SHOWN_NAMES]]
     if len(problems) > _SHOWN_NAMES:
-        notes.append(f"{name}: {len(problems)} drawings cannot be opened")
+        notes.append(Message("{name}: {count} drawings cannot be opened", name=name, count=len(problems)))
     sizes = Counter((info.width_px, info.height_px) for _, info in infos)
     if len(sizes) > 1:
         first = infos[0][1]
@@ -226,9 +249,15 @@ def _measured(name: str, drawings: tuple[Drawing, ...], watch: Progress) -> tupl
             if (info.width_px, info.height_px) != (first.width_px, first.height_px)
         )
         notes.append(
-            f"{name}: drawings differ in size, first {shown(other[0].path)} with "
-            f"{other[1].width_px} × {other[1].height_px} px; each lies centred on the canvas"
+            Message(
+                "{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; "
+                "each lies centred on the canvas",
+                name=name,
+                path=shown(other[0].path),
+                width_px=other[1].width_px,
+                height_px=other[1].height_px,
+            )
         )
     if not infos[0][1].has_alpha:
-        notes.append(f"{name}: its drawings have no alpha; pure white is taken as clear")
+        notes.append(Message("{name}: its drawings have no alpha; pure white is taken as clear", name=name))
     return (max(width for width, _ in sizes), max(height for _, height in sizes)), notes

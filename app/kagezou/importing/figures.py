@@ -6,12 +6,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import Drawing, PictureSource
+from kagezou.document.model import Drawing
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vectors import Matrix, Point2
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.images.reading import read_matte
+from kagezou.message import Message
+from kagezou.picture_source import PictureSource
 
 _POINTS = 600
 _OUTLINE_ROWS = 80
@@ -125,12 +127,12 @@ class MeasuredFigure:
 
     figure: Figure | None
     later: Matrix
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def look_at(drawings: Sequence[Drawing], canvas: Box, watch: Progress = no_progress) -> MeasuredFigure:
     """Return the figure of the first drawing that has one, and where the figure goes later."""
-    notes: list[str] = []
+    notes: list[Message] = []
     first: Figure | None = None
     seen = 0
     for drawing in drawings:
@@ -149,9 +151,9 @@ def look_at(drawings: Sequence[Drawing], canvas: Box, watch: Progress = no_progr
     return MeasuredFigure(first, np.concatenate(later) if later else np.empty((0, 2)), tuple(notes))
 
 
-def _tried(drawing: Drawing, canvas: Box, notes: list[str]) -> Figure | None:
+def _tried(drawing: Drawing, canvas: Box, notes: list[Message]) -> Figure | None:
     try:
         return figure_in(drawing.source, canvas)
     except InputProblem as problem:
-        notes.append(str(problem))
+        notes.append(problem.message)
         return None

@@ -9,7 +9,7 @@ import numpy as np
 
 from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant, set_track
 from kagezou.document.model import Document
 from kagezou.document.properties import (
@@ -19,16 +19,19 @@ from kagezou.document.properties import (
     GROUND_ROLL,
 )
 from kagezou.document.set_pieces import add_piece
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.mesh_ray import first_hit
 from kagezou.geometry.set_camera import SetCamera
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Matrix, Point2, Vector3
 from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece, placement, track_through
 from kagezou.io.files.faults import shown
 from kagezou.io.sets.cameras import cameras_of, up_axis_of
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at
 
 PERSON_UNITS: Final = 1.6
@@ -67,15 +70,15 @@ class SetImport:
 
 
 @dataclass(frozen=True, slots=True)
-class Imported:
+class ImportedSet:
     """What came of an import: the document, the new piece, and what one should know of it."""
 
     document: Document
     piece_id: str
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
-def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Imported:
+def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> ImportedSet:
     """Put the set of a file behind the characters, the flat ground giving way to it.
 
     Raises
@@ -88,7 +91,7 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
     mesh = meshes.mesh(wanted.path)
     camera = None if wanted.camera is None else _camera_named(document, wanted)
     up = wanted.up or up_axis_of(wanted.path)
-    stand = wanted.stand or _points(value_of(document, Address(GROUND_POSITION), 1))
+    stand = wanted.stand or value_at(document.tracks, GROUND_POSITION, 1)
     values: dict[str, object] = {
         lines.PIECE_UP.name: up,
         lines.PIECE_POSITION.name: stand,
@@ -96,16 +99,16 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
         lines.PIECE_SCALE.name: wanted.scale or _natural_scale(document, mesh, up),
         lines.PIECE_DISPLAY.name: "clay" if document.background is None else "wireframe",
     }
-    document = add_piece(document, wanted.name, lines.MESH, values, wanted.path)
+    document = add_piece(document, wanted.name, PieceKind.MESH, values, wanted.path)
     piece_id = document.pieces[-1].id
     document = set_constant(document, Address(lines.GROUND_RECEIVES), raw=False)
     if camera is None:
-        return Imported(document, piece_id)
+        return ImportedSet(document, piece_id)
     size = (float(document.canvas.width_px), float(document.canvas.height_px))
     met = first_hit(mesh, *_ray_of(camera, stand, size))
     if met is not None:
         document = set_constant(document, Address(lines.PIECE_ANCHOR, piece_id=piece_id), met)
-    return Imported(follow_camera(document, piece_id, camera), piece_id, _notes(document, camera, met))
+    return ImportedSet(follow_camera(document, piece_id, camera), piece_id, _notes(document, camera, met))
 
 
 def point_under(document: Document, piece_id: str, mesh: Mesh, canvas_px: Point2, frame: int) -> Vector3 | None:
@@ -140,10 +143,10 @@ def stand_at(document: Document, piece_id: str, point: Vector3) -> Document:
     for frame in frames:
         world_from_mesh = placement(document, piece_id, frame)
         if world_from_mesh is None:
-            raise UsageProblem("the set is not before the camera on every frame")
+            raise UsageProblem(Message("the set is not before the camera on every frame"))
         x, y, w = camera_at(document, frame).canvas_from_world() @ world_from_mesh @ np.array([*point, 1.0])
         if w <= 0:
-            raise UsageProblem("this point of the set is not before the camera on every frame")
+            raise UsageProblem(Message("this point of the set is not before the camera on every frame"))
         positions.append((float(x / w), float(y / w)))
         scales.append(float(np.linalg.norm(world_from_mesh[:3, 0]) / w))
     document = set_constant(document, of_piece(lines.PIECE_ANCHOR, piece_id), point)
@@ -171,19 +174,31 @@ def _ray_of(camera: SetCamera, canvas_px: Point2, size_px: Point2) -> tuple[Matr
     return pose[:3, 3] + pose[:3, :3] @ np.array([x * scale, y * scale, 0.0]), -pose[:3, 2]
 
 
-def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> tuple[str, ...]:
-    canvas, notes = document.canvas, list[str]()
+def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> tuple[Message, ...]:
+    canvas, notes = document.canvas, list[Message]()
     aspect = canvas.width_px / canvas.height_px
     if met is None:
-        notes.append(f"the camera {camera.name!r} sees nothing of the set where the character stands")
+        notes.append(
+            Message("the camera {camera!r} sees nothing of the set where the character stands", camera=camera.name)
+        )
     if camera.aspect and abs(camera.aspect / aspect - 1) > 0.01:
         notes.append(
-            f"the camera {camera.name!r} is for a picture of {camera.aspect:.3f} to 1, the canvas is {aspect:.3f} "
-            "to 1: the height was kept, the sides differ"
+            Message(
+                "the camera {camera!r} is for a picture of {camera_aspect:.3f} to 1, the canvas is {aspect:.3f} to 1: "
+                "the height was kept, the sides differ",
+                camera=camera.name,
+                camera_aspect=camera.aspect,
+                aspect=aspect,
+            )
         )
     if camera.is_animated and camera.length_frames != canvas.length_frames:
         notes.append(
-            f"the camera {camera.name!r} moves for {camera.length_frames} frames, the cut has {canvas.length_frames}"
+            Message(
+                "the camera {camera!r} moves for {camera_frames} frames, the cut has {cut_frames}",
+                camera=camera.name,
+                camera_frames=camera.length_frames,
+                cut_frames=canvas.length_frames,
+            )
         )
     return tuple(notes)
 
@@ -193,8 +208,11 @@ def _camera_named(document: Document, wanted: SetImport) -> SetCamera:
     for camera in cameras:
         if camera.name == wanted.camera:
             return camera
-    known = ", ".join(repr(camera.name) for camera in cameras) or "none at all"
-    raise UsageProblem(f"{shown(wanted.path)}: there is no camera {wanted.camera!r} in it, only {known}")
+    values = {"path": shown(wanted.path), "camera": wanted.camera}
+    if not cameras:
+        raise UsageProblem(Message("{path}: there is no camera {camera!r} in it, only none at all", **values))
+    known = ", ".join(repr(camera.name) for camera in cameras)
+    raise UsageProblem(Message("{path}: there is no camera {camera!r} in it, only {known}", known=known, **values))
 
 
 def _floor_middle(mesh: Mesh, up: str) -> Vector3:
@@ -220,18 +238,12 @@ def _keyed_frames(document: Document, piece_id: str) -> tuple[int, ...]:
     """Return every frame on which something is keyed that decides how an imported set is seen."""
     own = document.piece(piece_id).tracks
     names = (lines.PIECE_POSITION, lines.PIECE_SCALE, lines.PIECE_ANGLE)
-    tracks = [own[line.name] for line in names if line.name in own]
+    tracks = [own[prop.name] for prop in names if prop.name in own]
     of_scene = (FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION)
-    tracks += [document.tracks[line.name] for line in of_scene if line.name in document.tracks]
+    tracks += [document.tracks[prop.name] for prop in of_scene if prop.name in document.tracks]
     return tuple(sorted({key.frame for track in tracks for key in track.keys}))
 
 
 def _corners(mesh: Mesh) -> Matrix:
     low, high = mesh.corners
     return np.array([[*np.where([pick & 1, pick & 2, pick & 4], high, low), 1.0] for pick in range(8)]).T
-
-
-def _points(value: Value) -> Point2:
-    assert isinstance(value, tuple), value
-    x, y = (part for part in value if isinstance(part, float))
-    return (x, y)

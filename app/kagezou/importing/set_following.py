@@ -7,7 +7,7 @@ import numpy as np
 
 from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
-from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
 from kagezou.document.model import Document
 from kagezou.document.properties import (
@@ -18,11 +18,13 @@ from kagezou.document.properties import (
     LIGHT_AZIMUTH,
     LIGHT_POSITION,
 )
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Point2, Vector3
-from kagezou.importing.set_placing import of_piece, place_of, placement, track_through
+from kagezou.importing.set_placing import of_piece, placement, track_through
+from kagezou.message import Message
 
 
 def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Document:
@@ -39,8 +41,7 @@ def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Docum
         The camera sees the ground from below, or does not see the anchor before it.
     """
     piece = document.piece(piece_id)
-    anchor = place_of(value_of(document, of_piece(lines.PIECE_ANCHOR, piece_id), 1))
-    up = str(value_of(document, of_piece(lines.PIECE_UP, piece_id), 1))
+    anchor, up = value_at(piece.tracks, lines.PIECE_ANCHOR, 1), value_at(piece.tracks, lines.PIECE_UP, 1)
     last = min(camera.length_frames, document.canvas.length_frames)
     sights = [_sight(document, camera, frame, anchor, up) for frame in range(1, last + 1)]
     angles = np.degrees(np.unwrap(np.radians([sight.angle for sight in sights])))
@@ -65,18 +66,17 @@ def _light_kept_in_place(document: Document, piece_id: str, angles_deg: list[flo
     They are told as the canvas and the ground have them, which turn and move with the camera. A light that is keyed
     is somebody's work and stays as it is.
     """
-    lamp, azimuth = (track_of(document, Address(line)) for line in (LIGHT_POSITION, LIGHT_AZIMUTH))
+    lamp, azimuth = (track_of(document, Address(prop)) for prop in (LIGHT_POSITION, LIGHT_AZIMUTH))
     found = [placement(document, piece_id, frame) for frame in range(1, len(angles_deg) + 1)]
     placements = [each for each in found if each is not None]
     if len(placements) < max(len(angles_deg), 2) or lamp.is_keyed or azimuth.is_keyed:
         return document
-    in_set = np.linalg.inv(placements[0]) @ np.array([*place_of(lamp.constant), 1.0])
-    places: list[Value] = [place_of(tuple((each @ in_set)[:3].tolist())) for each in placements]
-    start = azimuth.constant
-    assert isinstance(start, float), start
+    place, start = LIGHT_POSITION.typed(lamp.constant), LIGHT_AZIMUTH.typed(azimuth.constant)
+    in_set = np.linalg.inv(placements[0]) @ np.array([*place, 1.0])
+    places: list[Value] = [tuple((each @ in_set)[:3].tolist()) for each in placements]
     turns: list[Value] = [start - (angle - angles_deg[0]) for angle in angles_deg]
-    for line, values in ((LIGHT_POSITION, places), (LIGHT_AZIMUTH, turns)):
-        document = set_track(document, Address(line), track_through(line, enumerate(values, start=1)))
+    for prop, values in ((LIGHT_POSITION, places), (LIGHT_AZIMUTH, turns)):
+        document = set_track(document, Address(prop), track_through(prop, enumerate(values, start=1)))
     return document
 
 
@@ -99,8 +99,15 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
     declination = degrees(acos(min(max(float(normal[2]), -1.0), 1.0)))
     if not GROUND_DECLINATION.low <= declination <= GROUND_DECLINATION.high:
         raise UsageProblem(
-            f"the camera {camera.name!r} sees the ground at {declination:.1f}° on frame {frame}; "
-            f"it can be followed from {GROUND_DECLINATION.low:g}° to {GROUND_DECLINATION.high:g}°"
+            Message(
+                "the camera {camera!r} sees the ground at {declination:.1f}° on frame {frame}; "
+                "it can be followed from {low:g}° to {high:g}°",
+                camera=camera.name,
+                declination=declination,
+                frame=frame,
+                low=GROUND_DECLINATION.low,
+                high=GROUND_DECLINATION.high,
+            )
         )
     roll = degrees(atan2(normal[0], -normal[1]))
     ground = ground_plane((0.0, 0.0), roll, declination)
@@ -108,7 +115,13 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
     angle = degrees(atan2(float(right @ ground.v), float(right @ ground.u)))
     depth = -float((np.linalg.inv(pose) @ np.array([*anchor, 1.0]))[2])
     if camera.is_perspective and depth <= 0:
-        raise UsageProblem(f"the place to stand on is behind the camera {camera.name!r} on frame {frame}")
+        raise UsageProblem(
+            Message(
+                "the place to stand on is behind the camera {camera!r} on frame {frame}",
+                camera=camera.name,
+                frame=frame,
+            )
+        )
     width, height = float(document.canvas.width_px), float(document.canvas.height_px)
     own = camera.height_at(frame)
     focal = (height / 2) / tan(radians(own) / 2) if camera.is_perspective else 0.0

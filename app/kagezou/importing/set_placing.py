@@ -8,8 +8,8 @@ from kagezou.animation.track import Interpolation, Key, Track, Value
 from kagezou.document.address import Address
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_PIECE
-from kagezou.document.property import Property
-from kagezou.geometry.vectors import Matrix, Vector3
+from kagezou.document.property import AnyProperty
+from kagezou.geometry.vectors import Matrix
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.pieces import pieces_at
 
@@ -22,21 +22,14 @@ def placement(document: Document, piece_id: str, frame: int) -> Matrix | None:
     return None
 
 
-def track_through(line: Property, values: Iterable[tuple[int, Value]]) -> Track:
+def track_through(prop: AnyProperty, values: Iterable[tuple[int, Value]]) -> Track:
     """Return a track with a linear key for each frame and value, or a constant where all are the same."""
-    keys = tuple(Key(frame, line.canonical(value), Interpolation.LINEAR) for frame, value in values)
+    keys = tuple(Key(frame, prop.canonical(value), Interpolation.LINEAR) for frame, value in values)
     if all(key.value == keys[0].value for key in keys):
         return Track(keys[0].value)
     return Track(keys[0].value, keys)
 
 
-def of_piece(line: Property, piece_id: str) -> Address:
+def of_piece(prop: AnyProperty, piece_id: str) -> Address:
     """Return where a property of a piece lives."""
-    return Address(OF_PIECE[line.name], piece_id=piece_id)
-
-
-def place_of(value: Value) -> Vector3:
-    """Return the value of a place as one."""
-    assert isinstance(value, tuple), value
-    x, y, z = (part for part in value if isinstance(part, float))
-    return (x, y, z)
+    return Address(OF_PIECE[prop.name], piece_id=piece_id)

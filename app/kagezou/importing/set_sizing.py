@@ -9,6 +9,7 @@ from kagezou.document.set_properties import PIECE_SCALE
 from kagezou.errors import UsageProblem
 from kagezou.geometry.vectors import Vector3
 from kagezou.importing.set_placing import of_piece
+from kagezou.message import Message
 
 FIGURE_METRES: Final = 1.6
 """How tall a character is taken to be where lengths are told in metres."""
@@ -42,6 +43,6 @@ def sized(
     """
     length = dist(*between)
     if length <= 0 or figure_heights <= 0:
-        raise UsageProblem("a size is told by two different points of the set and a length over 0")
+        raise UsageProblem(Message("a size is told by two different points of the set and a length over 0"))
     scale = figure_heights * figure_height(document) / length
     return set_value(document, of_piece(PIECE_SCALE, piece_id), scale, frame)

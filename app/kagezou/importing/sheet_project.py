@@ -18,6 +18,7 @@ from kagezou.io.project.paths import absolute
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet
+from kagezou.message import Message
 
 TIMESHEET_SUFFIXES = (".xdts", ".tdts", ".sts")
 _CELS = "_Cell"
@@ -43,10 +44,14 @@ def document_of_sheet(path: Path, watch: Progress = no_progress) -> Imported:
     sheet = read_timesheet(path)
     sources = sources_beside(path, sheet)
     if not sources:
-        names = ", ".join(dict.fromkeys(track.name for track in sheet.tracks if track.name)) or "none"
+        names = ", ".join(dict.fromkeys(track.name for track in sheet.tracks if track.name)) or Message("none")
         raise InputProblem(
-            f"{shown(path)}: beside it there are no drawings of its columns ({names}): "
-            "neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups"
+            Message(
+                "{path}: beside it there are no drawings of its columns ({names}): "
+                "neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups",
+                path=shown(path),
+                names=names,
+            )
         )
     staged = new_document(sources, frame_rate=_RATE, watch=watch)
     document, notes = timed(staged.document, sheet)
@@ -63,8 +68,10 @@ def timed_from_beside(staged: Imported, sources: Sequence[CharacterSource]) -> I
     try:
         document, notes = timed(staged.document, read_timesheet(path))
     except InputProblem as problem:
-        return replace(staged, notes=(*staged.notes, str(problem)))
-    return replace(staged, document=document, notes=(*staged.notes, f"timed by {shown(path)}", *notes))
+        return replace(staged, notes=(*staged.notes, problem.message))
+    return replace(
+        staged, document=document, notes=(*staged.notes, Message("timed by {path}", path=shown(path)), *notes)
+    )
 
 
 def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
@@ -78,7 +85,7 @@ def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
     try:
         listed = sorted(path.parent.iterdir())
     except OSError as error:
-        raise InputProblem(f"{shown(path.parent)}: {cause_of(error)}") from error
+        raise InputProblem(Message("{path}: {cause}", path=shown(path.parent), cause=cause_of(error))) from error
     folders = {entry.name.casefold(): entry for entry in (*_below(path.parent / _CELS), *listed) if entry.is_dir()}
     pictures = [entry for entry in listed if entry.is_file() and is_picture(entry) and not is_psd(entry)]
     found: list[CharacterSource] = []

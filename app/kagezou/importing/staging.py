@@ -9,7 +9,7 @@ import numpy as np
 
 from kagezou.document.address import Address
 from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
-from kagezou.document.model import Canvas, Document, PicturePart, PictureSource
+from kagezou.document.model import Canvas, Document
 from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
@@ -23,6 +23,8 @@ from kagezou.io.images.reading import probe
 from kagezou.io.project.paths import absolute
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet
+from kagezou.message import Message
+from kagezou.picture_source import PicturePart, PictureSource
 from kagezou.scene.evaluate import camera_at, ground_at
 
 STILL_LENGTH_FRAMES = 24
@@ -58,7 +60,7 @@ class Imported:
     """
 
     document: Document
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
     layer_ids: tuple[str, ...]
 
 
@@ -80,7 +82,7 @@ class Brought:
 
     arrivals: tuple[NewCels, ...]
     looks: tuple[MeasuredFigure, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
     backgrounds: tuple[PicturePart, ...] = ()
 
 
@@ -177,7 +179,7 @@ def exposed(document: Document, sheet: Timesheet) -> Imported:
 def _read(sources: Sequence[CharacterSource], watch: Progress) -> Brought:
     """Return what the sources hold, not looked at yet."""
     arrivals: list[NewCels] = []
-    notes: list[str] = []
+    notes: list[Message] = []
     backgrounds: list[PicturePart] = []
     for source in sources:
         held = held_by(source, watch)
@@ -187,11 +189,15 @@ def _read(sources: Sequence[CharacterSource], watch: Progress) -> Brought:
     return Brought(tuple(arrivals), (), tuple(notes), tuple(backgrounds))
 
 
-def _with_background(document: Document, found: Sequence[PicturePart], notes: list[str]) -> Document:
+def _with_background(document: Document, found: Sequence[PicturePart], notes: list[Message]) -> Document:
     """Put the first of what was found under everything, unless there is a background; the others are told."""
     taken = found[:1] if document.background is None else ()
     notes += [
-        f"{shown(each.path)}: the layer {each.address!r} was left out, as there is a background already"
+        Message(
+            "{path}: the layer {layer!r} was left out, as there is a background already",
+            path=shown(each.path),
+            layer=each.address,
+        )
         for each in found[len(taken) :]
     ]
     return set_background(document, taken[0]) if taken else document
@@ -211,8 +217,13 @@ def _natural_size(background: PictureSource | None, arrivals: Sequence[NewCels])
         size = DEFAULT_SIZE_PX
     if max(size) > MAX_SIDE_PX:
         raise InputProblem(
-            f"a canvas of {size[0]} × {size[1]} px, as the pictures have it, is larger than {MAX_SIDE_PX} px; "
-            "please give a size"
+            Message(
+                "a canvas of {width} × {height} px, as the pictures have it, "
+                "is larger than {most_side_px} px; please give a size",
+                width=size[0],
+                height=size[1],
+                most_side_px=MAX_SIDE_PX,
+            )
         )
     return size
 
@@ -250,18 +261,33 @@ def _with_length(document: Document, arrivals: Sequence[NewCels]) -> Document:
     return set_canvas(document, replace(canvas, length_frames=max(length, canvas.length_frames)))
 
 
-def _notes_on(name: str, arrival: NewCels, figure: Figure | None, stage: Box) -> list[str]:
+def _notes_on(name: str, arrival: NewCels, figure: Figure | None, stage: Box) -> list[Message]:
     width, height = arrival.size_px
     notes = []
     if width > stage.width or height > stage.height:
         canvas = f"{stage.width} × {stage.height}"
-        notes.append(f"{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px")
+        notes.append(
+            Message(
+                "{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px",
+                name=name,
+                width=width,
+                height=height,
+                canvas=canvas,
+            )
+        )
     if figure is None:
-        notes.append(f"{name}: there is nothing solid in its drawings; the whole canvas was taken as the figure")
+        notes.append(
+            Message(
+                "{name}: there is nothing solid in its drawings; the whole canvas was taken as the figure", name=name
+            )
+        )
     elif figure.is_cut_off:
         notes.append(
-            f"{name}: the figure reaches the lower edge of its drawing, where the ground was put; "
-            "if its feet are cut off, move the ground to where they would stand"
+            Message(
+                "{name}: the figure reaches the lower edge of its drawing, where the ground was put; "
+                "if its feet are cut off, move the ground to where they would stand",
+                name=name,
+            )
         )
     return notes
 

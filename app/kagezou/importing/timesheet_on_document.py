@@ -9,23 +9,26 @@ from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Drawing, Exposure, Layer
 from kagezou.importing.cels_of_files import printable
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.message import Message
 
 _NUMBERED = re.compile(r"[^0-9.]*?[_\-. ]?0*([0-9]{1,6})([a-z]{0,2})")
 _SHOWN_CELS = 5
 
 
-def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[str]]:
+def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]]:
     """Return the document exposed as the sheet says and as long, and notes about what does not match.
 
     A cel that no drawing has stays empty. A layer without a column keeps its exposures.
     """
-    notes: list[str] = []
+    notes: list[Message] = []
     free = list(document.layers)
     for track in sheet.tracks:
         layer = _layer_for(track.name, free)
         if layer is None:
             if track.entries:
-                notes.append(f"no layer of that name is left for the timesheet's column {track.name!r}")
+                notes.append(
+                    Message("no layer of that name is left for the timesheet's column {track!r}", track=track.name)
+                )
             continue
         free.remove(layer)
         exposures, missing = _exposed(layer, track)
@@ -33,10 +36,17 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[str]]:
         if missing:
             more = ", …" if len(missing) > _SHOWN_CELS else ""
             notes.append(
-                f"{layer.name}: the timesheet asks for cels that are not among its drawings and stay empty: "
-                f"{', '.join(missing[:_SHOWN_CELS])}{more}"
+                Message(
+                    "{layer}: the timesheet asks for cels that are not among its drawings "
+                    "and stay empty: {missing}{more}",
+                    layer=layer.name,
+                    missing=", ".join(missing[:_SHOWN_CELS]),
+                    more=more,
+                )
             )
-    notes += [f"{layer.name}: the timesheet has no column for it; it keeps its timing" for layer in free]
+    notes += [
+        Message("{layer}: the timesheet has no column for it; it keeps its timing", layer=layer.name) for layer in free
+    ]
     return set_canvas(document, replace(document.canvas, length_frames=sheet.length_frames)), notes
 
 

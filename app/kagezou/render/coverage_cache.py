@@ -112,7 +112,7 @@ class ShadowLayers:
         if kept is not self._of_set or self._set_cast != cast:
             self._of_set = kept
             old, kept.box, self._set_cast = kept.box, scene.canvas, None
-            kept.box = self._set.draw_own(scene.set_shadow.cast, kept.target, old)
+            kept.box = self._set.own.draw(scene.set_shadow.cast, kept.target, old)
             self._set_cast = cast
             self.casts_drawn += 1
         return kept if kept.box is not None else None
@@ -120,7 +120,7 @@ class ShadowLayers:
     def seen_of_set(self, canvas: Box, cast: SetCast) -> Coverage:
         """Return where the pieces that cast are seen, or, where none does, the ground."""
         kept = self._seen = _fitting(self._seen, canvas)
-        kept.box = self._set.draw_seen(cast, kept.target)
+        kept.box = self._set.own.draw_seen(cast, kept.target)
         return kept
 
     def set_pictures(self, scene: Scene, displays: Sequence[Display]) -> tuple[SetPicture, ...]:

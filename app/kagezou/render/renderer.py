@@ -8,29 +8,27 @@ from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Steps
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.message import Message
 from kagezou.render.coverage_cache import Coverage, ShadowLayers
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.info import read_info
 from kagezou.render.gpu.presenter import Presenter, WindowView
-from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.display import Display
 from kagezou.render.passes.depth_map import DepthMapPass
-from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
 from kagezou.render.passes.picture import PicturePass
 from kagezou.render.passes.received import ReceivedCoverage
+from kagezou.render.passes.shadow_image import Drawn, Shade, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.mixing import mixed
 from kagezou.scene.pieces import SetCast
-from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowCast, ShadowLook
+from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
 
 MATTE_BUDGET_BYTES = 256 << 20
 _SQUARE_PX = 16
 """The checkered backdrop's, canvas px."""
 
-_DEPTHS = {8: np.uint8, 16: np.uint16}
-_MOST_COVERED = 65535
 _WHITE_MATTE = ShadowLook((255, 255, 255), 1.0, multiply=False)
 
 
@@ -59,10 +57,9 @@ class Renderer:
         self._divisor = divisor
         self._boxes = Boxes()
         self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
-        self._shade_programs = Variants("common/box.vert", "common/shade.frag")
+        self._images = ShadowImages(self._boxes)
         self._presenter = Presenter(self._boxes)
         self._picture: PicturePass | None = None
-        self._shaded: dict[Format, Target] = {}
         check("setting up")
 
     @property
@@ -92,61 +89,29 @@ class Renderer:
         depth
             Bits of alpha, 8 or 16.
         """
-        return self._shaded_image(scene.canvas, self._shadows.coverage(scene, layer), layer.cast, layer.look, depth)
+        coverage = self._shadows.coverage(scene, layer)
+        measured = None if coverage is None else coverage.measured
+        return self._images.image(scene.canvas, drawn(coverage), Shade(layer.look, layer.cast, measured), depth)
 
     def received(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are."""
         shades = self._shadows.received(scene, layer)
         if not shades:
             looks = [shade.look for shade in layer.received.shades] if layer.received else []
-            return self._shaded_image(scene.canvas, None, None, looks[0] if looks else layer.look, depth)
-        images = [self._shaded_image(scene.canvas, shade, None, shade.look, depth) for shade in shades]
+            return self._images.image(scene.canvas, None, Shade(looks[0] if looks else layer.look), depth)
+        images = [self._images.image(scene.canvas, drawn(shade), Shade(shade.look), depth) for shade in shades]
         return mixed(images, multiply=shades[0].look.multiply)
 
     def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
         """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""
-        return self._shaded_image(scene.canvas, self._shadows.set_coverage(scene), None, shadow.look, depth)
+        return self._images.image(scene.canvas, drawn(self._shadows.set_coverage(scene)), Shade(shadow.look), depth)
 
     def receiver_matte(self, canvas: Box, cast: SetCast, depth: int = 8) -> ShadowImage:
         """Return where the pieces that cast are seen, or, where none does, the ground: white, straight alpha.
 
         ``cast`` needs no lights.
         """
-        return self._shaded_image(canvas, self._shadows.seen_of_set(canvas, cast), None, _WHITE_MATTE, depth)
-
-    def _shaded_image(
-        self,
-        canvas: Box,
-        coverage: Coverage | ReceivedCoverage | None,
-        cast: ShadowCast | None,
-        look: ShadowLook,
-        depth: int,
-    ) -> ShadowImage:
-        if coverage is None or coverage.box is None:
-            return ShadowImage(
-                canvas.width, canvas.height, look.color, np.zeros((0, 0), _DEPTHS[depth]), Box(0, 0, 0, 0)
-            )
-        box = coverage.box
-        switches, uniforms = look_uniforms(
-            cast, look, box, coverage.measured if isinstance(coverage, Coverage) else None
-        )
-        if not switches:
-            covered = coverage.target.read(box)
-            check("drawing a shadow")
-            return ShadowImage(canvas.width, canvas.height, look.color, _alpha_of(covered, look.opacity, depth), box)
-        forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
-        target = self._shaded_target(canvas, forms[depth != 8])
-        if look.tip:
-            uniforms["u_color"] = unit_rgb(look.color)
-        target.bind(box)
-        coverage.target.texture.bind(0)
-        self._shade_programs[switches].use({"u_target_size_px": target.size_px, "u_coverage": 0, **uniforms})
-        self._boxes.draw_one(box)
-        drawn = target.read(box)
-        check("drawing a shadow")
-        if look.tip:
-            return ShadowImage(canvas.width, canvas.height, look.color, drawn[..., 3], box, drawn[..., :3])
-        return ShadowImage(canvas.width, canvas.height, look.color, drawn, box)
+        return self._images.image(canvas, drawn(self._shadows.seen_of_set(canvas, cast)), Shade(_WHITE_MATTE), depth)
 
     def depth_map_coverage(self, scene: Scene, layer: LayerScene, map_px: int = 4096) -> Steps:
         """Return a layer's covered parts, (H, W) 16 bit, found by a literal depth map: a cross-check, not a picture."""
@@ -171,17 +136,11 @@ class Renderer:
 
     def set_coverage(self, scene: Scene) -> Steps:
         """Return the covered parts of the shadow of the set itself before opacity, (H, W) 16 bit."""
-        coverage = self._shadows.set_coverage(scene)
-        if coverage is None:
-            return np.zeros((scene.canvas.height, scene.canvas.width), np.uint16)
-        return coverage.target.read(scene.canvas)
+        return _read(self._shadows.set_coverage(scene), scene.canvas)
 
     def coverage(self, scene: Scene, layer: LayerScene) -> Steps:
         """Return a layer's covered parts before opacity, (H, W) 16 bit."""
-        coverage = self._shadows.coverage(scene, layer)
-        if coverage is None:
-            return np.zeros((scene.canvas.height, scene.canvas.width), np.uint16)
-        return coverage.target.read(scene.canvas)
+        return _read(self._shadows.coverage(scene, layer), scene.canvas)
 
     def draw_picture(
         self,
@@ -247,10 +206,8 @@ class Renderer:
         """Give the memory back; the context must be current."""
         if self._picture is not None:
             self._picture.close()
-        for target in self._shaded.values():
-            target.close()
         self._shadows.close()
-        self._shade_programs.close()
+        self._images.close()
         self._presenter.close()
         self._boxes.close()
 
@@ -261,7 +218,7 @@ class Renderer:
 
     def _drawn(self) -> PicturePass:
         if self._picture is None:
-            raise GraphicsProblem("there is no picture yet")
+            raise GraphicsProblem(Message("there is no picture yet"))
         return self._picture
 
     def _picture_for(self, canvas: Box, form: Format) -> PicturePass:
@@ -273,19 +230,11 @@ class Renderer:
             self._picture = PicturePass(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
         return self._picture
 
-    def _shaded_target(self, canvas: Box, form: Format) -> Target:
-        target = self._shaded.get(form)
-        if target is not None and target.box != canvas:
-            target.close()
-            target = None
-        if target is None:
-            target = self._shaded[form] = Target(canvas.width, canvas.height, form)
-        return target
+
+def drawn(coverage: Coverage | ReceivedCoverage | None) -> Drawn | None:
+    """Return where a coverage is and its box; None where there is none."""
+    return None if coverage is None or coverage.box is None else (coverage.target, coverage.box)
 
 
-def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
-    """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
-    most = (1 << depth) - 1
-    scaled = covered * np.float32(opacity * most / _MOST_COVERED)
-    alpha: Steps = np.rint(scaled, out=scaled).astype(_DEPTHS[depth])
-    return alpha
+def _read(coverage: Coverage | None, canvas: Box) -> Steps:
+    return np.zeros((canvas.height, canvas.width), np.uint16) if coverage is None else coverage.target.read(canvas)

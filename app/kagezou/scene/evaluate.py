@@ -2,11 +2,10 @@
 
 from dataclasses import replace
 
-from kagezou.animation.track import Value
 from kagezou.document import properties, set_properties
 from kagezou.document.model import Document, Layer, Tracks
 from kagezou.document.properties import WaveLines
-from kagezou.document.property import Property
+from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, card_for
 from kagezou.geometry.ground import Plane, ground_plane
@@ -28,13 +27,13 @@ def evaluate(document: Document, frame: int) -> Scene:
     camera = camera_at(document, frame)
     ground = ground_at(document, frame)
     pieces = pieces_at(document, frame, camera, ground)
-    has_ground = bool(_value(document.tracks, set_properties.GROUND_RECEIVES, frame))
+    has_ground = value_at(document.tracks, set_properties.GROUND_RECEIVES, frame)
     layers = tuple(
         _on_set(_layer_scene(document, layer, frame, camera, ground), pieces, has_ground=has_ground)
         for layer in document.layers
-        if _value(layer.tracks, properties.VISIBLE, frame)
+        if value_at(layer.tracks, properties.VISIBLE, frame)
     )
-    receiving = {layer.id for layer in document.layers if _value(layer.tracks, properties.RECEIVES, frame)}
+    receiving = {layer.id for layer in document.layers if value_at(layer.tracks, properties.RECEIVES, frame)}
     layers = with_received(layers, receiving)
     set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))
     return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow)
@@ -42,33 +41,31 @@ def evaluate(document: Document, frame: int) -> Scene:
 
 def camera_at(document: Document, frame: int) -> Camera:
     """Return the camera of a frame."""
-    fov = _number(_value(document.tracks, properties.FOV, frame))
+    fov = value_at(document.tracks, properties.FOV, frame)
     return Camera(document.canvas.width_px, document.canvas.height_px, fov)
 
 
 def ground_at(document: Document, frame: int) -> Plane:
     """Return the ground of a frame."""
-    position = _numbers(_value(document.tracks, properties.GROUND_POSITION, frame))
-    roll = _number(_value(document.tracks, properties.GROUND_ROLL, frame))
-    declination = _number(_value(document.tracks, properties.GROUND_DECLINATION, frame))
-    return ground_plane((position[0], position[1]), roll, declination)
+    position = value_at(document.tracks, properties.GROUND_POSITION, frame)
+    roll = value_at(document.tracks, properties.GROUND_ROLL, frame)
+    declination = value_at(document.tracks, properties.GROUND_DECLINATION, frame)
+    return ground_plane(position, roll, declination)
 
 
 def light_at(document: Document, frame: int, ground: Plane) -> Vector4:
     """Return the light of a frame, homogeneous, before it is spread into virtual ones."""
-    if _value(document.tracks, properties.LIGHT_KIND, frame) == "sun":
-        azimuth = _number(_value(document.tracks, properties.LIGHT_AZIMUTH, frame))
-        elevation = _number(_value(document.tracks, properties.LIGHT_ELEVATION, frame))
+    if value_at(document.tracks, properties.LIGHT_KIND, frame) == "sun":
+        azimuth = value_at(document.tracks, properties.LIGHT_AZIMUTH, frame)
+        elevation = value_at(document.tracks, properties.LIGHT_ELEVATION, frame)
         return sun(ground, azimuth, elevation)
-    x, y, z = _numbers(_value(document.tracks, properties.LIGHT_POSITION, frame))
-    return lamp((x, y, z))
+    return lamp(value_at(document.tracks, properties.LIGHT_POSITION, frame))
 
 
 def card_at(layer: Layer, frame: int, camera: Camera, ground: Plane) -> Card:
     """Return the card a layer's drawing stands on at a frame."""
-    grounding = _value(layer.tracks, properties.GROUNDING, frame)
-    points = [point for point in grounding if isinstance(point, tuple)] if isinstance(grounding, tuple) else []
-    tilt = _number(_value(layer.tracks, properties.TILT, frame))
+    points = value_at(layer.tracks, properties.GROUNDING, frame)
+    tilt = value_at(layer.tracks, properties.TILT, frame)
     return card_for(camera, ground, points, tilt, layer.figure.height)
 
 
@@ -83,17 +80,17 @@ def contact_of(card: Card, ground: Plane) -> Vector3:
 def _layer_scene(document: Document, layer: Layer, frame: int, camera: Camera, ground: Plane) -> LayerScene:
     drawing = layer.cels.drawing_at(frame)
     # Everything about the shadow but the camera and the ground under it may wait for the next drawing.
-    waits = _value(layer.tracks, properties.TIMING, frame) == "exposures"
+    waits = value_at(layer.tracks, properties.TIMING, frame) == "exposures"
     moment = layer.cels.exposed_since(frame) if waits else frame
     cast = None
     if drawing is not None:
         card = card_at(layer, moment, camera, ground)
         light = light_at(document, moment, ground)
-        radius = _number(_value(document.tracks, properties.OVERHEAD_RADIUS, moment))
+        radius = value_at(document.tracks, properties.OVERHEAD_RADIUS, moment)
         spread = virtual_lights(light, contact_of(card, ground), radius)
         cast = ShadowCast(
             drawing=drawing,
-            translucent=_value(layer.tracks, properties.MATTE, moment) == "translucent",
+            translucent=value_at(layer.tracks, properties.MATTE, moment) == "translucent",
             camera=camera,
             receivers=(ground,),
             card=card,
@@ -116,27 +113,27 @@ def _set_shadow(document: Document, frame: int, dark: SetCast) -> SetShadow | No
     if not any(piece.casts for piece in dark.pieces):
         return None
     light = light_at(document, frame, dark.ground)
-    radius = _number(_value(document.tracks, properties.OVERHEAD_RADIUS, frame))
+    radius = value_at(document.tracks, properties.OVERHEAD_RADIUS, frame)
     spread = virtual_lights(light, dark.ground.origin, radius)
     look = ShadowLook(
-        color=_color(document.tracks, set_properties.SET_COLOR, frame),
-        opacity=_number(_value(document.tracks, set_properties.SET_OPACITY, frame)),
-        multiply=_value(document.tracks, set_properties.SET_BLEND, frame) == "multiply",
+        color=rgb_at(document.tracks, set_properties.SET_COLOR, frame),
+        opacity=value_at(document.tracks, set_properties.SET_OPACITY, frame),
+        multiply=value_at(document.tracks, set_properties.SET_BLEND, frame) == "multiply",
     )
     return SetShadow(replace(dark, lights=tuple(each for each in spread if is_over(dark.ground, each))), look)
 
 
 def _simplify(tracks: Tracks, frame: int) -> Simplify | None:
-    amount = _number(_value(tracks, properties.SIMPLIFY, frame))
-    if amount < LEAST_PX or not _value(tracks, properties.SIMPLIFY_ON, frame):
+    amount = value_at(tracks, properties.SIMPLIFY, frame)
+    if amount < LEAST_PX or not value_at(tracks, properties.SIMPLIFY_ON, frame):
         return None
-    distance = _number(_value(tracks, properties.DISTANCE, frame))
-    return Simplify(amount, distance, _number(_value(tracks, properties.ELONGATION, frame)))
+    distance = value_at(tracks, properties.DISTANCE, frame)
+    return Simplify(amount, distance, value_at(tracks, properties.ELONGATION, frame))
 
 
 def _edge(tracks: Tracks, frame: int) -> Edge | None:
     grow, softness, penumbra = (
-        _number(_value(tracks, line, frame)) for line in (properties.GROW, properties.SOFTNESS, properties.PENUMBRA)
+        value_at(tracks, prop, frame) for prop in (properties.GROW, properties.SOFTNESS, properties.PENUMBRA)
     )
     if max(abs(grow), softness, penumbra * _FARTHEST_PX) < LEAST_PX:
         return None
@@ -144,50 +141,30 @@ def _edge(tracks: Tracks, frame: int) -> Edge | None:
 
 
 def _water(tracks: Tracks, frame: int) -> Water | None:
-    if not _value(tracks, properties.WAVES_ON, frame):
+    if not value_at(tracks, properties.WAVES_ON, frame):
         return None
-    seed = int(_number(_value(tracks, properties.WAVE_SEED, frame)))
+    seed = int(value_at(tracks, properties.WAVE_SEED, frame))
     waves = tuple(wave_of(tracks, lines, frame) for lines in (properties.WAVE1, properties.WAVE2))
     ripples = tuple(
         wave.varied(seed, number).at(frame) for number, wave in enumerate(waves, 1) if wave.amplitude_px >= LEAST_PX
     )
-    return Water(ripples, _number(_value(tracks, properties.WAVE_ANCHOR, frame))) if ripples else None
+    return Water(ripples, value_at(tracks, properties.WAVE_ANCHOR, frame)) if ripples else None
 
 
 def wave_of(tracks: Tracks, lines: WaveLines, frame: int) -> Wave:
     """Return one set of waves of a layer as it is set at a frame."""
     numbers = (lines.amplitude, lines.wavelength, lines.direction, lines.velocity)
-    amplitude, wavelength, direction, velocity = (_number(_value(tracks, line, frame)) for line in numbers)
+    amplitude, wavelength, direction, velocity = (value_at(tracks, prop, frame) for prop in numbers)
     return Wave(amplitude, wavelength, direction, velocity)
 
 
 def _look(tracks: Tracks, frame: int) -> ShadowLook:
-    fade = _number(_value(tracks, properties.FADE, frame))
-    tip = _number(_value(tracks, properties.TIP_DISTANCE, frame))
+    fade = value_at(tracks, properties.FADE, frame)
+    tip = value_at(tracks, properties.TIP_DISTANCE, frame)
     return ShadowLook(
-        color=_color(tracks, properties.COLOR, frame),
-        opacity=_number(_value(tracks, properties.OPACITY, frame)),
-        multiply=_value(tracks, properties.BLEND, frame) == "multiply",
-        fade=Fade(fade, _number(_value(tracks, properties.FADE_CURVE, frame))) if fade > 0 else None,
-        tip=Tip(_color(tracks, properties.TIP_COLOR, frame), tip) if tip > 0 else None,
+        color=rgb_at(tracks, properties.COLOR, frame),
+        opacity=value_at(tracks, properties.OPACITY, frame),
+        multiply=value_at(tracks, properties.BLEND, frame) == "multiply",
+        fade=Fade(fade, value_at(tracks, properties.FADE_CURVE, frame)) if fade > 0 else None,
+        tip=Tip(rgb_at(tracks, properties.TIP_COLOR, frame), tip) if tip > 0 else None,
     )
-
-
-def _color(tracks: Tracks, line: Property, frame: int) -> tuple[int, int, int]:
-    red, green, blue = bytes.fromhex(str(_value(tracks, line, frame)).removeprefix("#"))
-    return (red, green, blue)
-
-
-def _value(tracks: Tracks, line: Property, frame: int) -> Value:
-    track = tracks.get(line.name)
-    return line.default if track is None else track.value_at(frame)
-
-
-def _number(value: Value) -> float:
-    assert isinstance(value, float), value
-    return value
-
-
-def _numbers(value: Value) -> tuple[float, ...]:
-    assert isinstance(value, tuple), value
-    return tuple(part for part in value if isinstance(part, float))

@@ -2,14 +2,14 @@
 
 from dataclasses import dataclass
 
-from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Piece
-from kagezou.document.property import Property
+from kagezou.document.piece_kinds import kind_of
+from kagezou.document.values import value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
+from kagezou.geometry.sets.measures import Measures
 from kagezou.geometry.sets.shapes import stand_on
-from kagezou.geometry.sets.wires import Measures
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,34 +37,26 @@ class PieceFrame:
     angle_deg: float
 
 
+def measures_at(piece: Piece, frame: float) -> Measures:
+    """Return what a piece is made from as its properties tell it: canvas px at the depth where it stands."""
+    return Measures(
+        kind=kind_of(piece, frame),
+        width_px=value_at(piece.tracks, lines.PIECE_WIDTH, frame),
+        height_px=value_at(piece.tracks, lines.PIECE_HEIGHT, frame),
+        depth_px=value_at(piece.tracks, lines.PIECE_DEPTH, frame),
+        lean_deg=value_at(piece.tracks, lines.PIECE_LEAN, frame),
+        count=round(value_at(piece.tracks, lines.PIECE_COUNT, frame)),
+    )
+
+
 def piece_frame(piece: Piece, frame: float, camera: Camera, ground: Plane) -> PieceFrame | None:
     """Return a piece's frame; None where it is switched off, or placed at or above the horizon."""
-    if not _value(piece, lines.PIECE_PRESENT, frame):
+    if not value_at(piece.tracks, lines.PIECE_PRESENT, frame):
         return None
-    position = _value(piece, lines.PIECE_POSITION, frame)
-    x, y = (part for part in position if isinstance(part, float)) if isinstance(position, tuple) else (0.0, 0.0)
-    place = place_on(camera, ground, (x, y))
+    place = place_on(camera, ground, value_at(piece.tracks, lines.PIECE_POSITION, frame))
     if place is None:
         return None
     scale = float(camera.canvas_from_world()[2] @ (*place, 1.0))
-    angle = _number(piece, lines.PIECE_ANGLE, frame)
-    measures = Measures(
-        kind=str(_value(piece, lines.PIECE_KIND, frame)),
-        width_px=_number(piece, lines.PIECE_WIDTH, frame) * scale,
-        height_px=_number(piece, lines.PIECE_HEIGHT, frame) * scale,
-        depth_px=_number(piece, lines.PIECE_DEPTH, frame) * scale,
-        lean_deg=_number(piece, lines.PIECE_LEAN, frame),
-        count=round(_number(piece, lines.PIECE_COUNT, frame)),
-    )
+    angle = value_at(piece.tracks, lines.PIECE_ANGLE, frame)
+    measures = measures_at(piece, frame).scaled(scale)
     return PieceFrame(piece.id, stand_on(ground, place, angle), measures, scale, angle)
-
-
-def _value(piece: Piece, line: Property, frame: float) -> Value:
-    track = piece.tracks.get(line.name)
-    return line.default if track is None else track.value_at(frame)
-
-
-def _number(piece: Piece, line: Property, frame: float) -> float:
-    value = _value(piece, line, frame)
-    assert isinstance(value, float), value
-    return value

@@ -6,15 +6,17 @@ from pathlib import Path
 
 import numpy as np
 
-from kagezou.animation.track import Value
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document, Piece
-from kagezou.document.property import Property
+from kagezou.document.piece_kinds import kind_of
+from kagezou.document.values import value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
-from kagezou.geometry.sets import shapes as shapes
 from kagezou.geometry.sets.bodies import Body
+from kagezou.geometry.sets.measures import Measures
+from kagezou.geometry.sets.shapes import SHAPES, bodies_of, stand_on
 from kagezou.geometry.vectors import Point2, Vector4
+from kagezou.scene.piece_frames import measures_at
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,19 +93,6 @@ class SetCast:
     ground_receives: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class _Measures:
-    """What a piece is built from: its sizes in world px, angles in degrees."""
-
-    kind: str
-    width: float
-    height: float
-    depth: float
-    angle: float
-    lean: float
-    count: int
-
-
 def pieces_at(document: Document, frame: float, camera: Camera, ground: Plane) -> tuple[PieceScene, ...]:
     """Return the set of a frame; pieces that are switched off or placed above the horizon are left out."""
     scenes = (_piece_scene(piece, frame, camera, ground) for piece in document.pieces)
@@ -111,84 +100,51 @@ def pieces_at(document: Document, frame: float, camera: Camera, ground: Plane) -
 
 
 def _piece_scene(piece: Piece, frame: float, camera: Camera, ground: Plane) -> PieceScene | None:
-    if not _value(piece, lines.PIECE_PRESENT, frame):
+    if not value_at(piece.tracks, lines.PIECE_PRESENT, frame):
         return None
-    x, y = _point(piece, lines.PIECE_POSITION, frame)
-    numbers = (lines.PIECE_WIDTH, lines.PIECE_HEIGHT, lines.PIECE_DEPTH, lines.PIECE_ANGLE, lines.PIECE_LEAN)
-    width, height, depth, angle, lean = (_number(piece, line, frame) for line in numbers)
-    count = round(_number(piece, lines.PIECE_COUNT, frame))
-    measures = _Measures(str(_value(piece, lines.PIECE_KIND, frame)), width, height, depth, angle, lean, count)
-    placement = _placement(piece, frame, camera, ground) if measures.kind == lines.MESH else None
-    bodies = () if measures.kind == lines.MESH else _bodies(measures, (x, y), camera, ground)
+    position = value_at(piece.tracks, lines.PIECE_POSITION, frame)
+    angle = value_at(piece.tracks, lines.PIECE_ANGLE, frame)
+    bodies = _bodies(measures_at(piece, frame), position, angle, camera, ground)
+    placement = _placement(piece, frame, camera, ground)
     if not bodies and placement is None:
         return None
-    casts = bool(_value(piece, lines.PIECE_CASTS, frame))
+    casts = value_at(piece.tracks, lines.PIECE_CASTS, frame)
     return PieceScene(
         piece.id,
         piece.name,
         bodies,
-        receives=bool(_value(piece, lines.PIECE_RECEIVES, frame)),
-        blocks=casts or bool(_value(piece, lines.PIECE_BLOCKS, frame)),
+        receives=value_at(piece.tracks, lines.PIECE_RECEIVES, frame),
+        blocks=casts or value_at(piece.tracks, lines.PIECE_BLOCKS, frame),
         casts=casts,
         mesh=placement,
-        display=str(_value(piece, lines.PIECE_DISPLAY, frame)),
-        is_under=bool(_value(piece, lines.PIECE_UNDER, frame)),
+        display=value_at(piece.tracks, lines.PIECE_DISPLAY, frame),
+        is_under=value_at(piece.tracks, lines.PIECE_UNDER, frame),
     )
 
 
 def _placement(piece: Piece, frame: float, camera: Camera, ground: Plane) -> MeshPlacement | None:
-    """Return where an imported set stands; None without a file, or above the horizon."""
-    if piece.source is None:
+    """Return where an imported set stands; None for other kinds, without a file, or above the horizon."""
+    if SHAPES[kind_of(piece, frame)] is not None or piece.source is None:
         return None
-    (x, y), anchor = (_point(piece, line, frame) for line in (lines.PIECE_POSITION, lines.PIECE_ANCHOR))
-    place = place_on(camera, ground, (x, y))
+    anchor = value_at(piece.tracks, lines.PIECE_ANCHOR, frame)
+    place = place_on(camera, ground, value_at(piece.tracks, lines.PIECE_POSITION, frame))
     if place is None:
         return None
-    scale = _number(piece, lines.PIECE_SCALE, frame) * float(camera.canvas_from_world()[2] @ (*place, 1.0))
-    stand = shapes.stand_on(ground, place, _number(piece, lines.PIECE_ANGLE, frame))
+    scale = value_at(piece.tracks, lines.PIECE_SCALE, frame) * float(camera.canvas_from_world()[2] @ (*place, 1.0))
+    stand = stand_on(ground, place, value_at(piece.tracks, lines.PIECE_ANGLE, frame))
     right, front, above = (scale * np.array(axis) for axis in (stand.u, stand.v, stand.normal))
-    is_z_up = _value(piece, lines.PIECE_UP, frame) == "z"
+    is_z_up = value_at(piece.tracks, lines.PIECE_UP, frame) == "z"
     linear = np.column_stack([right, -front, above] if is_z_up else [right, above, front])
     rows = np.column_stack([linear, np.array(place) - linear @ anchor])
     return MeshPlacement(piece.source, (*(tuple(map(float, row)) for row in rows), (0.0, 0.0, 0.0, 1.0)))
 
 
-def _point(piece: Piece, line: Property, frame: float) -> tuple[float, ...]:
-    value = _value(piece, line, frame)
-    return tuple(part for part in value if isinstance(part, float)) if isinstance(value, tuple) else ()
-
-
 @lru_cache(maxsize=256)
-def _bodies(measures: _Measures, position: Point2, camera: Camera, ground: Plane) -> tuple[Body, ...]:
-    """Return what a piece is made of; nothing above the horizon."""
+def _bodies(measures: Measures, position: Point2, angle_deg: float, camera: Camera, ground: Plane) -> tuple[Body, ...]:
+    """Return what a piece is made of; nothing above the horizon. Sizes are as they are seen where it stands."""
     place = place_on(camera, ground, position)
     if place is None:
         return ()
-    # Sizes are told as they are seen at that depth: one px of the canvas is this many px of the world there.
+    # One px of the canvas is this many px of the world there.
     scale = float(camera.canvas_from_world()[2] @ (*place, 1.0))
-    width, height, depth = (size * scale for size in (measures.width, measures.height, measures.depth))
-    stand = shapes.stand_on(ground, place, measures.angle)
-    match measures.kind:
-        case "box":
-            return shapes.box(stand, width, depth, height)
-        case "steps":
-            return shapes.steps(stand, width, depth, height, measures.count)
-        case "ramp":
-            return shapes.ramp(stand, width, depth, height)
-        case "cylinder":
-            return shapes.drum(stand, width, height)
-        case "sphere":
-            return shapes.ball(stand, width)
-        case _:
-            return shapes.wall(stand, width, height, measures.lean)
-
-
-def _value(piece: Piece, line: Property, frame: float) -> Value:
-    track = piece.tracks.get(line.name)
-    return line.default if track is None else track.value_at(frame)
-
-
-def _number(piece: Piece, line: Property, frame: float) -> float:
-    value = _value(piece, line, frame)
-    assert isinstance(value, float), value
-    return value
+    return bodies_of(stand_on(ground, place, angle_deg), measures.scaled(scale))

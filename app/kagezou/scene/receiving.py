@@ -3,7 +3,7 @@
 from collections.abc import Set
 from dataclasses import replace
 
-from kagezou.document.model import PictureSource
+from kagezou.picture_source import PictureSource
 from kagezou.scene.scene import LayerScene, Received, Shade, ShadowCast, ShadowLook
 
 

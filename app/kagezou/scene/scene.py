@@ -3,13 +3,14 @@
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 
-from kagezou.document.model import Drawing, PictureSource
+from kagezou.document.model import Drawing
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector4
 from kagezou.geometry.waves import Ripple
+from kagezou.picture_source import PictureSource
 from kagezou.scene.pieces import PieceScene, SetCast
 
 

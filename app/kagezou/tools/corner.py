@@ -11,6 +11,7 @@ from kagezou.document.model import Document
 from kagezou.document.properties import GROUND_POSITION, GROUND_ROLL
 from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.ground import place_on
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.sets.shapes import stand_on
 from kagezou.geometry.vectors import Point2, Vector3, dot
 from kagezou.tools.drag import STEP_DEG, Drag
@@ -83,7 +84,7 @@ def wall_line(document: Document, frame: int, layer_id: str | None, name: str) -
         ends = [place_on(setting.camera, setting.ground, point) for point in (start, end)]
         if ends[0] is None or ends[1] is None:
             return document
-        return add_piece(document, name, "wall", _wall_between(setting, ends[0], ends[1]))
+        return add_piece(document, name, PieceKind.WALL, _wall_between(setting, ends[0], ends[1]))
 
     return lay
 
@@ -126,7 +127,7 @@ def _wall_between(setting: FrameGeometry, start: Vector3, end: Vector3) -> dict[
     return {
         lines.PIECE_POSITION.name: (x, y),
         lines.PIECE_ANGLE.name: angle,
-        **{line.name: min(max(size, line.low), line.high) for line, size in sizes.items()},
+        **{prop.name: min(max(size, prop.low), prop.high) for prop, size in sizes.items()},
     }
 
 

@@ -8,10 +8,10 @@ from math import atan2, cos, degrees, hypot, radians, sin
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.document.properties import WaveLines
-from kagezou.document.property import Words
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector3, dot
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
@@ -46,7 +46,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
         made.append(
             Handle(
                 handle_id, HandleShape.ARROW, seen(setting.camera, _arrow(setting, lines)[1]),
-                setting.address(lines.direction), Words(f"Wave {number}", f"波{number}"),
+                setting.address(lines.direction), Message("Wave {number}", number=number),
                 also=(setting.address(lines.wavelength),), layer_id=setting.layer.id,
             )
         )  # fmt: skip
@@ -88,20 +88,20 @@ def move_wave(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     right, nearer = dot(way, ground.u), dot(way, ground.v)
     if hypot(right, nearer) < 1e-6:
         return setting.document
-    shown = setting.number(lines.direction, aim.shown)
+    shown = setting.value(lines.direction, aim.shown)
     direction = unwound(aim.angle(degrees(atan2(nearer, right))), shown, lines.direction)
     document = setting.edited(lines.wavelength, hypot(right, nearer))
     return setting.edited(lines.direction, direction, document)
 
 
 def _is_simplified(setting: FrameGeometry) -> bool:
-    return bool(setting.value(properties.SIMPLIFY_ON)) and setting.number(properties.SIMPLIFY) > 0
+    return setting.value(properties.SIMPLIFY_ON) and setting.value(properties.SIMPLIFY) > 0
 
 
 def _waves(setting: FrameGeometry) -> dict[str, WaveLines]:
     if not setting.value(properties.WAVES_ON):
         return {}
-    return {name: lines for name, lines in _WAVES.items() if setting.number(lines.amplitude) > 0}
+    return {name: lines for name, lines in _WAVES.items() if setting.value(lines.amplitude) > 0}
 
 
 def _plane(setting: FrameGeometry) -> Plane:
@@ -121,7 +121,7 @@ def _line(setting: FrameGeometry) -> tuple[Vector3, Vector3]:
     plane = _plane(setting)
     middle = dot(between(plane.origin, setting.contact), plane.u)
     half = _HALF_LINE_OF_FIGURE * setting.layer.figure.height
-    away = _side(setting) * setting.number(properties.DISTANCE)
+    away = _side(setting) * setting.value(properties.DISTANCE)
     return (plane.point(middle - half, away), plane.point(middle + half, away))
 
 
@@ -130,7 +130,7 @@ def _arrow(setting: FrameGeometry, lines: WaveLines) -> tuple[Vector3, Vector3]:
     ground, contact, tip = setting.ground, setting.contact, tip_of(setting)
     middle = contact if tip is None else _halfway(contact, tip)
     right, nearer = (dot(between(ground.origin, middle), axis) for axis in (ground.u, ground.v))
-    angle, length = radians(setting.number(lines.direction)), setting.number(lines.wavelength)
+    angle, length = radians(setting.value(lines.direction)), setting.value(lines.wavelength)
     return (ground.point(right, nearer), ground.point(right + length * cos(angle), nearer + length * sin(angle)))
 
 

@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from math import cos, radians, sin
 
-from kagezou.animation.track import Value
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address, tracks_of
 from kagezou.document.edits import set_value
 from kagezou.document.model import Document, Layer
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty, Property
+from kagezou.document.values import T, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
@@ -62,7 +62,7 @@ class FrameGeometry:
     @property
     def along(self) -> Point2:
         """The ground line's direction on the canvas, unit length, to the right."""
-        roll = radians(self.number(properties.GROUND_ROLL))
+        roll = radians(self.value(properties.GROUND_ROLL))
         return (cos(roll), sin(roll))
 
     @property
@@ -71,30 +71,18 @@ class FrameGeometry:
         x, y = self.along
         return (-y, x)
 
-    def address(self, line: Property) -> Address:
+    def address(self, prop: AnyProperty) -> Address:
         """Return where a property of the document, or of the layer or set piece worked on, lives."""
-        if line.name in properties.OF_PIECE:
-            return Address(line, piece_id=self.piece_id)
-        return Address(line, self.layer.id if self.layer is not None and line.name in properties.OF_LAYER else None)
+        if prop.name in properties.OF_PIECE:
+            return Address(prop, piece_id=self.piece_id)
+        return Address(prop, self.layer.id if self.layer is not None and prop.name in properties.OF_LAYER else None)
 
-    def value(self, line: Property, document: Document | None = None) -> Value:
+    def value(self, prop: Property[T], document: Document | None = None) -> T:
         """Return the value at the frame, here or in another version of the document."""
-        return value_of(document or self.document, self.address(line), self.frame)
+        return value_at(tracks_of(document or self.document, self.address(prop)), prop, self.frame)
 
-    def number(self, line: Property, document: Document | None = None) -> float:
-        """Return the value of a number."""
-        value = self.value(line, document)
-        assert isinstance(value, float), value
-        return value
-
-    def points(self, line: Property) -> tuple[Point2, ...]:
-        """Return the value of a list of points."""
-        value = self.value(line)
-        assert isinstance(value, tuple), value
-        return tuple(point for point in value if isinstance(point, tuple))
-
-    def edited(self, line: Property, raw: object, document: Document | None = None) -> Document:
+    def edited(self, prop: AnyProperty, raw: object, document: Document | None = None) -> Document:
         """Return the document with a property set at the frame; numbers are kept to the property's range."""
         if isinstance(raw, float):
-            raw = min(max(raw, line.low), line.high)
-        return set_value(document or self.document, self.address(line), raw, self.frame)
+            raw = min(max(raw, prop.low), prop.high)
+        return set_value(document or self.document, self.address(prop), raw, self.frame)

@@ -8,8 +8,8 @@ from math import acos, atan2, cos, degrees, hypot, inf, radians
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
@@ -34,7 +34,7 @@ _OUTLINE_OF_FIGURE = 0.5
 def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the three handles of the ground."""
     layer_id = setting.layer.id if setting.layer else None
-    lever = setting.view.canvas_length(LEVER_VIEW_PX) * cos(radians(setting.number(properties.GROUND_DECLINATION)))
+    lever = setting.view.canvas_length(LEVER_VIEW_PX) * cos(radians(setting.value(properties.GROUND_DECLINATION)))
     return (
         Handle(
             DECLINATION, HandleShape.LEVER, _off(setting, setting.across, lever),
@@ -47,7 +47,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
         ),
         Handle(
             POSITION, HandleShape.CROSS, _position(setting), setting.address(properties.GROUND_POSITION),
-            Words("Ground", "地面"), layer_id=layer_id,
+            Message("Ground"), layer_id=layer_id,
         ),
     )  # fmt: skip
 

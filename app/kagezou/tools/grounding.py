@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
@@ -24,10 +24,10 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     return tuple(
         Handle(
             f"{GROUNDING}.{index}", HandleShape.DIAMOND, point, setting.address(properties.GROUNDING),
-            Words(f"Grounding point {index + 1}", f"接地点 {index + 1}"),
+            Message("Grounding point {number}", number=index + 1),
             layer_id=setting.layer.id, index=index,
         )
-        for index, point in enumerate(setting.points(properties.GROUNDING))
+        for index, point in enumerate(setting.value(properties.GROUNDING))
     )  # fmt: skip
 
 
@@ -43,7 +43,7 @@ def move_point(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
 
     It is drawn to the rows of the other points, so that a figure stands square to the viewer, and to the ground line.
     """
-    points = list(setting.points(properties.GROUNDING))
+    points = list(setting.value(properties.GROUNDING))
     index = handle.index
     if index is None or index >= len(points):
         return setting.document
@@ -63,13 +63,13 @@ def move_point(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
 def add_grounding(document: Document, layer_id: str, frame: int, canvas_px: Point2) -> Document:
     """Put another grounding point behind those there are; the property's limit raises UsageProblem."""
     setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
-    return setting.edited(properties.GROUNDING, (*setting.points(properties.GROUNDING), kept_near(canvas_px)))
+    return setting.edited(properties.GROUNDING, (*setting.value(properties.GROUNDING), kept_near(canvas_px)))
 
 
 def remove_grounding(document: Document, layer_id: str, frame: int, index: int) -> Document:
     """Take the grounding point at a place in the list away; the same document where there is none."""
     setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
-    points = setting.points(properties.GROUNDING)
+    points = setting.value(properties.GROUNDING)
     if not 0 <= index < len(points):
         return document
     return setting.edited(properties.GROUNDING, points[:index] + points[index + 1 :])

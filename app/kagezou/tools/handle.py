@@ -6,8 +6,8 @@ from enum import StrEnum
 from math import hypot
 
 from kagezou.document.address import Address
-from kagezou.document.property import Words
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.view import CanvasView
 
 HIT_RADIUS_PX = 10.0
@@ -92,7 +92,7 @@ class Handle:
     shape: HandleShape
     canvas_px: Point2
     address: Address | None
-    label: Words
+    label: Message
     cursor: Cursor = Cursor.MOVE
     also: tuple[Address, ...] = ()
     layer_id: str | None = None
@@ -165,7 +165,7 @@ class HandleSet:
 
     handles: tuple[Handle, ...] = ()
     guides: tuple[Guide, ...] = ()
-    note: Words | None = None
+    note: Message | None = None
     """What keeps the handles from having an effect now."""
 
     def find(self, handle_id: str | None) -> Handle | None:

@@ -6,9 +6,9 @@ dragged over the ground, the lamp following at its height. Neither can push the 
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.light import foot_of, lamp
 from kagezou.geometry.vectors import Vector3, dot, height_over
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
@@ -30,11 +30,11 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     position, foot = _lamp(setting), _foot(setting)
     return (
         Handle(
-            FOOT, HandleShape.FOOT, seen(setting.camera, foot), address, Words("Lamp's foot", "ランプの足元"),
+            FOOT, HandleShape.FOOT, seen(setting.camera, foot), address, Message("Lamp's foot"),
             layer_id=layer_id, stays_in_view=True,
         ),
         Handle(
-            LAMP, HandleShape.SUN_DISC, seen(setting.camera, position), address, Words("Lamp", "ランプ"),
+            LAMP, HandleShape.SUN_DISC, seen(setting.camera, position), address, Message("Lamp"),
             layer_id=layer_id, stays_in_view=True,
         ),
     )  # fmt: skip

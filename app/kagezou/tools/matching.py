@@ -10,7 +10,6 @@ from math import atan2, cos, degrees, hypot, inf, radians, sin
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.vanishing import (
@@ -27,6 +26,7 @@ from kagezou.geometry.vanishing import (
     vanishing_point,
 )
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
@@ -40,24 +40,21 @@ _FIRST_AZIMUTH_DEG = 45.0
 _HORIZON_END_OF_WIDTH = 0.3
 
 _END_WORDS = (
-    Words("Edge of the floor, running away", "奥へ向かう床の線"),
-    Words("Edge of the floor, square to it", "直交する床の線"),
+    Message("Edge of the floor, running away"),
+    Message("Edge of the floor, square to it"),
 )
-_HORIZON_WORDS = Words("Horizon", "アイレベル（地平線）")
+_HORIZON_WORDS = Message("Horizon")
 _NOTES = {
-    Mismatch.SAME_LINE: Words("a line is too short, or lies on the other of its colour",
-                               "線が短すぎるか、同じ色の線と重なっています"),
-    Mismatch.ALL_PARALLEL: Words("nothing runs together: there is no perspective in these lines",
-                                 "どの線も交わらず、パースがありません"),
-    Mismatch.NOT_SQUARE: Words("these lines cannot be square to each other on one floor",
-                               "この線の組は同じ床の上で直交しません"),
+    Mismatch.SAME_LINE: Message("a line is too short, or lies on the other of its colour"),
+    Mismatch.ALL_PARALLEL: Message("nothing runs together: there is no perspective in these lines"),
+    Mismatch.NOT_SQUARE: Message("these lines cannot be square to each other on one floor"),
 }  # fmt: skip
 
 
 def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the ends of the four lines, and two places of the horizon."""
     fov, roll, declination = (
-        setting.address(line) for line in (properties.FOV, properties.GROUND_ROLL, properties.GROUND_DECLINATION)
+        setting.address(prop) for prop in (properties.FOV, properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
     made = [
         Handle(
@@ -96,7 +93,7 @@ def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     return tuple(made)
 
 
-def note_of(setting: FrameGeometry) -> Words | None:
+def note_of(setting: FrameGeometry) -> Message | None:
     """Return why the lines tell no camera, None where they tell one."""
     if setting.document.vanishing is None:
         return None
@@ -129,12 +126,12 @@ def move_end(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
 
 def move_horizon(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Raise or lower the horizon: the ground is seen more from above or more from the edge."""
-    roll = radians(setting.number(properties.GROUND_ROLL))
+    roll = radians(setting.value(properties.GROUND_ROLL))
     x, y = aim.target
     width, height = _size(setting)
     above = sin(roll) * (x - width / 2) - cos(roll) * (y - height / 2)
     declination = declination_below(_camera(setting), above)
-    return _turned(setting, setting.number(properties.GROUND_ROLL), aim.angle(declination))
+    return _turned(setting, setting.value(properties.GROUND_ROLL), aim.angle(declination))
 
 
 def move_horizon_end(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
@@ -150,7 +147,7 @@ def move_horizon_end(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Docum
     return _turned(
         setting,
         aim.angle_or_zero(degrees(atan2(dy, dx)), miss, setting),
-        setting.number(properties.GROUND_DECLINATION),
+        setting.value(properties.GROUND_DECLINATION),
     )
 
 
@@ -168,7 +165,7 @@ def _turned(setting: FrameGeometry, roll_deg: float, declination_deg: float) -> 
 
 def _ground(setting: FrameGeometry, document: Document) -> Plane:
     roll, declination = (
-        setting.number(line, document) for line in (properties.GROUND_ROLL, properties.GROUND_DECLINATION)
+        setting.value(prop, document) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
     return ground_plane(setting.ground.origin[:2], roll, declination)
 
@@ -180,7 +177,7 @@ def _camera(setting: FrameGeometry) -> Camera:
 
 
 def _horizon(setting: FrameGeometry) -> Horizon | None:
-    roll, declination = (setting.number(line) for line in (properties.GROUND_ROLL, properties.GROUND_DECLINATION))
+    roll, declination = (setting.value(prop) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION))
     return horizon_of(_camera(setting), roll, declination)
 
 

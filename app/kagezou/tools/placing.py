@@ -4,27 +4,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 from math import dist
-from types import MappingProxyType
 
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
+from kagezou.document.piece_kinds import BUILT_KINDS, TRAITS
 from kagezou.document.set_pieces import add_piece
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Vector3, dot
 from kagezou.scene.piece_frames import piece_frame
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.shadow import tip_of
 from kagezou.tools.sight import MIN_DEPTH, between, depth_of, moved, seen
 from kagezou.tools.view import CanvasView
-
-_MEASURES = MappingProxyType({
-    "wall": (2.4, 1.3, 0.2),
-    "box": (0.5, 0.4, 0.4),
-    "steps": (0.7, 0.4, 0.7),
-    "ramp": (0.6, 0.3, 0.8),
-    "cylinder": (0.3, 0.7, 0.3),
-    "sphere": (0.4, 0.4, 0.4),
-})  # fmt: skip
-"""How wide, high and deep a new piece is, in figure heights."""
 
 _BEHIND = (0.25, 0.8, 0.0, 1.4)
 _BEHIND_OF_WALL = (0.45, 0.8, 0.25, 1.3)
@@ -58,7 +49,9 @@ class _Spot:
     worth: float
 
 
-def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, name: str) -> tuple[Document, str]:
+def add_placed(
+    document: Document, frame: int, layer_id: str | None, kind: PieceKind, name: str
+) -> tuple[Document, str]:
     """Return the document with a new piece where it is seen, and the piece's id.
 
     Parameters
@@ -80,14 +73,14 @@ def add_placed(document: Document, frame: int, layer_id: str | None, kind: str, 
         x, y = seen(setting.camera, spot.place)
         values[lines.PIECE_POSITION.name] = (float(round(x)), float(round(y)))
         sized = zip((lines.PIECE_WIDTH, lines.PIECE_HEIGHT, lines.PIECE_DEPTH), spot.size, strict=True)
-        values |= {line.name: float(max(round(size / scale), 1)) for line, size in sized}
+        values |= {prop.name: float(max(round(size / scale), 1)) for prop, size in sized}
     document = add_piece(document, name, kind, values)
     return document, document.pieces[-1].id
 
 
-def _best_spot(setting: FrameGeometry, kind: str) -> _Spot | None:
+def _best_spot(setting: FrameGeometry, kind: PieceKind) -> _Spot | None:
     """Return the first spot that is good enough, else the best; None where a piece would be seen nowhere."""
-    enough = _ENOUGH_OF_WALL if kind == "wall" else _ENOUGH
+    enough = _ENOUGH_OF_WALL if TRAITS[kind].is_backdrop else _ENOUGH
     best: _Spot | None = None
     for spot in _spots(setting, kind):
         if best is None or spot.worth > best.worth:
@@ -97,15 +90,17 @@ def _best_spot(setting: FrameGeometry, kind: str) -> _Spot | None:
     return best if best is not None and best.worth > 0 else None
 
 
-def _spots(setting: FrameGeometry, kind: str) -> Iterator[_Spot]:
+def _spots(setting: FrameGeometry, kind: PieceKind) -> Iterator[_Spot]:
+    sizes = TRAITS[kind].first_sizes
+    if sizes is None:
+        return
     figure, ground, camera = _figure(setting), setting.ground, setting.camera
-    measures = _MEASURES.get(kind, _MEASURES["box"])
     first = _shadow_side(setting)
-    is_wall = kind == "wall"
+    is_wall = TRAITS[kind].is_backdrop
     behind_it = _BEHIND_OF_WALL if is_wall else _BEHIND
     taken = tuple(_taken(setting, is_wall=is_wall))
     for grown, behind, side in product(_GROWN, behind_it, (0.0,) if is_wall else (first, -first)):
-        width, height, depth = (figure.height * part * grown for part in measures)
+        width, height, depth = (figure.height * part * grown for part in sizes.of_figure)
         aside = side * (figure.half_width + width / 2 + _CLEARANCE * figure.height)
         place = moved(figure.foot, (aside, ground.u), (-behind * figure.height, ground.v))
         if depth_of(camera, place) <= MIN_DEPTH:
@@ -134,9 +129,9 @@ def _taken(setting: FrameGeometry, *, is_wall: bool) -> Iterator[tuple[Vector3, 
     """Yield where the other pieces stand and how far they reach; a wall has things before it, but no second wall."""
     for piece in setting.document.pieces:
         found = piece_frame(piece, setting.frame, setting.camera, setting.ground)
-        if found is None or found.measures.kind not in lines.BUILT_KINDS:
+        if found is None or found.measures.kind not in BUILT_KINDS:
             continue
-        if (found.measures.kind == "wall") == is_wall:
+        if TRAITS[found.measures.kind].is_backdrop == is_wall:
             sizes = (found.measures.depth_px,) if is_wall else (found.measures.width_px, found.measures.depth_px)
             yield found.stand.origin, max(sizes) / 2
 

@@ -2,12 +2,13 @@
 
 from kagezou.document.address import value_of
 from kagezou.document.model import Document
-from kagezou.document.property import Kind, Property
+from kagezou.document.property import AnyProperty, Kind
+from kagezou.message import Message
 from kagezou.tools.handle import Handle
 
 
-def readout(handle: Handle, before: Document, after: Document, frame: int, language: str = "en") -> str:
-    """Return the values a handle edits and how far they have come, such as ``X 412 (+18)  Y 203 (-4)``.
+def readout(handle: Handle, before: Document, after: Document, frame: int) -> tuple[Message, ...]:
+    """Return the values a handle edits and how far they have come, such as ``X 412 (+18)`` and ``Y 203 (-4)``.
 
     Parameters
     ----------
@@ -17,25 +18,29 @@ def readout(handle: Handle, before: Document, after: Document, frame: int, langu
         The document at the press and now.
     frame
         The frame looked at.
-    language
-        "en" or "ja", for the names of angles.
     """
-    parts: list[str] = []
+    parts: list[Message] = []
     for address in handle.addresses:
-        line = address.property
-        names = _names(line, language)
+        prop = address.property
+        names = _names(prop)
         old = _numbers(value_of(before, address, frame), handle.index)
         new = _numbers(value_of(after, address, frame), handle.index)
         parts.extend(
-            f"{name} {_short(b)}{_degree(line)} ({_signed(b - a)}{_degree(line)})"
+            Message(
+                "{name} {value}{unit} ({change}{unit})",
+                name=name,
+                value=_short(b),
+                change=_signed(b - a),
+                unit=_degree(prop),
+            )
             for name, a, b in zip(names, old, new, strict=False)
         )
-    return "  ".join(parts)
+    return tuple(parts)
 
 
-def _names(line: Property, language: str) -> tuple[str, ...]:
-    if line.kind is Kind.NUMBER:
-        return (line.label.ja if language == "ja" else line.label.en,)
+def _names(prop: AnyProperty) -> tuple[Message | str, ...]:
+    if prop.kind is Kind.NUMBER:
+        return (prop.label,)
     return ("X", "Y", "Z")
 
 
@@ -48,8 +53,8 @@ def _numbers(value: object, index: int | None) -> tuple[float, ...]:
     return (value,) if isinstance(value, float) else ()
 
 
-def _degree(line: Property) -> str:
-    return "°" if line.unit == "°" else ""
+def _degree(prop: AnyProperty) -> str:
+    return "°" if prop.unit == "°" else ""
 
 
 def _short(number: float) -> str:

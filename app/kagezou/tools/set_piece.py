@@ -8,15 +8,15 @@ from math import atan2, cos, degrees, hypot, radians, sin
 
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
-from kagezou.document.property import Words
+from kagezou.document.piece_kinds import matters
 from kagezou.geometry.ground import place_on, world_from_canvas_on
 from kagezou.geometry.vectors import Point2, Vector3, dot
+from kagezou.message import Message
 from kagezou.scene.piece_frames import PieceFrame
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.set_size import DEEP
 from kagezou.tools.sight import between, moved, place_seen_at, seen
 from kagezou.tools.sun import unwound
 
@@ -39,7 +39,6 @@ _TURN_PER_VIEW_PX = 0.5
 _LEAST_DEPTH = 0.02
 """The least part of its depth by which a drag leaves a piece before the horizon."""
 
-_ROUND = ("cylinder", "sphere")
 _ARC_POINTS = 17
 
 
@@ -49,14 +48,14 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     if piece is None:
         return ()
     made: list[Handle] = []
-    if piece.measures.kind == "wall":
+    if matters(lines.PIECE_LEAN, piece.measures.kind):
         made.append(
             Handle(
                 LEAN, HandleShape.LEVER, _lean_end(setting, piece, piece.measures.lean_deg),
                 setting.address(lines.PIECE_LEAN), lines.PIECE_LEAN.label, Cursor.HORIZONTAL, piece_id=piece.id,
             )
         )  # fmt: skip
-    if piece.measures.kind not in _ROUND:
+    if matters(lines.PIECE_ANGLE, piece.measures.kind):
         made.append(
             Handle(
                 TURN, HandleShape.LEVER, seen(setting.camera, _front(setting, piece)),
@@ -66,7 +65,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     made.append(
         Handle(
             POSITION, HandleShape.PEG, seen(setting.camera, piece.stand.origin), setting.address(lines.PIECE_POSITION),
-            Words("Set piece", "セット"), piece_id=piece.id, stays_in_view=True,
+            Message("Set piece"), piece_id=piece.id, stays_in_view=True,
         )
     )  # fmt: skip
     return tuple(made)
@@ -75,11 +74,11 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
 def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     """Return the arms of the piece worked on."""
     piece = setting.piece
-    if piece is None or piece.measures.kind in _ROUND:
+    if piece is None or not matters(lines.PIECE_ANGLE, piece.measures.kind):
         return ()
     ends = (piece.stand.origin, _front(setting, piece))
     made = [Guide(GuideKind.PIECE_ARM, tuple(seen(setting.camera, end) for end in ends))]
-    if piece.measures.kind == "wall":
+    if matters(lines.PIECE_LEAN, piece.measures.kind):
         low, high = lines.PIECE_LEAN.low, lines.PIECE_LEAN.high
         arc = (low + (high - low) * step / (_ARC_POINTS - 1) for step in range(_ARC_POINTS))
         made.append(Guide(GuideKind.LEAN_ARC, tuple(_lean_end(setting, piece, angle) for angle in arc)))
@@ -113,7 +112,7 @@ def move_turn(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     right, nearer = dot(way, ground.u), dot(way, ground.v)
     if hypot(right, nearer) < 1e-6:
         return setting.document
-    shown = setting.number(lines.PIECE_ANGLE, aim.shown)
+    shown = setting.value(lines.PIECE_ANGLE, aim.shown)
     angle = unwound(degrees(atan2(-right, nearer)), shown, lines.PIECE_ANGLE)
     square = 90.0 * round(angle / 90)
     reach, turn = hypot(right, nearer), radians(square)
@@ -175,7 +174,7 @@ def _drawn_to_line(setting: FrameGeometry, target: Point2) -> Point2:
 def _front(setting: FrameGeometry, piece: PieceFrame) -> Vector3:
     """Return the end of the arm out of a piece's front, on the ground."""
     stand, camera = piece.stand, setting.camera
-    depth = piece.measures.depth_px / 2 if piece.measures.kind in DEEP else 0.0
+    depth = piece.measures.depth_px / 2 if matters(lines.PIECE_DEPTH, piece.measures.kind) else 0.0
     arm = setting.view.canvas_length(ARM_VIEW_PX) * piece.scale
     start, end = (seen(camera, moved(stand.origin, (way, stand.v))) for way in (depth, depth + arm))
     length = max(hypot(end[0] - start[0], end[1] - start[1]), 1e-6)

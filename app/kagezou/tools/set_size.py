@@ -8,6 +8,7 @@ from math import cos, radians, sin
 
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
+from kagezou.document.piece_kinds import TRAITS, matters
 from kagezou.document.property import Property
 from kagezou.geometry.vectors import Vector3
 from kagezou.scene.piece_frames import PieceFrame
@@ -21,17 +22,8 @@ WIDTH = "piece.width"
 DEPTH = "piece.depth"
 HEIGHT = "piece.height"
 
-_LINES: dict[str, Property] = {WIDTH: lines.PIECE_WIDTH, DEPTH: lines.PIECE_DEPTH, HEIGHT: lines.PIECE_HEIGHT}
+_SIZES: dict[str, Property[float]] = {WIDTH: lines.PIECE_WIDTH, DEPTH: lines.PIECE_DEPTH, HEIGHT: lines.PIECE_HEIGHT}
 _CURSORS = {WIDTH: Cursor.HORIZONTAL, DEPTH: Cursor.VERTICAL, HEIGHT: Cursor.VERTICAL}
-
-DEEP = ("box", "steps", "ramp")
-"""Kinds with a depth of their own."""
-
-_KINDS = {
-    WIDTH: lines.BUILT_KINDS,
-    DEPTH: DEEP,
-    HEIGHT: ("wall", *DEEP, "cylinder"),
-}
 
 
 def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
@@ -42,11 +34,11 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     return tuple(
         Handle(
             handle_id, HandleShape.GRIP, seen(setting.camera, _end(piece, handle_id)),
-            setting.address(_LINES[handle_id]), _LINES[handle_id].label, _CURSORS[handle_id],
+            setting.address(_SIZES[handle_id]), _SIZES[handle_id].label, _CURSORS[handle_id],
             stays_in_view=True, piece_id=piece.id,
         )
         for handle_id in (DEPTH, HEIGHT, WIDTH)
-        if piece.measures.kind in _KINDS[handle_id]
+        if matters(_SIZES[handle_id], piece.measures.kind)
     )  # fmt: skip
 
 
@@ -69,20 +61,20 @@ def move_size(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
 
     Seen end-on, the hand's way down draws it out.
     """
-    piece, line = setting.piece, _LINES[handle.id]
+    piece, prop = setting.piece, _SIZES[handle.id]
     if piece is None:
         return setting.document
     base, way = _line(piece, handle.id)
     size = part_seen_at(setting.camera, base, way, aim.target)
     if size is None:
         (x, y), (across_x, across_y) = aim.offset, setting.across
-        size = setting.number(line) + x * across_x + y * across_y
-    document = setting.edited(line, size)
+        size = setting.value(prop) + x * across_x + y * across_y
+    document = setting.edited(prop, size)
     if aim.modifiers.constrain:
-        grown = max(size, line.low) / setting.number(line)
-        for other in _LINES:
-            if other != handle.id and piece.measures.kind in _KINDS[other]:
-                document = setting.edited(_LINES[other], grown * setting.number(_LINES[other]), document)
+        grown = max(size, prop.low) / setting.value(prop)
+        for other in _SIZES.values():
+            if other is not prop and matters(other, piece.measures.kind):
+                document = setting.edited(other, grown * setting.value(other), document)
     return document
 
 
@@ -90,20 +82,18 @@ def _line(piece: PieceFrame, handle_id: str) -> tuple[Vector3, Vector3]:
     """Return where the line begins on which a grip lies, and the way on it for one px of the property, world px."""
     stand, measures, scale = piece.stand, piece.measures, piece.scale
     nowhere: Vector3 = (0.0, 0.0, 0.0)
-    match handle_id, measures.kind:
-        case "piece.width", "sphere":
-            return stand.origin, moved(nowhere, (scale / 2, stand.u), (scale / 2, stand.normal))
-        case "piece.width", _:
-            return stand.origin, moved(nowhere, (scale / 2, stand.u))
-        case "piece.depth", _:
-            return stand.origin, moved(nowhere, (scale / 2, stand.v))
-        case _, "wall":
-            lean = radians(measures.lean_deg)
-            return stand.origin, moved(nowhere, (scale * cos(lean), stand.normal), (-scale * sin(lean), stand.v))
-        case _, "steps" | "ramp":
-            return moved(stand.origin, (-measures.depth_px / 2, stand.v)), moved(nowhere, (scale, stand.normal))
-        case _:
-            return stand.origin, moved(nowhere, (scale, stand.normal))
+    if handle_id == DEPTH:
+        return stand.origin, moved(nowhere, (scale / 2, stand.v))
+    if handle_id == WIDTH and matters(lines.PIECE_HEIGHT, measures.kind):
+        return stand.origin, moved(nowhere, (scale / 2, stand.u))
+    if handle_id == WIDTH:
+        # What has no height of its own is as high as it is wide, and widest halfway up.
+        return stand.origin, moved(nowhere, (scale / 2, stand.u), (scale / 2, stand.normal))
+    if matters(lines.PIECE_LEAN, measures.kind):
+        lean = radians(measures.lean_deg)
+        return stand.origin, moved(nowhere, (scale * cos(lean), stand.normal), (-scale * sin(lean), stand.v))
+    back = measures.depth_px / 2 if TRAITS[measures.kind].rises_to_back else 0.0
+    return moved(stand.origin, (-back, stand.v)), moved(nowhere, (scale, stand.normal))
 
 
 def _end(piece: PieceFrame, handle_id: str) -> Vector3:

@@ -8,10 +8,10 @@ from math import asin, atan2, degrees, radians, sin, sqrt
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.geometry.card import Card
 from kagezou.geometry.light import GRAZING_DARK_DEG
 from kagezou.geometry.vectors import Point2, Vector3, dot, height_over
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
@@ -44,7 +44,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     address, *also = map(setting.address, lines)
     return (
         Handle(
-            TIP, HandleShape.RING, seen(setting.camera, tip), address, Words("Tip of the shadow", "影の先"),
+            TIP, HandleShape.RING, seen(setting.camera, tip), address, Message("Tip of the shadow"),
             also=tuple(also), layer_id=setting.layer.id, stays_in_view=True,
         ),
     )  # fmt: skip
@@ -80,7 +80,7 @@ def _sun_through(setting: FrameGeometry, direction: Vector3, aim: Aim) -> Docume
     document = setting.edited(properties.LIGHT_ELEVATION, degrees(asin(min(max(up, -1.0), 1.0))))
     if abs(right) + abs(nearer) < 1e-12:
         return document
-    shown = setting.number(properties.LIGHT_AZIMUTH, aim.shown)
+    shown = setting.value(properties.LIGHT_AZIMUTH, aim.shown)
     azimuth = unwound(degrees(atan2(right, nearer)), shown, properties.LIGHT_AZIMUTH)
     return setting.edited(properties.LIGHT_AZIMUTH, azimuth, document)
 

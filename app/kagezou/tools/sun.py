@@ -9,8 +9,9 @@ from math import atan2, cos, degrees, hypot, pi, radians, sin
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.property import Property, Words
+from kagezou.document.property import Property
 from kagezou.geometry.vectors import Point2
+from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
@@ -28,12 +29,12 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     """Return the sun, none for a lamp."""
     if not setting.is_sun:
         return ()
-    azimuth = setting.number(properties.LIGHT_AZIMUTH)
-    elevation = setting.number(properties.LIGHT_ELEVATION)
+    azimuth = setting.value(properties.LIGHT_AZIMUTH)
+    elevation = setting.value(properties.LIGHT_ELEVATION)
     return (
         Handle(
             SUN, HandleShape.DIAL, _on_dial(setting, radians(azimuth), (90 - elevation) / 90),
-            setting.address(properties.LIGHT_AZIMUTH), Words("Sun", "太陽"), Cursor.MOVE,
+            setting.address(properties.LIGHT_AZIMUTH), Message("Sun"), Cursor.MOVE,
             also=(setting.address(properties.LIGHT_ELEVATION),),
             layer_id=setting.layer.id if setting.layer else None, stays_in_view=True,
         ),
@@ -63,18 +64,18 @@ def move_sun(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     document = setting.edited(properties.LIGHT_ELEVATION, elevation)
     if from_above < 1e-9:
         return document
-    shown = setting.number(properties.LIGHT_AZIMUTH, aim.shown)
+    shown = setting.value(properties.LIGHT_AZIMUTH, aim.shown)
     azimuth = unwound(aim.angle(degrees(atan2(right, nearer))), shown, properties.LIGHT_AZIMUTH)
     return setting.edited(properties.LIGHT_AZIMUTH, azimuth, document)
 
 
-def unwound(angle_deg: float, near_deg: float, line: Property) -> float:
+def unwound(angle_deg: float, near_deg: float, prop: Property[float]) -> float:
     """Return the angle with the whole turns added that bring it nearest to another, within the property's range.
 
     So keys go the way the hand went, and not once round at ±180°.
     """
     nearest = angle_deg + 360 * round((near_deg - angle_deg) / 360)
-    return nearest if line.low <= nearest <= line.high else angle_deg
+    return nearest if prop.low <= nearest <= prop.high else angle_deg
 
 
 def _middle(setting: FrameGeometry) -> Point2:
@@ -82,7 +83,7 @@ def _middle(setting: FrameGeometry) -> Point2:
 
 
 def _squash(setting: FrameGeometry) -> float:
-    return max(cos(radians(setting.number(properties.GROUND_DECLINATION))), MIN_SQUASH)
+    return max(cos(radians(setting.value(properties.GROUND_DECLINATION))), MIN_SQUASH)
 
 
 def _on_dial(setting: FrameGeometry, azimuth_rad: float, from_above: float) -> Point2:

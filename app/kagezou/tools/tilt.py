@@ -31,7 +31,7 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
         return ()
     return (
         Handle(
-            TILT, HandleShape.LEVER, _end(setting, setting.number(properties.TILT)), setting.address(properties.TILT),
+            TILT, HandleShape.LEVER, _end(setting, setting.value(properties.TILT)), setting.address(properties.TILT),
             properties.TILT.label, Cursor.HORIZONTAL, layer_id=setting.layer.id,
         ),
     )  # fmt: skip

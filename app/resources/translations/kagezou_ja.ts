@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
-    <name>BoxHand</name>
+    <name>BoxController</name>
     <message>
         <source>Move keys</source>
         <translation>キーを移動</translation>
@@ -30,81 +30,6 @@
     <message>
         <source>%1 frames</source>
         <translation>%1 フレーム</translation>
-    </message>
-</context>
-<context>
-    <name>Choice</name>
-    <message>
-        <source>Lamp</source>
-        <translation>ランプ</translation>
-    </message>
-    <message>
-        <source>Sun</source>
-        <translation>太陽</translation>
-    </message>
-    <message>
-        <source>Solid</source>
-        <translation>ソリッド</translation>
-    </message>
-    <message>
-        <source>Translucent</source>
-        <translation>半透明</translation>
-    </message>
-    <message>
-        <source>Multiply</source>
-        <translation>乗算</translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation>通常</translation>
-    </message>
-    <message>
-        <source>On ones</source>
-        <translation>1コマ打ち</translation>
-    </message>
-    <message>
-        <source>With the drawings</source>
-        <translation>絵に合わせる</translation>
-    </message>
-    <message>
-        <source>Wall</source>
-        <translation>壁</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>箱</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>階段</translation>
-    </message>
-    <message>
-        <source>Ramp</source>
-        <translation>坂</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>円柱</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>球</translation>
-    </message>
-    <message>
-        <source>3-D set</source>
-        <translation>3Dセット</translation>
-    </message>
-    <message>
-        <source>Not at all</source>
-        <translation>表示しない</translation>
-    </message>
-    <message>
-        <source>Wireframe</source>
-        <translation>ワイヤーフレーム</translation>
-    </message>
-    <message>
-        <source>Clay</source>
-        <translation>クレイ</translation>
     </message>
 </context>
 <context>
@@ -805,37 +730,6 @@
     </message>
 </context>
 <context>
-    <name>OpenProject</name>
-    <message>
-        <source>New from cels</source>
-        <translation>セルから新規作成</translation>
-    </message>
-    <message>
-        <source>Recover unsaved work</source>
-        <translation>保存していない作業を復元</translation>
-    </message>
-    <message>
-        <source>Import character</source>
-        <translation>キャラクターを読み込み</translation>
-    </message>
-    <message>
-        <source>New from timesheet</source>
-        <translation>タイムシートから新規作成</translation>
-    </message>
-    <message>
-        <source>the work area</source>
-        <translation>ワークエリア</translation>
-    </message>
-    <message>
-        <source>Apply timesheet</source>
-        <translation>タイムシートを適用</translation>
-    </message>
-    <message>
-        <source>Set background</source>
-        <translation>背景を設定</translation>
-    </message>
-</context>
-<context>
     <name>Dialogs</name>
     <message>
         <source>Open Project</source>
@@ -1009,7 +903,7 @@
     </message>
 </context>
 <context>
-    <name>DrawingHand</name>
+    <name>DrawingController</name>
     <message>
         <source>empty</source>
         <translation>空セル</translation>
@@ -1276,7 +1170,7 @@
     </message>
 </context>
 <context>
-    <name>GraphHand</name>
+    <name>GraphController</name>
     <message>
         <source>Move handle</source>
         <translation>ハンドルを移動</translation>
@@ -1291,7 +1185,7 @@
     </message>
 </context>
 <context>
-    <name>Hand</name>
+    <name>HandleController</name>
     <message>
         <source>Move %1</source>
         <translation>%1を移動</translation>
@@ -1453,17 +1347,6 @@
     </message>
 </context>
 <context>
-    <name>Incidents</name>
-    <message>
-        <source>Something went wrong inside the program (%1). Save your project. Details: %2</source>
-        <translation>プログラム内部で問題が起きました（%1）。プロジェクトを保存してください。詳細：%2</translation>
-    </message>
-    <message>
-        <source>no log could be written</source>
-        <translation>ログを書き込めませんでした</translation>
-    </message>
-</context>
-<context>
     <name>Inspector</name>
     <message>
         <source>Camera</source>
@@ -1593,7 +1476,7 @@
     </message>
 </context>
 <context>
-    <name>KeyHand</name>
+    <name>KeyController</name>
     <message>
         <source>Stretch keys</source>
         <translation>キーを伸縮</translation>
@@ -1725,6 +1608,11 @@
 </context>
 <context>
     <name>Language</name>
+    <message>
+        <source>English</source>
+        <comment>what the language calls itself</comment>
+        <translation>日本語</translation>
+    </message>
     <message>
         <source>en</source>
         <comment>the code of the language translated to</comment>
@@ -2030,6 +1918,1814 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>Message</name>
+    <message>
+        <source>&apos;{path_suffix}&apos; is no picture format that can be read</source>
+        <translation>「{path_suffix}」は読み込める画像形式ではありません</translation>
+    </message>
+    <message>
+        <source>&apos;{pattern_suffix}&apos; is no picture format that can be read</source>
+        <translation>「{pattern_suffix}」は読み込める画像形式ではありません</translation>
+    </message>
+    <message>
+        <source>&apos;{suffix}&apos; is no picture format that can be read</source>
+        <translation>「{suffix}」は読み込める画像形式ではありません</translation>
+    </message>
+    <message>
+        <source>, which needs layered frames,</source>
+        <translation>（レイヤー付きの書き出しが必要）</translation>
+    </message>
+    <message>
+        <source>0 rounds toward a disc on the ground, 1 toward the shadow&apos;s own long ellipse.</source>
+        <translation>0 で地面上の円へ、1 で影そのものの細長い楕円へ近づく。</translation>
+    </message>
+    <message>
+        <source>0 takes the waves as they are set; any other whole number varies them, always in the same way.</source>
+        <translation>0 で設定どおりの波。ほかの整数では、その数ごとに決まった変化を付ける。</translation>
+    </message>
+    <message>
+        <source>1 fades evenly, more fades early, less fades late.</source>
+        <translation>1 で均一、大きいと早く、小さいと遅く薄れる。</translation>
+    </message>
+    <message>
+        <source>3-D set</source>
+        <translation>3Dセット</translation>
+    </message>
+    <message>
+        <source>A lamp at a position, or the sun in a direction.</source>
+        <translation>位置を持つランプ、または方向だけの太陽。</translation>
+    </message>
+    <message>
+        <source>A point of the ground line, where the ground meets the drawing.</source>
+        <translation>地面がセルと交わる接地ライン上の点。</translation>
+    </message>
+    <message>
+        <source>After Effects has no composition of {frame_rate} frames a second</source>
+        <translation>After Effects では毎秒 {frame_rate} フレームのコンポジションを作れません</translation>
+    </message>
+    <message>
+        <source>After Effects has no composition of {length_frames} frames</source>
+        <translation>After Effects では {length_frames} フレームのコンポジションを作れません</translation>
+    </message>
+    <message>
+        <source>After Effects has no composition of {width_px}x{height_px} px</source>
+        <translation>After Effects では {width_px}x{height_px} px のコンポジションを作れません</translation>
+    </message>
+    <message>
+        <source>Anchor</source>
+        <translation>基準点</translation>
+    </message>
+    <message>
+        <source>Angle between drawing and ground; 90 is seen edge-on, less is seen from higher.</source>
+        <translation>セル面と地面の角度。90 で真横、小さいほど上から見下ろす。</translation>
+    </message>
+    <message>
+        <source>At this distance from the feet the shadow has faded away; 0 does not fade.</source>
+        <translation>足元からこの距離で影が消える。0 で消えない。</translation>
+    </message>
+    <message>
+        <source>At this distance from the feet the shadow has the tip colour; 0 keeps one colour.</source>
+        <translation>足元からこの距離で先端の色になる。0 で一色のまま。</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>合成モード</translation>
+    </message>
+    <message>
+        <source>Blocks light</source>
+        <translation>光をさえぎる</translation>
+    </message>
+    <message>
+        <source>Body tilt</source>
+        <translation>体の傾き</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>箱</translation>
+    </message>
+    <message>
+        <source>Canvas px at the depth where the piece stands; a sphere is as high as it is wide.</source>
+        <translation>セットが立つ奥行きでの画面上の px。球では使わない。</translation>
+    </message>
+    <message>
+        <source>Canvas px at the depth where the piece stands; of a cylinder or a sphere the diameter.</source>
+        <translation>セットが立つ奥行きでの画面上の px。円柱と球では直径。</translation>
+    </message>
+    <message>
+        <source>Casts a shadow</source>
+        <translation>影を落とす</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>クレイ</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Colour of the shadow that set pieces cast, sRGB.</source>
+        <translation>セットが落とす影の色（sRGB）。</translation>
+    </message>
+    <message>
+        <source>Colour of the shadow, sRGB.</source>
+        <translation>影の色（sRGB）。</translation>
+    </message>
+    <message>
+        <source>Colour toward the tip, where a tip distance is set; sRGB.</source>
+        <translation>先端の距離を設定したときの先端の色（sRGB）。</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>円柱</translation>
+    </message>
+    <message>
+        <source>Declination</source>
+        <translation>地面の角度</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
+    </message>
+    <message>
+        <source>Direction of the sun around the ground; 0 stands on the viewer&apos;s side.</source>
+        <translation>太陽の方位角。0 で手前側。</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Drawn as</source>
+        <translation>表示方法</translation>
+    </message>
+    <message>
+        <source>Edge of the floor, running away</source>
+        <translation>奥へ向かう床の線</translation>
+    </message>
+    <message>
+        <source>Edge of the floor, square to it</source>
+        <translation>直交する床の線</translation>
+    </message>
+    <message>
+        <source>Elongation</source>
+        <translation>長さの維持</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>フェード</translation>
+    </message>
+    <message>
+        <source>Fade curve</source>
+        <translation>フェードの曲線</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>視野角</translation>
+    </message>
+    <message>
+        <source>Flat ground</source>
+        <translation>平らな地面</translation>
+    </message>
+    <message>
+        <source>From crest to crest on the ground.</source>
+        <translation>地面上での山から山までの長さ。</translation>
+    </message>
+    <message>
+        <source>From front to back on the ground, canvas px at the depth where the piece stands: of boxes, steps and ramps.</source>
+        <translation>地面上の手前から奥までの長さ。箱・階段・スロープで使う。</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Ground position</source>
+        <translation>地面の位置</translation>
+    </message>
+    <message>
+        <source>Ground roll</source>
+        <translation>地面の回転</translation>
+    </message>
+    <message>
+        <source>Grounding point {number}</source>
+        <translation>接地点 {number}</translation>
+    </message>
+    <message>
+        <source>Grounding points</source>
+        <translation>接地点</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>拡張</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Height of the sun over the ground; a low sun throws long shadows.</source>
+        <translation>地面からの太陽の高度。低いほど影が長い。</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation>アイレベル（地平線）</translation>
+    </message>
+    <message>
+        <source>How an imported set is drawn: not at all, as a wireframe in the window only, or as clay in composites too.</source>
+        <translation>読み込んだセットの表示。ワイヤーフレームは画面のみ、クレイは合成にも入る。</translation>
+    </message>
+    <message>
+        <source>How far a wall leans back; below 0 it leans over its front.</source>
+        <translation>壁を奥へ倒す角度。負の値で手前へ倒れる。</translation>
+    </message>
+    <message>
+        <source>How far the crests go in a frame.</source>
+        <translation>1 コマで波が進む距離。</translation>
+    </message>
+    <message>
+        <source>How far the shape is rounded toward an ellipse; its edge stays crisp and its area stays the same.</source>
+        <translation>影の形を楕円へ近づける度合い。輪郭はくっきりしたまま、面積も変わらない。</translation>
+    </message>
+    <message>
+        <source>How far the waves move the shadow; 0 is no wave.</source>
+        <translation>波が影を動かす量。0 で波なし。</translation>
+    </message>
+    <message>
+        <source>How many steps there are; taken as a whole number.</source>
+        <translation>階段の段数（整数に丸める）。</translation>
+    </message>
+    <message>
+        <source>How much wider the edge grows with every px of distance from the feet.</source>
+        <translation>足元から 1px 離れるごとにエッジが広がる量。</translation>
+    </message>
+    <message>
+        <source>How the shadow lies on what is under it.</source>
+        <translation>影を下の絵に重ねる方法。</translation>
+    </message>
+    <message>
+        <source>How the shadow that set pieces cast lies on what is under it.</source>
+        <translation>セットの影を下の絵に重ねる方法。</translation>
+    </message>
+    <message>
+        <source>In the set</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>ランプ</translation>
+    </message>
+    <message>
+        <source>Lamp&apos;s foot</source>
+        <translation>ランプの足元</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>傾斜</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Light position</source>
+        <translation>ライトの位置</translation>
+    </message>
+    <message>
+        <source>Matte</source>
+        <translation>マット</translation>
+    </message>
+    <message>
+        <source>Moves the outline outward, or inward below 0.</source>
+        <translation>輪郭を外側へ広げる。負の値で縮める。</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>乗算</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>通常</translation>
+    </message>
+    <message>
+        <source>Not at all</source>
+        <translation>表示しない</translation>
+    </message>
+    <message>
+        <source>Of an imported set: canvas px for one unit of the file, at the depth where it stands.</source>
+        <translation>読み込んだセットの大きさ。ファイルの1単位が、立つ奥行きで何 px か。</translation>
+    </message>
+    <message>
+        <source>On ones</source>
+        <translation>1コマ打ち</translation>
+    </message>
+    <message>
+        <source>On ones the shadow moves every frame; with the exposures it waits for the next drawing.</source>
+        <translation>ones は毎コマ動き、exposures は次の絵まで動かない。</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow that set pieces cast, 0 to 1.</source>
+        <translation>セットが落とす影の不透明度（0〜1）。</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow, 0 to 1.</source>
+        <translation>影の不透明度（0〜1）。</translation>
+    </message>
+    <message>
+        <source>OpenGL without a display needs libEGL (Debian package libegl1): {error}</source>
+        <translation>ディスプレイなしの OpenGL には libEGL（Debian のパッケージ libegl1）が要ります：{error}</translation>
+    </message>
+    <message>
+        <source>OpenGL without a window system is only to be had on Linux</source>
+        <translation>ウィンドウシステムなしの OpenGL は Linux でしか使えません</translation>
+    </message>
+    <message>
+        <source>Over this distance from the feet the rounding grows to its full strength; 0 rounds everywhere alike.</source>
+        <translation>足元からこの距離までに単純化が強まる。0 なら全体に同じ強さ。</translation>
+    </message>
+    <message>
+        <source>Over this distance from the feet the waves grow to their full strength; 0 moves the feet too.</source>
+        <translation>足元からこの距離までに波が強まる。0 なら足元も揺れる。</translation>
+    </message>
+    <message>
+        <source>Overhead radius</source>
+        <translation>真上ライトの範囲</translation>
+    </message>
+    <message>
+        <source>Penumbra</source>
+        <translation>半影</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>坂</translation>
+    </message>
+    <message>
+        <source>Receives</source>
+        <translation>影を受ける</translation>
+    </message>
+    <message>
+        <source>Receives shadows</source>
+        <translation>影を受ける</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>スケール</translation>
+    </message>
+    <message>
+        <source>Set piece</source>
+        <translation>セット</translation>
+    </message>
+    <message>
+        <source>Set shadow blend</source>
+        <translation>セットの影の合成モード</translation>
+    </message>
+    <message>
+        <source>Set shadow colour</source>
+        <translation>セットの影の色</translation>
+    </message>
+    <message>
+        <source>Set shadow opacity</source>
+        <translation>セットの影の不透明度</translation>
+    </message>
+    <message>
+        <source>Shadow timing</source>
+        <translation>影のコマ打ち</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形</translation>
+    </message>
+    <message>
+        <source>Simplification</source>
+        <translation>単純化フィルター</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>単純化</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>ぼかし</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>ソリッド</translation>
+    </message>
+    <message>
+        <source>Solid: half-opaque and more casts fully; translucent: alpha casts as it is (smoke, glass).</source>
+        <translation>solid は半透明以上がすべて影、translucent はアルファのまま影（煙・ガラス）。</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>段数</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>太陽</translation>
+    </message>
+    <message>
+        <source>Sun azimuth</source>
+        <translation>太陽の方位</translation>
+    </message>
+    <message>
+        <source>Sun elevation</source>
+        <translation>太陽の高さ</translation>
+    </message>
+    <message>
+        <source>The point of an imported set, in the units of its file, that stands on the ground at the piece&apos;s place.</source>
+        <translation>セットの位置で地面に立つ点（ファイルの単位）。</translation>
+    </message>
+    <message>
+        <source>The point of the ground on which the middle of the piece stands, as it is seen on the canvas.</source>
+        <translation>セットの中心が立つ地面上の点（画面上の位置）。</translation>
+    </message>
+    <message>
+        <source>Tip colour</source>
+        <translation>先端の色</translation>
+    </message>
+    <message>
+        <source>Tip distance</source>
+        <translation>先端の距離</translation>
+    </message>
+    <message>
+        <source>Tip of the shadow</source>
+        <translation>影の先</translation>
+    </message>
+    <message>
+        <source>Translucent</source>
+        <translation>半透明</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Turn about the vertical of the ground; at 0 the front is the viewer&apos;s side.</source>
+        <translation>地面に垂直な軸まわりの回転。0 で正面が手前を向く。</translation>
+    </message>
+    <message>
+        <source>Turn of the body about the vertical; measured, not set, with two grounding points.</source>
+        <translation>垂直軸まわりの体の向き。接地点が二つあるときは自動で決まる。</translation>
+    </message>
+    <message>
+        <source>Turn of the ground line in the picture.</source>
+        <translation>画面内での接地ラインの傾き。</translation>
+    </message>
+    <message>
+        <source>USD files need the package usd-core: pip install &apos;kagezou[usd]&apos;</source>
+        <translation>USD ファイルにはパッケージ usd-core が要ります：pip install &apos;kagezou[usd]&apos;</translation>
+    </message>
+    <message>
+        <source>Under the background</source>
+        <translation>背景の下</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>上方向の軸</translation>
+    </message>
+    <message>
+        <source>Vertical field of view of the camera; 0 is orthographic.</source>
+        <translation>カメラの垂直視野角。0 で平行投影。</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>Wave anchor</source>
+        <translation>波の固定</translation>
+    </message>
+    <message>
+        <source>Wave seed</source>
+        <translation>波の乱数</translation>
+    </message>
+    <message>
+        <source>Wave {number}</source>
+        <translation>波{number}</translation>
+    </message>
+    <message>
+        <source>Wave {number} amplitude</source>
+        <translation>波{number} 振幅</translation>
+    </message>
+    <message>
+        <source>Wave {number} direction</source>
+        <translation>波{number} 方向</translation>
+    </message>
+    <message>
+        <source>Wave {number} length</source>
+        <translation>波{number} 波長</translation>
+    </message>
+    <message>
+        <source>Wave {number} speed</source>
+        <translation>波{number} 速さ</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>波フィルター</translation>
+    </message>
+    <message>
+        <source>What the piece is; it keeps its place and its measures.</source>
+        <translation>セットの形。位置と寸法はそのまま。</translation>
+    </message>
+    <message>
+        <source>Where the character touches the ground; with two or more the card is folded through them.</source>
+        <translation>キャラが地面に触れる点。二つ以上でセル面が点を通って曲がる。</translation>
+    </message>
+    <message>
+        <source>Where the crests go on the ground; 0 is to the right, 90 toward the viewer.</source>
+        <translation>地面上で波が進む向き。0 で右、90 で手前。</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands; z &gt; 0 is on the viewer&apos;s side and throws shadows behind the character.</source>
+        <translation>ランプの位置。z が正なら手前側にあり、影は奥へ落ちる。</translation>
+    </message>
+    <message>
+        <source>Whether an imported set is drawn under the background picture rather than over it.</source>
+        <translation>読み込んだセットを背景の上ではなく下に描く。</translation>
+    </message>
+    <message>
+        <source>Whether its own shadow is drawn, on itself, the ground and the other pieces; it then blocks light too.</source>
+        <translation>自身の影を地面やほかのセットに描くか。オンなら光もさえぎる。</translation>
+    </message>
+    <message>
+        <source>Whether shadows fall on the flat ground; off where an imported set is all there is.</source>
+        <translation>平らな地面に影を落とすか。読み込んだセットだけを使うときはオフ。</translation>
+    </message>
+    <message>
+        <source>Whether the characters&apos; shadows end where this piece takes the light.</source>
+        <translation>このセットが光をさえぎる場所でキャラの影を切るか。</translation>
+    </message>
+    <message>
+        <source>Whether the characters&apos; shadows fall on it; it hides what is behind it in either case.</source>
+        <translation>キャラの影がこのセットに落ちるか。オフでも後ろの影は隠す。</translation>
+    </message>
+    <message>
+        <source>Whether the layer and its shadow are shown and rendered.</source>
+        <translation>レイヤーとその影を表示・書き出しするか。</translation>
+    </message>
+    <message>
+        <source>Whether the piece is there at all.</source>
+        <translation>このセットを使うかどうか。</translation>
+    </message>
+    <message>
+        <source>Whether the shadow lies on water; off keeps the values and leaves them out.</source>
+        <translation>影を水面に落とすか。オフでも値は残る。</translation>
+    </message>
+    <message>
+        <source>Whether the shadows of the other characters fall on this one, where the light meets them first.</source>
+        <translation>ほかのキャラの影がこのキャラに落ちるか（光源から見て手前にいるキャラの影だけ）。</translation>
+    </message>
+    <message>
+        <source>Whether the shape is simplified; off keeps the values and leaves them out.</source>
+        <translation>単純化を使うか。オフでも値は残る。</translation>
+    </message>
+    <message>
+        <source>Which axis of the file of an imported set points up.</source>
+        <translation>読み込んだセットのファイルで上を向く軸。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Width of the edge; 0 is a crisp cel edge.</source>
+        <translation>エッジの幅。0 でくっきりしたセルのエッジ。</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>ワイヤーフレーム</translation>
+    </message>
+    <message>
+        <source>With the drawings</source>
+        <translation>絵に合わせる</translation>
+    </message>
+    <message>
+        <source>Within this distance over the character the lamp is spread into four, so that light from straight above still casts.</source>
+        <translation>キャラの真上でこの距離以内のランプを四つに分け、真上の光でも影を落とす。</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>a box with pixels in it</source>
+        <translation>画素のある枠</translation>
+    </message>
+    <message>
+        <source>a camera moves for {frames} frames, more than the {most_frames} that are read</source>
+        <translation>カメラの動きが {frames} フレームあり、読み込める {most_frames} フレームを超えています</translation>
+    </message>
+    <message>
+        <source>a canvas of {width} × {height} px, as the pictures have it, is larger than {most_side_px} px; please give a size</source>
+        <translation>画像から決まるキャンバス {width} × {height} px は {most_side_px} px より大きすぎます。大きさを指定してください</translation>
+    </message>
+    <message>
+        <source>a colour such as &quot;#20203A&quot;</source>
+        <translation>&quot;#20203A&quot; のような色</translation>
+    </message>
+    <message>
+        <source>a component</source>
+        <translation>成分番号</translation>
+    </message>
+    <message>
+        <source>a corner lies more than {farthest:g} units away</source>
+        <translation>{farthest:g} 単位より遠い頂点があります</translation>
+    </message>
+    <message>
+        <source>a farm renders a saved project; save this one first</source>
+        <translation>レンダーファームは保存したプロジェクトをレンダリングします。先に保存してください</translation>
+    </message>
+    <message>
+        <source>a frame</source>
+        <translation>フレーム番号</translation>
+    </message>
+    <message>
+        <source>a frame rate such as &quot;24&quot; or &quot;24000/1001&quot;</source>
+        <translation>&quot;24&quot; や &quot;24000/1001&quot; のようなフレームレート</translation>
+    </message>
+    <message>
+        <source>a height from 1 to {tallest_px:g} px</source>
+        <translation>1～{tallest_px:g} px の高さ</translation>
+    </message>
+    <message>
+        <source>a key&apos;s component cannot be changed</source>
+        <translation>キーの成分は変えられません</translation>
+    </message>
+    <message>
+        <source>a layer cannot be named {name!r}: a name is 1 to 200 printable characters</source>
+        <translation>レイヤーの名前を {name!r} にはできません。名前は表示できる文字 1～200 文字です</translation>
+    </message>
+    <message>
+        <source>a layered frame holds what a composite is made of; ask for one of the two</source>
+        <translation>レイヤー付きフレームには合成の中身がすべて入っています。どちらか一方を選んでください</translation>
+    </message>
+    <message>
+        <source>a line is too short, or lies on the other of its colour</source>
+        <translation>線が短すぎるか、同じ色の線と重なっています</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>a list of at most {most_points} points [[x, y], …] in px</source>
+        <translation>最大 {most_points} 個の点のリスト [[x, y], …]（px）</translation>
+    </message>
+    <message>
+        <source>a marker cannot lie on frame {frame} for {duration_frames} frames</source>
+        <translation>フレーム {frame} から {duration_frames} フレームのマーカーは置けません</translation>
+    </message>
+    <message>
+        <source>a name of 1 to 80 printable characters</source>
+        <translation>表示できる文字 1～80 文字の名前</translation>
+    </message>
+    <message>
+        <source>a note needs words and a frame from 1 on</source>
+        <translation>メモには言葉と 1 以上のフレームが要ります</translation>
+    </message>
+    <message>
+        <source>a number from {low:g} to {high:g}</source>
+        <translation>{low:g} から {high:g} までの数</translation>
+    </message>
+    <message>
+        <source>a number from {low:g} to {high:g}{unit}</source>
+        <translation>{low:g} から {high:g}{unit} までの数</translation>
+    </message>
+    <message>
+        <source>a part of its path is not a folder</source>
+        <translation>パスの途中がフォルダーではありません</translation>
+    </message>
+    <message>
+        <source>a path has 1 to {most} characters</source>
+        <translation>パスは 1～{most} 文字です</translation>
+    </message>
+    <message>
+        <source>a path on a drive starts at its root</source>
+        <translation>ドライブのパスはルートから始めてください</translation>
+    </message>
+    <message>
+        <source>a picture of {width_px}x{height_px} px is over this graphics driver&apos;s {limit} px</source>
+        <translation>{width_px}x{height_px} px の絵は、このグラフィックスドライバーの上限 {limit} px を超えています</translation>
+    </message>
+    <message>
+        <source>a point [{axes}] in px</source>
+        <translation>点 [{axes}]（px）</translation>
+    </message>
+    <message>
+        <source>a printable name</source>
+        <translation>表示できる名前</translation>
+    </message>
+    <message>
+        <source>a project may not name files on the network</source>
+        <translation>プロジェクトはネットワーク上のファイルを指せません</translation>
+    </message>
+    <message>
+        <source>a set has at most {most_pieces} pieces</source>
+        <translation>大道具は最大 {most_pieces} 個までです</translation>
+    </message>
+    <message>
+        <source>a set piece cannot be named {name!r}: a name is 1 to 200 printable characters</source>
+        <translation>大道具の名前を {name!r} にはできません。名前は表示できる文字 1～200 文字です</translation>
+    </message>
+    <message>
+        <source>a set piece cannot be named {name!r}: set.{name} is the shadow of the whole set</source>
+        <translation>大道具の名前を {name!r} にはできません。set.{name} は大道具全体の影です</translation>
+    </message>
+    <message>
+        <source>a set piece has no property {each!r}</source>
+        <translation>大道具にプロパティ {each!r} はありません</translation>
+    </message>
+    <message>
+        <source>a size is told by two different points of the set and a length over 0</source>
+        <translation>大きさは、セットの異なる2点と 0 より大きい長さで決まります</translation>
+    </message>
+    <message>
+        <source>a speed</source>
+        <translation>速度の数</translation>
+    </message>
+    <message>
+        <source>a style cannot be named {name!r}: a name is 1 to 80 letters and digits</source>
+        <translation>スタイルの名前を {name!r} にはできません。名前は文字と数字で 1～80 文字です</translation>
+    </message>
+    <message>
+        <source>a switch or choice can only be held</source>
+        <translation>スイッチや選択肢のキーは停止だけです</translation>
+    </message>
+    <message>
+        <source>a task has 1 to {most_chunk} frames, not {chunk}</source>
+        <translation>1 つのタスクは 1～{most_chunk} フレームです。{chunk} にはできません</translation>
+    </message>
+    <message>
+        <source>a text of {count} characters is longer than the {most_text_characters} allowed</source>
+        <translation>{count} 文字の文は上限の {most_text_characters} 文字を超えています</translation>
+    </message>
+    <message>
+        <source>a text of {least} to {most} characters</source>
+        <translation>{least}～{most} 文字のテキスト</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>値の数</translation>
+    </message>
+    <message>
+        <source>a whole number from {low} to {high}</source>
+        <translation>{low} から {high} までの整数</translation>
+    </message>
+    <message>
+        <source>alpha is full everywhere: the whole frame would cast a shadow</source>
+        <translation>アルファが全面不透明です。画面全体が影を落とします</translation>
+    </message>
+    <message>
+        <source>an export preset is named by 1 to {most_name} printable characters, not {name!r}</source>
+        <translation>書き出しプリセットの名前は 1〜{most_name} 文字の表示できる文字です（{name!r} は使えません）</translation>
+    </message>
+    <message>
+        <source>an influence</source>
+        <translation>影響の数</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>cannot be written: it reads back with other frames than it got</source>
+        <translation>書き出せません：読み戻したフレームが渡したものと違います</translation>
+    </message>
+    <message>
+        <source>cannot be written: {cause}</source>
+        <translation>書き込めません：{cause}</translation>
+    </message>
+    <message>
+        <source>cannot be written: {error}</source>
+        <translation>書き込めません：{error}</translation>
+    </message>
+    <message>
+        <source>canvas: a cut of {length_frames} frames is not within 1 to 1000000</source>
+        <translation>canvas：{length_frames} フレームの尺は 1～1000000 の範囲にありません</translation>
+    </message>
+    <message>
+        <source>canvas: {frame_rate} frames a second is not within 0 to 1000</source>
+        <translation>canvas：毎秒 {frame_rate} フレームは 0～1000 の範囲にありません</translation>
+    </message>
+    <message>
+        <source>canvas: {width_px}x{height_px} is not within 1x1 to 16384x16384 px</source>
+        <translation>canvas：{width_px}x{height_px} は 1x1～16384x16384 px の範囲にありません</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>一定値</translation>
+    </message>
+    <message>
+        <source>deep and volume pictures cannot be read</source>
+        <translation>ディープ画像とボリューム画像は読み込めません</translation>
+    </message>
+    <message>
+        <source>frame {after} does not come after frame {before}</source>
+        <translation>フレーム {after} はフレーム {before} より後ではありません</translation>
+    </message>
+    <message>
+        <source>frame {frame}</source>
+        <translation>フレーム {frame}</translation>
+    </message>
+    <message>
+        <source>frame {frame} does not come after frame {frame_2}</source>
+        <translation>フレーム {frame} はフレーム {frame_2} より後ではありません</translation>
+    </message>
+    <message>
+        <source>frame {frame} is not in the cut, which has frames 1-{length}</source>
+        <translation>フレーム {frame} はカットにありません。カットは 1-{length} フレームです</translation>
+    </message>
+    <message>
+        <source>frame {frame} needs {count} rows, one for each component</source>
+        <translation>フレーム {frame} には成分ごとに {count} 行が要ります</translation>
+    </message>
+    <message>
+        <source>frame {last} does not come after frame {first}</source>
+        <translation>フレーム {last} はフレーム {first} より後ではありません</translation>
+    </message>
+    <message>
+        <source>frames cannot be written as {format!r}{hint} only as {suffixes}</source>
+        <translation>フレームは {format!r}{hint} では書き出せません。{suffixes} を選んでください</translation>
+    </message>
+    <message>
+        <source>frames {text!r}: {part!r} is neither a frame such as 12 nor a range such as 1-48</source>
+        <translation>フレーム {text!r}：{part!r} は 12 のようなフレームでも 1-48 のような範囲でもありません</translation>
+    </message>
+    <message>
+        <source>frames {text!r}: {part!r} must count upward from frame 1</source>
+        <translation>フレーム {text!r}：{part!r} はフレーム 1 から昇順に書いてください</translation>
+    </message>
+    <message>
+        <source>it cannot be a file name</source>
+        <translation>ファイル名として使えません</translation>
+    </message>
+    <message>
+        <source>it cannot be read as USD: the file is damaged</source>
+        <translation>USD として読み込めません：ファイルが壊れています</translation>
+    </message>
+    <message>
+        <source>it cannot be read as a set: the file is damaged or not what its name says</source>
+        <translation>セットとして読み込めません：ファイルが壊れているか、拡張子と中身が違います</translation>
+    </message>
+    <message>
+        <source>it cannot be the name of a file</source>
+        <translation>ファイル名として使えません</translation>
+    </message>
+    <message>
+        <source>it does not exist</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>it has more than the {most} triangles that can be worked with</source>
+        <translation>三角形が、扱える {most} 個を超えています</translation>
+    </message>
+    <message>
+        <source>it has more than {most_nodes} nodes</source>
+        <translation>ノードが {most_nodes} 個を超えています</translation>
+    </message>
+    <message>
+        <source>it has no pixels</source>
+        <translation>画素がありません</translation>
+    </message>
+    <message>
+        <source>it has vector shapes that cannot be drawn</source>
+        <translation>描画できないベクターシェイプがあります</translation>
+    </message>
+    <message>
+        <source>it has {corners} corners of triangles, too many to work with</source>
+        <translation>三角形の頂点が {corners} 個あり、多すぎて扱えません</translation>
+    </message>
+    <message>
+        <source>it has {count} items, not {least} to {most}</source>
+        <translation>項目が {count} 個あります。{least}～{most} 個でなければなりません</translation>
+    </message>
+    <message>
+        <source>it has {count} items, not {most}</source>
+        <translation>項目が {count} 個あります。{most} 個でなければなりません</translation>
+    </message>
+    <message>
+        <source>it has {count} triangles, more than the {most} that can be worked with</source>
+        <translation>三角形が {count} 個あり、扱える {most} 個を超えています</translation>
+    </message>
+    <message>
+        <source>it has {total} triangles, more than the {most_triangles} that can be worked with</source>
+        <translation>三角形が {total} 個あり、扱える {most_triangles} 個を超えています</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>フォルダーです</translation>
+    </message>
+    <message>
+        <source>it is compressed ({name}): please export it without compression</source>
+        <translation>圧縮されています（{name}）。圧縮なしで書き出し直してください</translation>
+    </message>
+    <message>
+        <source>it is cut off</source>
+        <translation>途中で切れています</translation>
+    </message>
+    <message>
+        <source>it is damaged: a buffer in it is no base64 text</source>
+        <translation>壊れています：内蔵バッファが base64 ではありません</translation>
+    </message>
+    <message>
+        <source>it is damaged: a buffer is shorter than it should be</source>
+        <translation>壊れています：バッファが短すぎます</translation>
+    </message>
+    <message>
+        <source>it is damaged: a corner is not a number</source>
+        <translation>壊れています：頂点の座標が数値ではありません</translation>
+    </message>
+    <message>
+        <source>it is damaged: a node hangs on two others</source>
+        <translation>壊れています：ひとつのノードに親が二つあります</translation>
+    </message>
+    <message>
+        <source>it is damaged: a triangle names a corner that is not there</source>
+        <translation>壊れています：三角形が存在しない頂点を参照しています</translation>
+    </message>
+    <message>
+        <source>it is damaged: corners are not named by whole numbers</source>
+        <translation>壊れています：頂点番号が整数ではありません</translation>
+    </message>
+    <message>
+        <source>it is damaged: it claims more numbers than it holds</source>
+        <translation>壊れています：持っている以上の数値を参照しています</translation>
+    </message>
+    <message>
+        <source>it is damaged: its corners are no points in space</source>
+        <translation>ファイルが壊れています：頂点が立体の点になっていません</translation>
+    </message>
+    <message>
+        <source>it is damaged: its nodes hang on one another without end</source>
+        <translation>壊れています：ノードの親子関係が終わりません</translation>
+    </message>
+    <message>
+        <source>it is damaged: numbers are claimed that are not there</source>
+        <translation>壊れています：存在しない数値を参照しています</translation>
+    </message>
+    <message>
+        <source>it is damaged: there is no {name}[{index}]</source>
+        <translation>壊れています：{name}[{index}] がありません</translation>
+    </message>
+    <message>
+        <source>it is glTF {version}; only glTF 2 is read</source>
+        <translation>glTF {version} です。読み込めるのは glTF 2 だけです</translation>
+    </message>
+    <message>
+        <source>it is larger than can be read</source>
+        <translation>大きすぎて読み込めません</translation>
+    </message>
+    <message>
+        <source>it is larger than can be read at the layer {layer!r}</source>
+        <translation>レイヤー {layer!r} が大きすぎて読み込めません</translation>
+    </message>
+    <message>
+        <source>it is larger than {megabytes} MB, too large for a set</source>
+        <translation>{megabytes} MB を超えており、セットとして大きすぎます</translation>
+    </message>
+    <message>
+        <source>it is larger than {megabytes} MB, which no keepsake is</source>
+        <translation>{megabytes} MB より大きく、退避した作業のファイルではありません</translation>
+    </message>
+    <message>
+        <source>it is larger than {megabytes} MB, which no project is</source>
+        <translation>{megabytes} MB より大きく、プロジェクトではありません</translation>
+    </message>
+    <message>
+        <source>it is larger than {megabytes} MB, which no timesheet is</source>
+        <translation>{megabytes} MB より大きく、タイムシートではありません</translation>
+    </message>
+    <message>
+        <source>it is neither a file nor a folder</source>
+        <translation>ファイルでもフォルダーでもありません</translation>
+    </message>
+    <message>
+        <source>it is nested too deep</source>
+        <translation>入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>it is no glTF 2 file</source>
+        <translation>glTF 2 のファイルではありません</translation>
+    </message>
+    <message>
+        <source>it is no whole glTF file</source>
+        <translation>完全な glTF ファイルではありません</translation>
+    </message>
+    <message>
+        <source>it is no whole glTF file: {name!r} is no list</source>
+        <translation>完全な glTF ファイルではありません：{name!r} がリストではありません</translation>
+    </message>
+    <message>
+        <source>it is not UTF-8 text</source>
+        <translation>UTF-8 のテキストではありません</translation>
+    </message>
+    <message>
+        <source>it is not UTF-8 text (byte {start})</source>
+        <translation>UTF-8 のテキストではありません（{start} バイト目）</translation>
+    </message>
+    <message>
+        <source>it is not a Kagezou project</source>
+        <translation>Kagezou のプロジェクトではありません</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>ファイルではありません</translation>
+    </message>
+    <message>
+        <source>it is not a timesheet (XDTS, TDTS or STS)</source>
+        <translation>タイムシート（XDTS、TDTS、STS）ではありません</translation>
+    </message>
+    <message>
+        <source>it is not whole JSON text (line {lineno}, column {colno})</source>
+        <translation>JSON として完全ではありません（{lineno} 行 {colno} 列）</translation>
+    </message>
+    <message>
+        <source>it is not {wanted} but {inside}, whatever its name says</source>
+        <translation>名前とちがい、中身は {wanted} ではなく {inside} 形式です</translation>
+    </message>
+    <message>
+        <source>it is not {wanted}, whatever its name says</source>
+        <translation>名前とちがい、中身は {wanted} 形式ではありません</translation>
+    </message>
+    <message>
+        <source>it is too large for a style</source>
+        <translation>スタイルのファイルとしては大きすぎます</translation>
+    </message>
+    <message>
+        <source>it is too large for one</source>
+        <translation>大きすぎます</translation>
+    </message>
+    <message>
+        <source>it is too large for shortcuts</source>
+        <translation>ショートカットのファイルとしては大きすぎます</translation>
+    </message>
+    <message>
+        <source>it lasts {count} frames, more than the {most_frames} that are read</source>
+        <translation>長さが {count} フレームあり、読み込める {most_frames} フレームを超えています</translation>
+    </message>
+    <message>
+        <source>it names a device</source>
+        <translation>デバイス名です</translation>
+    </message>
+    <message>
+        <source>it names a drive of another computer</source>
+        <translation>ほかのコンピューターのドライブを指しています</translation>
+    </message>
+    <message>
+        <source>it names more than {most_commands} commands</source>
+        <translation>コマンドが {most_commands} を超えています</translation>
+    </message>
+    <message>
+        <source>it refers to {name!r} outside its own folder, which is not followed</source>
+        <translation>フォルダの外の {name!r} を参照しているため読み込みません</translation>
+    </message>
+    <message>
+        <source>it uses sparse accessors, which are not read</source>
+        <translation>疎アクセサーには対応していません</translation>
+    </message>
+    <message>
+        <source>it would exceed the file size limit</source>
+        <translation>ファイルサイズの上限を超えます</translation>
+    </message>
+    <message>
+        <source>its buffers are larger than {megabytes} MB or too many</source>
+        <translation>バッファが {megabytes} MB を超えているか、数が多すぎます</translation>
+    </message>
+    <message>
+        <source>its description is larger than {megabytes} MB</source>
+        <translation>記述部が {megabytes} MB を超えています</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>そのフォルダーがありません</translation>
+    </message>
+    <message>
+        <source>its groups are nested too deep</source>
+        <translation>グループの階層が深すぎます</translation>
+    </message>
+    <message>
+        <source>its links lead in a circle</source>
+        <translation>リンクが循環しています</translation>
+    </message>
+    <message>
+        <source>its name is not valid text: please rename it</source>
+        <translation>名前が正しい文字列ではありません。名前を変えてください</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>名前が長すぎます</translation>
+    </message>
+    <message>
+        <source>its pixels cannot be decoded</source>
+        <translation>画素を復号できません</translation>
+    </message>
+    <message>
+        <source>layered frames cannot be written as {format!r}, only as psd or exr</source>
+        <translation>レイヤー付きフレームは {format!r} では書き出せません。psd か exr を選んでください</translation>
+    </message>
+    <message>
+        <source>layers.{layer}: an exposure names a drawing that is not there</source>
+        <translation>layers.{layer}：セル指定に、ない絵が指定されています</translation>
+    </message>
+    <message>
+        <source>layers.{layer}: exposures are out of order</source>
+        <translation>layers.{layer}：セル指定の順序が正しくありません</translation>
+    </message>
+    <message>
+        <source>layers: two layers have the same id</source>
+        <translation>layers：2 つのレイヤーの ID が同じです</translation>
+    </message>
+    <message>
+        <source>layers: two layers have the same name</source>
+        <translation>layers：2 つのレイヤーの名前が同じです</translation>
+    </message>
+    <message>
+        <source>linked: {name!r} cannot be the same for all layers</source>
+        <translation>linked：{name!r} は全レイヤー共通にできません</translation>
+    </message>
+    <message>
+        <source>linked: {name} is not the same for all layers</source>
+        <translation>linked：{name} の値が全レイヤーで同じではありません</translation>
+    </message>
+    <message>
+        <source>markers: markers are out of order</source>
+        <translation>markers：マーカーの順序が正しくありません</translation>
+    </message>
+    <message>
+        <source>more than {most_nodes} layers are in it</source>
+        <translation>レイヤーが {most_nodes} 枚を超えています</translation>
+    </message>
+    <message>
+        <source>more than {most_rows} drawings, exposures and keys</source>
+        <translation>絵とセル指定とキーが合わせて {most_rows} を超えています</translation>
+    </message>
+    <message>
+        <source>no OpenGL 3.3 is to be had without a display: on Debian and Ubuntu install libegl1 libgl1 libgl1-mesa-dri</source>
+        <translation>ディスプレイなしでは OpenGL 3.3 を使えません。Debian と Ubuntu では libegl1 libgl1 libgl1-mesa-dri をインストールしてください</translation>
+    </message>
+    <message>
+        <source>no alpha channel and no white: the whole frame would cast a shadow</source>
+        <translation>アルファチャンネルも白もありません。画面全体が影を落とします</translation>
+    </message>
+    <message>
+        <source>no alpha channel: pure white was taken as clear</source>
+        <translation>アルファチャンネルがありません。純白を透明とみなしました</translation>
+    </message>
+    <message>
+        <source>no file has such a name</source>
+        <translation>そのような名前のファイルはありません</translation>
+    </message>
+    <message>
+        <source>frame none is not in the cut, which has frames 1-{length}</source>
+        <translation>フレームが指定されていません。カットは 1-{length} フレームです</translation>
+    </message>
+    <message>
+        <source>no layer of that name is left for the timesheet&apos;s column {track!r}</source>
+        <translation>タイムシートの列 {track!r} に当たるレイヤーがありません</translation>
+    </message>
+    <message>
+        <source>no space left on the disk</source>
+        <translation>ディスクに空きがありません</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>notes: there is no property {property!r} of layer {layer_id!r}</source>
+        <translation>notes：レイヤー {layer_id!r} にプロパティ {property!r} はありません</translation>
+    </message>
+    <message>
+        <source>nothing runs together: there is no perspective in these lines</source>
+        <translation>どの線も交わらず、パースがありません</translation>
+    </message>
+    <message>
+        <source>one of {choices}</source>
+        <translation>次のどれか：{choices}</translation>
+    </message>
+    <message>
+        <source>one of {words}</source>
+        <translation>次のどれか：{words}</translation>
+    </message>
+    <message>
+        <source>one run of &apos;#&apos; is needed where the number stands</source>
+        <translation>番号の位置に「#」の並びが 1 つ要ります</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation>アクセスする権限がありません</translation>
+    </message>
+    <message>
+        <source>set: two pieces have the same id</source>
+        <translation>set：2 つの大道具の ID が同じです</translation>
+    </message>
+    <message>
+        <source>set: two pieces have the same name</source>
+        <translation>set：2 つの大道具の名前が同じです</translation>
+    </message>
+    <message>
+        <source>shadows for After Effects are {formats}, not {format!r}</source>
+        <translation>After Effects 用の影は {formats} です。{format!r} にはできません</translation>
+    </message>
+    <message>
+        <source>the OpenGL context cannot be used on this thread (EGL error {self})</source>
+        <translation>このスレッドでは OpenGL コンテキストを使えません（EGL エラー {self}）</translation>
+    </message>
+    <message>
+        <source>the STS timesheet has no frames</source>
+        <translation>STS タイムシートにフレームがありません</translation>
+    </message>
+    <message>
+        <source>the STS timesheet is cut off</source>
+        <translation>STS タイムシートが途中で切れています</translation>
+    </message>
+    <message>
+        <source>the STS timesheet is cut off: {columns} columns of {length} frames do not fit</source>
+        <translation>STS タイムシートが途中で切れています。{columns} 列 × {length} フレームが入っていません</translation>
+    </message>
+    <message>
+        <source>the camera {camera!r} is for a picture of {camera_aspect:.3f} to 1, the canvas is {aspect:.3f} to 1: the height was kept, the sides differ</source>
+        <translation>カメラ {camera!r} の画面比は {camera_aspect:.3f}:1、キャンバスは {aspect:.3f}:1 です。縦を合わせたので左右の範囲が変わります</translation>
+    </message>
+    <message>
+        <source>the camera {camera!r} moves for {camera_frames} frames, the cut has {cut_frames}</source>
+        <translation>カメラ {camera!r} は {camera_frames} フレーム動きますが、カットは {cut_frames} フレームです</translation>
+    </message>
+    <message>
+        <source>the camera {camera!r} sees nothing of the set where the character stands</source>
+        <translation>カメラ {camera!r} からは、キャラが立つ場所にセットが見えません</translation>
+    </message>
+    <message>
+        <source>the camera {camera!r} sees the ground at {declination:.1f}° on frame {frame}; it can be followed from {low:g}° to {high:g}°</source>
+        <translation>カメラ {camera!r} はフレーム {frame} で地面を {declination:.1f}° に見ています。合わせられるのは {low:g}° から {high:g}° です</translation>
+    </message>
+    <message>
+        <source>the camera {made!r} in it makes no sense</source>
+        <translation>カメラ {made!r} の値が正しくありません</translation>
+    </message>
+    <message>
+        <source>the card is seen edge-on and has no picture for the depth map</source>
+        <translation>カードを真横から見ているため、深度マップに絵がありません</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>ディスクが読み取り専用です</translation>
+    </message>
+    <message>
+        <source>the disk quota is used up</source>
+        <translation>ディスクの割り当てを使い切りました</translation>
+    </message>
+    <message>
+        <source>the disk reports an input/output error</source>
+        <translation>ディスクの入出力エラーです</translation>
+    </message>
+    <message>
+        <source>the drawings of {layer!r} are no gap-free sequence, so they were copied</source>
+        <translation>{layer!r} の絵は番号の続いた連番ではないため、コピーしました</translation>
+    </message>
+    <message>
+        <source>the drawings of {layer!r} have no alpha, so they were copied with it</source>
+        <translation>{layer!r} の絵にはアルファがないため、アルファ付きでコピーしました</translation>
+    </message>
+    <message>
+        <source>the file is cut short</source>
+        <translation>ファイルが途中で切れています</translation>
+    </message>
+    <message>
+        <source>the file is damaged (a checksum is wrong)</source>
+        <translation>ファイルが壊れています（チェックサムが合いません）</translation>
+    </message>
+    <message>
+        <source>the file is damaged (an impossible header)</source>
+        <translation>ファイルが壊れています（ヘッダーの値がありえません）</translation>
+    </message>
+    <message>
+        <source>the file is damaged (it has no header)</source>
+        <translation>ファイルが壊れています（ヘッダーがありません）</translation>
+    </message>
+    <message>
+        <source>the file is damaged at the layer {layer!r} or of an unknown kind ({cause})</source>
+        <translation>レイヤー {layer!r} のところでファイルが壊れているか、未知の種類です（{cause}）</translation>
+    </message>
+    <message>
+        <source>the file is damaged or of an unknown kind ({cause})</source>
+        <translation>ファイルが壊れているか、未知の種類です（{cause}）</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>ファイルが空です</translation>
+    </message>
+    <message>
+        <source>the graphics driver cannot draw a picture of {width_px}x{height_px} px ({form})</source>
+        <translation>グラフィックスドライバーは {width_px}x{height_px} px の絵を描けません（{form}）</translation>
+    </message>
+    <message>
+        <source>the graphics driver failed while {doing}: {error}</source>
+        <translation>グラフィックスドライバーが失敗しました（{doing}）：{error}</translation>
+    </message>
+    <message>
+        <source>the graphics driver gives no OpenGL context beside the window</source>
+        <translation>グラフィックスドライバーからウィンドウの外の OpenGL コンテキストを得られません</translation>
+    </message>
+    <message>
+        <source>the graphics driver offers OpenGL {version} ({renderer}); Kagezou needs 3.3: update the driver</source>
+        <translation>グラフィックスドライバーの OpenGL は {version}（{renderer}）です。Kagezou には 3.3 が要ります。ドライバーを更新してください</translation>
+    </message>
+    <message>
+        <source>the graphics driver offers OpenGL {version}; Kagezou needs 3.3: update the driver</source>
+        <translation>グラフィックスドライバーの OpenGL は {version} です。Kagezou には 3.3 が要ります。ドライバーを更新してください</translation>
+    </message>
+    <message>
+        <source>the graphics driver refuses {name}: {glgetprograminfolog}</source>
+        <translation>グラフィックスドライバーが {name} を受け付けません：{glgetprograminfolog}</translation>
+    </message>
+    <message>
+        <source>the graphics driver refuses {name}: {log}</source>
+        <translation>グラフィックスドライバーが {name} を受け付けません：{log}</translation>
+    </message>
+    <message>
+        <source>the key {name!r} is missing</source>
+        <translation>キー {name!r} がありません</translation>
+    </message>
+    <message>
+        <source>the key {name!r} is no property that a style can set</source>
+        <translation>キー {name!r} はスタイルで設定できるプロパティではありません</translation>
+    </message>
+    <message>
+        <source>the key {name} is not known</source>
+        <translation>キー {name} は知られていません</translation>
+    </message>
+    <message>
+        <source>the key {twice} stands twice in one object</source>
+        <translation>1 つのオブジェクトにキー {twice} が 2 回あります</translation>
+    </message>
+    <message>
+        <source>the lamp stands within the card: its depth map cannot hold what lies around it</source>
+        <translation>ランプがカードの中にあります。深度マップには周りを収められません</translation>
+    </message>
+    <message>
+        <source>the layer has no drawings</source>
+        <translation>レイヤーに絵がありません</translation>
+    </message>
+    <message>
+        <source>the layer {layer!r} cannot be named in a job: it has braces</source>
+        <translation>レイヤー {layer!r} は名前に波かっこがあるため、ジョブで指定できません</translation>
+    </message>
+    <message>
+        <source>the names of the groups around {name!r} are too long</source>
+        <translation>{name!r} を含むグループの名前が長すぎます</translation>
+    </message>
+    <message>
+        <source>the number {text} is out of range</source>
+        <translation>数 {text} は範囲を超えています</translation>
+    </message>
+    <message>
+        <source>the operation is not permitted</source>
+        <translation>この操作は許可されていません</translation>
+    </message>
+    <message>
+        <source>the place to stand on is behind the camera {camera!r} on frame {frame}</source>
+        <translation>フレーム {frame} で、立つ場所がカメラ {camera!r} の後ろにあります</translation>
+    </message>
+    <message>
+        <source>the set is not before the camera on every frame</source>
+        <translation>セットがカメラの前にないフレームがあります</translation>
+    </message>
+    <message>
+        <source>there are no triangles in it</source>
+        <translation>三角形がひとつもありません</translation>
+    </message>
+    <message>
+        <source>there are no triangles in it but some without an area</source>
+        <translation>面積のない三角形しかありません</translation>
+    </message>
+    <message>
+        <source>there is already a layer named {name!r}</source>
+        <translation>{name!r} という名前のレイヤーはすでにあります</translation>
+    </message>
+    <message>
+        <source>there is already a set piece named {name!r}</source>
+        <translation>{name!r} という名前の大道具はすでにあります</translation>
+    </message>
+    <message>
+        <source>there is an export preset {name!r} already</source>
+        <translation>書き出しプリセット {name!r} はすでにあります</translation>
+    </message>
+    <message>
+        <source>there is no OpenGL context to draw with</source>
+        <translation>描画に使う OpenGL コンテキストがありません</translation>
+    </message>
+    <message>
+        <source>there is no layer {address!r} in it</source>
+        <translation>レイヤー {address!r} がありません</translation>
+    </message>
+    <message>
+        <source>there is no layer {name!r} in this project, only {others}</source>
+        <translation>このプロジェクトにレイヤー {name!r} はありません（あるのは {others} だけです）</translation>
+    </message>
+    <message>
+        <source>there is no layer {name!r} in this project, only none at all</source>
+        <translation>このプロジェクトにレイヤー {name!r} はありません（レイヤーがひとつもありません）</translation>
+    </message>
+    <message>
+        <source>After Effects</source>
+        <translation>After Effects</translation>
+    </message>
+    <message>
+        <source>Layered frames</source>
+        <translation>レイヤー付きフレーム</translation>
+    </message>
+    <message>
+        <source>Render farm job</source>
+        <translation>レンダーファームのジョブ</translation>
+    </message>
+    <message>
+        <source>Shadow layers</source>
+        <translation>影レイヤー</translation>
+    </message>
+    <message>
+        <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
+        <translation>動画の書き出しには PyAV が必要です: pip install &apos;kagezou[video]&apos;</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>動画</translation>
+    </message>
+    <message>
+        <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>
+        <translation>このプロジェクトにレイヤー {name!r} はありません（{near!r} ではありませんか？）</translation>
+    </message>
+    <message>
+        <source>there is no matte {matte!r}, only {mattes}</source>
+        <translation>{matte!r} というマットはありません。あるのは {mattes} だけです</translation>
+    </message>
+    <message>
+        <source>there is no picture in this folder</source>
+        <translation>このフォルダーに画像がありません</translation>
+    </message>
+    <message>
+        <source>there is no picture yet</source>
+        <translation>まだ絵がありません</translation>
+    </message>
+    <message>
+        <source>there is no property {path!r} in this project</source>
+        <translation>このプロジェクトにプロパティ {path!r} はありません</translation>
+    </message>
+    <message>
+        <source>there is no property {path!r} in this project; did you mean {near}?</source>
+        <translation>このプロジェクトにプロパティ {path!r} はありません（{near} ではありませんか？）</translation>
+    </message>
+    <message>
+        <source>there is no such layer</source>
+        <translation>そのようなレイヤーはありません</translation>
+    </message>
+    <message>
+        <source>there is no such property</source>
+        <translation>そのようなプロパティはありません</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this set</source>
+        <translation>このセットを読み込むにはメモリが足りません</translation>
+    </message>
+    <message>
+        <source>there is nothing to render: the project has no visible character layer</source>
+        <translation>レンダリングするものがありません。表示されているキャラクターのレイヤーがありません</translation>
+    </message>
+    <message>
+        <source>these lines cannot be square to each other on one floor</source>
+        <translation>この線の組は同じ床の上で直交しません</translation>
+    </message>
+    <message>
+        <source>this is no set that can be read, only {mesh_suffixes}</source>
+        <translation>読み込めるセットではありません。対応形式は {mesh_suffixes} です</translation>
+    </message>
+    <message>
+        <source>this point of the set is not before the camera on every frame</source>
+        <translation>セットのこの点がカメラの前にないフレームがあります</translation>
+    </message>
+    <message>
+        <source>this project needs Kagezou {program} or newer (format version {number}); this is Kagezou {own}</source>
+        <translation>このプロジェクトには Kagezou {program} 以降が要ります（形式のバージョン {number}）。これは Kagezou {own} です</translation>
+    </message>
+    <message>
+        <source>this project needs a newer Kagezou (format version {number}); this is Kagezou {own}</source>
+        <translation>このプロジェクトには新しい Kagezou が要ります（形式のバージョン {number}）。これは Kagezou {own} です</translation>
+    </message>
+    <message>
+        <source>timed by {path}</source>
+        <translation>タイミングは {path} から取りました</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true または false</translation>
+    </message>
+    <message>
+        <source>video needs PyAV, which is not installed: pip install &apos;kagezou[video]&apos;</source>
+        <translation>動画には PyAV が要りますが、入っていません：pip install &apos;kagezou[video]&apos;</translation>
+    </message>
+    <message>
+        <source>with {megabytes} MB it is larger than can be read</source>
+        <translation>{megabytes} MB は大きすぎて読み込めません</translation>
+    </message>
+    <message>
+        <source>work_area: frames {first} to {last} are no stretch of time</source>
+        <translation>work_area：フレーム {first} から {last} は時間の範囲になっていません</translation>
+    </message>
+    <message>
+        <source>{cause}</source>
+        <translation>{cause}</translation>
+    </message>
+    <message>
+        <source>{count} drawings are missing: {names}</source>
+        <translation>{count} 枚の絵が見つかりません：{names}</translation>
+    </message>
+    <message>
+        <source>{folder}: the drawings of {layer!r} lie there themselves and would be replaced by their copies; please choose another folder</source>
+        <translation>{folder}：{layer!r} の絵そのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
+    </message>
+    <message>
+        <source>{folder}: {files} files need at least {needed} MB, but only {free} MB are free on the disk</source>
+        <translation>{folder}：{files} 個のファイルには {needed} MB 以上が要りますが、ディスクの空きは {free} MB しかありません</translation>
+    </message>
+    <message>
+        <source>{format} frames have {depths} bits a channel, not {depth}</source>
+        <translation>{format} のフレームは 1 チャンネル {depths} ビットです。{depth} にはできません</translation>
+    </message>
+    <message>
+        <source>{frame!r}, {component!r} are not a frame and a component, whole numbers from 1</source>
+        <translation>{frame!r}、{component!r} はフレームと成分（1 からの整数）ではありません</translation>
+    </message>
+    <message>
+        <source>{layer} has vector shapes that cannot be drawn</source>
+        <translation>{layer} に描画できないベクターシェイプがあります</translation>
+    </message>
+    <message>
+        <source>{layer}: the timesheet asks for cels that are not among its drawings and stay empty: {missing}{more}</source>
+        <translation>{layer}：タイムシートのセルに当たる絵がなく、空セルになります：{missing}{more}</translation>
+    </message>
+    <message>
+        <source>{layer}: the timesheet has no column for it; it keeps its timing</source>
+        <translation>{layer}：タイムシートに列がありません。タイミングはそのままです</translation>
+    </message>
+    <message>
+        <source>{line}: a key cannot lie on frame {frame}, frames count from 1</source>
+        <translation>{line}：フレーム {frame} にはキーを置けません。フレームは 1 から数えます</translation>
+    </message>
+    <message>
+        <source>{line}: a switch or choice can only be held, not keyed {interpolation}</source>
+        <translation>{line}：スイッチや選択肢のキーは停止だけです。{interpolation} にはできません</translation>
+    </message>
+    <message>
+        <source>{names} and {count} more</source>
+        <translation>{names} ほか {count} 点</translation>
+    </message>
+    <message>
+        <source>{name} cannot be the same for all characters</source>
+        <translation>{name} は全キャラ共通にできません</translation>
+    </message>
+    <message>
+        <source>{name} is not a number of a project</source>
+        <translation>{name} はプロジェクトに使える数ではありません</translation>
+    </message>
+    <message>
+        <source>{name} {value}{unit} ({change}{unit})</source>
+        <translation>{name} {value}{unit} ({change}{unit})</translation>
+    </message>
+    <message>
+        <source>{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; each lies centred on the canvas</source>
+        <translation>{name}：絵の大きさがそろっていません。最初にちがうのは {path} の {width_px} × {height_px} px です。どれもキャンバスの中央に置きます</translation>
+    </message>
+    <message>
+        <source>{name}: its drawings have no alpha; pure white is taken as clear</source>
+        <translation>{name}：絵にアルファがありません。純白を透明とみなします</translation>
+    </message>
+    <message>
+        <source>{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px</source>
+        <translation>{name}：{width} × {height} px の絵が {canvas} px のキャンバスからはみ出しています</translation>
+    </message>
+    <message>
+        <source>{name}: missing {gaps}; the drawing before is held</source>
+        <translation>{name}：{gaps} がありません。前の絵を止めて使います</translation>
+    </message>
+    <message>
+        <source>{name}: the figure reaches the lower edge of its drawing, where the ground was put; if its feet are cut off, move the ground to where they would stand</source>
+        <translation>{name}：人物が絵の下端まで届いているため、そこに地面を置きました。足が切れている場合は、足の立つ位置へ地面を動かしてください</translation>
+    </message>
+    <message>
+        <source>{name}: there is nothing solid in its drawings; the whole canvas was taken as the figure</source>
+        <translation>{name}：絵に不透明な部分がありません。キャンバス全体を人物とみなしました</translation>
+    </message>
+    <message>
+        <source>{name}: these are drawn only after pip install &apos;kagezou[psd]&apos;: {by_extra}</source>
+        <translation>{name}：pip install &apos;kagezou[psd]&apos; をすると描画されるもの：{by_extra}</translation>
+    </message>
+    <message>
+        <source>{name}: these are not drawn: {never}</source>
+        <translation>{name}：描画されないもの：{never}</translation>
+    </message>
+    <message>
+        <source>{name}: {cause}</source>
+        <translation>{name}：{cause}</translation>
+    </message>
+    <message>
+        <source>{name}: {count} drawings cannot be opened</source>
+        <translation>{name}：{count} 枚の絵を開けません</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: {cause}</source>
+        <translation>{path}：読み込めません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path} does not hold shortcuts: it is not UTF-8 text</source>
+        <translation>{path} はショートカットのファイルではありません。UTF-8 のテキストではありません</translation>
+    </message>
+    <message>
+        <source>{path} does not hold shortcuts: {cause}</source>
+        <translation>{path} はショートカットのファイルではありません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path} is not a style: {cause}</source>
+        <translation>{path} はスタイルではありません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path} is not an export preset: {cause}</source>
+        <translation>{path} は書き出しプリセットではありません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: &apos;{path_suffix}&apos; cannot be written, only {formats}</source>
+        <translation>{path}：「{path_suffix}」では書き出せません。使えるのは {formats} です</translation>
+    </message>
+    <message>
+        <source>{path}: a project cannot name files of a network share it does not lie on; give the share a drive letter or save the project there</source>
+        <translation>{path}：プロジェクトは別のネットワーク共有にあるファイルを指せません。共有にドライブ文字を割り当てるか、プロジェクトをそこに保存してください</translation>
+    </message>
+    <message>
+        <source>{path}: a switch or choice can only be held</source>
+        <translation>{path}：スイッチや選択肢のキーは停止だけです</translation>
+    </message>
+    <message>
+        <source>{path}: a video ends in .mp4 or .mov</source>
+        <translation>{path}：動画の拡張子は .mp4 か .mov です</translation>
+    </message>
+    <message>
+        <source>{path}: beside it there are no drawings of its columns ({names}): neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups</source>
+        <translation>{path}：そばに列（{names}）の絵がありません。その名前のフォルダも A_0001.png のような画像も、その名前のグループを持つ PSD もありません</translation>
+    </message>
+    <message>
+        <source>{path}: cannot be removed: {cause}</source>
+        <translation>{path}：削除できません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: cannot be saved: {cause}</source>
+        <translation>{path}：保存できません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: cannot be written: no space left on the disk</source>
+        <translation>{path}：書き込めません：ディスクに空きがありません</translation>
+    </message>
+    <message>
+        <source>{path}: cannot be written: {cause}</source>
+        <translation>{path}：書き込めません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: every layer in it is hidden or empty</source>
+        <translation>{path}：すべてのレイヤーが非表示か空です</translation>
+    </message>
+    <message>
+        <source>{path}: keys are out of order</source>
+        <translation>{path}：キーの順序が正しくありません</translation>
+    </message>
+    <message>
+        <source>{path}: layers are written as {layered_formats}</source>
+        <translation>{path}：レイヤー付きは {layered_formats} で書き出します</translation>
+    </message>
+    <message>
+        <source>{path}: left out, as they are empty: {names}</source>
+        <translation>{path}：空のため読み込まなかったもの：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: left out, as they are hidden: {names}</source>
+        <translation>{path}：非表示のため読み込まなかったもの：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: left out, as they have no number: {names}</source>
+        <translation>{path}：番号がないため使わなかった画像：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: the drawing is missing</source>
+        <translation>{path}：絵が見つかりません</translation>
+    </message>
+    <message>
+        <source>{path}: the kept work is damaged: {cause}</source>
+        <translation>{path}：退避した作業が壊れています：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: the layer {layer!r} was left out, as there is a background already</source>
+        <translation>{path}：背景がすでにあるため、レイヤー {layer!r} は読み込みませんでした</translation>
+    </message>
+    <message>
+        <source>{path}: the set is missing</source>
+        <translation>{path}：セットが見つかりません</translation>
+    </message>
+    <message>
+        <source>{path}: there is no camera {camera!r} in it, only none at all</source>
+        <translation>{path}：カメラ {camera!r} はありません。ほかのカメラもありません</translation>
+    </message>
+    <message>
+        <source>{path}: there is no camera {camera!r} in it, only {known}</source>
+        <translation>{path}：カメラ {camera!r} はありません。あるのは {known} です</translation>
+    </message>
+    <message>
+        <source>{path}: these are no rules of path mapping: {cause}</source>
+        <translation>{path}：パスマッピングの規則ではありません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: {cause}</source>
+        <translation>{path}：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: {path_2} has the same number</source>
+        <translation>{path}：{path_2} と番号が同じです</translation>
+    </message>
+    <message>
+        <source>{path}: {where}: {problem}</source>
+        <translation>{path}：{where}：{problem}</translation>
+    </message>
+    <message>
+        <source>{path}: {where}: {value!r} is not kept in its canonical form</source>
+        <translation>{path}：{where}：{value!r} は標準の形で保存されていません</translation>
+    </message>
+    <message>
+        <source>{place}: {cause}</source>
+        <translation>{place}：{cause}</translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a number; type 12.5, *2, /3, +10, -=10 or 50%</source>
+        <translation>{text!r} は数ではありません。12.5、*2、/3、+10、-=10、50% のように入力してください</translation>
+    </message>
+    <message>
+        <source>{text!r} is not one of {words}</source>
+        <translation>{text!r} は使えません。次のどれかにしてください：{words}</translation>
+    </message>
+    <message>
+        <source>{text!r} is not {what}</source>
+        <translation>{text!r} は使えません（使えるのは {what}）</translation>
+    </message>
+    <message>
+        <source>{typed!r} is not a frame; type 84, 3+12, 3:12 or +6</source>
+        <translation>{typed!r} はフレームではありません。84、3+12、3:12、+6 のように入力してください</translation>
+    </message>
+    <message>
+        <source>{value} is not {wanted}</source>
+        <translation>{value} は使えません（使えるのは {wanted}）</translation>
+    </message>
+    <message>
+        <source>{wanted}, each within ±{most_coordinate_px:g}</source>
+        <translation>{wanted}、それぞれ ±{most_coordinate_px:g} 以内</translation>
+    </message>
+    <message>
+        <source>{width} × {height} px is larger than can be read</source>
+        <translation>{width} × {height} px は大きすぎて読み込めません</translation>
+    </message>
+    <message>
+        <source>{words}</source>
+        <translation>{words}</translation>
+    </message>
+    <message>
+        <source>{workers} workers are not 1 to {most_workers}</source>
+        <translation>ワーカー数 {workers} は 1～{most_workers} の範囲にありません</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <comment>a set piece to walk up</comment>
+        <translation>階段</translation>
+    </message>
+</context>
+<context>
     <name>MessageBar</name>
     <message>
         <source>Dismiss</source>
@@ -2086,10 +3782,34 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
-    <name>PictureWidget</name>
+    <name>OpenProject</name>
     <message>
-        <source>The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.</source>
-        <translation>グラフィックスドライバーは OpenGL %1 です。Kagezou には 3.3 が必要です。ドライバーを更新してください。</translation>
+        <source>New from cels</source>
+        <translation>セルから新規作成</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>保存していない作業を復元</translation>
+    </message>
+    <message>
+        <source>Import character</source>
+        <translation>キャラクターを読み込み</translation>
+    </message>
+    <message>
+        <source>New from timesheet</source>
+        <translation>タイムシートから新規作成</translation>
+    </message>
+    <message>
+        <source>the work area</source>
+        <translation>ワークエリア</translation>
+    </message>
+    <message>
+        <source>Apply timesheet</source>
+        <translation>タイムシートを適用</translation>
+    </message>
+    <message>
+        <source>Set background</source>
+        <translation>背景を設定</translation>
     </message>
 </context>
 <context>
@@ -2828,6 +4548,17 @@ Drop a folder of cels here.</source>
     <message>
         <source>(slow)</source>
         <translation>（遅れ）</translation>
+    </message>
+</context>
+<context>
+    <name>UnforeseenErrors</name>
+    <message>
+        <source>Something went wrong inside the program (%1). Save your project. Details: %2</source>
+        <translation>プログラム内部で問題が起きました（%1）。プロジェクトを保存してください。詳細：%2</translation>
+    </message>
+    <message>
+        <source>no log could be written</source>
+        <translation>ログを書き込めませんでした</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,7 @@ from kagezou.cli.terminal import Json
 from kagezou.cli.verbs import demo, doctor
 from kagezou.errors import GraphicsProblem
 from kagezou.io.images.reading import read_cel
+from kagezou.message import Message
 from kagezou.render.gpu.context import GraphicsContext
 from tests.cli.projects import Shell, make_drawings
 
@@ -73,7 +74,7 @@ class Terminal(io.StringIO):
 
 
 def no_opengl() -> GraphicsContext:
-    raise GraphicsProblem("no OpenGL 3.3 is to be had")
+    raise GraphicsProblem(Message("no OpenGL 3.3 is to be had"))
 
 
 def test_render_without_opengl_is_told(shell: Shell, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:

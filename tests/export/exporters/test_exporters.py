@@ -10,7 +10,6 @@ import pytest
 from kagezou.cli.main import VERBS
 from kagezou.document import review
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import UsageProblem
 from kagezou.export.choices import ExportChoices, Place
@@ -21,6 +20,7 @@ from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS, ShadowLayers
 from kagezou.export.exporters.table import EXPORTERS, AnyExporter, exporter_of, sound
 from kagezou.export.exporters.video_file import VIDEO_FILE
 from kagezou.io.project.file import save
+from kagezou.message import Message
 from kagezou.render.gpu.context import open_headless_context
 from tests.export.small_cuts import cut, with_values
 
@@ -64,14 +64,14 @@ def test_the_command_line_makes_each_too(exporter: AnyExporter) -> None:
 
 
 def test_an_exporter_that_lacks_a_part_is_none() -> None:
-    with pytest.raises(TypeError, match="words"):
+    with pytest.raises(TypeError, match="label"):
         ShadowLayers(key="new", verb="new", options=frozenset())  # type: ignore[call-arg]
 
     class Unfinished(NumberedFrames):
         pass
 
     with pytest.raises(TypeError, match="abstract"):
-        Unfinished(key="new", words=Words("New", "新"), verb="new", options=frozenset())  # type: ignore[abstract]
+        Unfinished(key="new", label=Message("New"), verb="new", options=frozenset())  # type: ignore[abstract]
     assert issubclass(NumberedFrames, Exporter)
 
 
@@ -86,7 +86,7 @@ def test_what_the_preview_says_is_what_is_written(
     choices = sound(choices)
     lines = exporter.preview(document, choices, place)
     outcome = carried_out(exporter, document, choices, place)
-    assert (outcome.problem, outcome.cancelled, outcome.written) == ("", False, outcome.files)
+    assert (outcome.problem, outcome.cancelled, outcome.written) == (None, False, outcome.files)
     seen = {line.split("  ")[0] for line in lines if not line.startswith("    ")}
     for line in lines:
         if found := re.fullmatch(r"([^ ].*)/  (\d+) × (\.\w+)", line):
@@ -130,5 +130,4 @@ def test_a_video_that_cannot_be_written_here_says_what_is_missing(monkeypatch: p
     monkeypatch.setattr("kagezou.export.exporters.video_file.is_there", lambda: False)
     lacking = VIDEO_FILE.lacks()
     assert lacking is not None
-    assert "kagezou[video]" in lacking.en
-    assert "kagezou[video]" in lacking.ja
+    assert "kagezou[video]" in str(lacking)

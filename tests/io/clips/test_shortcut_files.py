@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kagezou.document.property import Words
+from kagezou.document.local_name import LocalName
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.clips.shortcut_files import (
     KeySet,
@@ -36,8 +36,10 @@ def test_keys_become_text_and_back(keys: dict[str, list[str]]) -> None:
 
 def test_a_file_is_read_as_it_was_written(tmp_path: Path) -> None:
     path = tmp_path / "mine.json"
-    save_key_set(path, KeySet("mine", Words("Mine", "自分"), {"save": ("Ctrl+S", "F2"), "play": ()}))
-    assert load_key_set(path) == KeySet("mine", Words("Mine", "自分"), {"save": ("Ctrl+S", "F2"), "play": ()})
+    save_key_set(path, KeySet("mine", LocalName("Mine", {"ja": "自分"}), {"save": ("Ctrl+S", "F2"), "play": ()}))
+    assert load_key_set(path) == KeySet(
+        "mine", LocalName("Mine", {"ja": "自分"}), {"save": ("Ctrl+S", "F2"), "play": ()}
+    )
     assert [file.name for file in tmp_path.iterdir()] == ["mine.json"]
 
 

@@ -8,9 +8,9 @@ import pytest
 
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import add_layer, set_key
+from kagezou.document.local_name import LocalName
 from kagezou.document.model import Canvas, Cels, Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
-from kagezou.document.property import Words
 from kagezou.document.style import LINES, Style, apply_style, style_of
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.geometry.box import Box
@@ -32,7 +32,7 @@ class TestBundled:
     def test_all_looks_are_there_in_both_languages(self) -> None:
         names = [each.style.name.en for each in bundled_styles()]
         assert names == ["Natural", "Simple", "Round shadow", "Long evening", "Water", "Torn water", "High key"]
-        assert all(each.style.name.ja != each.style.name.en for each in bundled_styles())
+        assert all(each.style.name.in_language("ja") != each.style.name.en for each in bundled_styles())
 
     def test_each_replaces_the_one_before_wholly(self) -> None:
         """What one style sets the next sets too, so that nothing of the first is left."""
@@ -44,7 +44,7 @@ class TestBundled:
 
 class TestApplying:
     def test_lengths_grow_with_the_character(self) -> None:
-        style = Style(Words("a", "a"), 500.0, MappingProxyType({"shadow.simplify": 30.0, "shadow.opacity": 0.4}))
+        style = Style(LocalName("a"), 500.0, MappingProxyType({"shadow.simplify": 30.0, "shadow.opacity": 0.4}))
         tall = apply_style(document(1000), "layer-1", style, 1)
         assert (value(tall, "shadow.simplify"), value(tall, "shadow.opacity")) == (60.0, 0.4)
         huge = apply_style(document(100_000), "layer-1", style, 1)
@@ -52,7 +52,7 @@ class TestApplying:
 
     def test_what_is_keyed_gets_a_key(self) -> None:
         keyed = set_key(document(), Address(OF_LAYER["shadow.simplify"], "layer-1"), 1, 5.0)
-        style = Style(Words("a", "a"), 500.0, MappingProxyType({"shadow.simplify": 30.0}))
+        style = Style(LocalName("a"), 500.0, MappingProxyType({"shadow.simplify": 30.0}))
         after = apply_style(keyed, "layer-1", style, 9)
         assert [value(after, "shadow.simplify", frame) for frame in (1, 5, 9)] == [5.0, 17.5, 30.0]
 
@@ -75,7 +75,7 @@ class TestOwn:
         (tmp_path / "a.json").write_text("{")
         (tmp_path / "b.json").write_text(json.dumps(GOOD))
         found, problems = own_styles(tmp_path)
-        assert [each.style.name.ja for each in found] == ["自分"]
+        assert [each.style.name.in_language("ja") for each in found] == ["自分"]
         assert len(problems) == 1
         assert "a.json" in str(problems[0])
         assert own_styles(tmp_path / "none") == ((), ())
@@ -83,10 +83,10 @@ class TestOwn:
     @pytest.mark.parametrize("name", ["", "   ", "x" * 81])
     def test_not_every_name_is_one(self, tmp_path: Path, name: str) -> None:
         with pytest.raises(UsageProblem):
-            save_style(tmp_path, Style(Words(name, name), 500.0, MappingProxyType({})))
+            save_style(tmp_path, Style(LocalName(name), 500.0, MappingProxyType({})))
 
     def test_a_name_stays_in_its_folder(self, tmp_path: Path) -> None:
-        path = save_style(tmp_path / "styles", Style(Words("../x/y", "z"), 500.0, MappingProxyType({})))
+        path = save_style(tmp_path / "styles", Style(LocalName("../x/y"), 500.0, MappingProxyType({})))
         assert path.parent == tmp_path / "styles"
 
 

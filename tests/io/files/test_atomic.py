@@ -240,7 +240,7 @@ LIMITED = """
 import resource, sys
 from pathlib import Path
 from kagezou.errors import DiskFullProblem
-from kagezou.io.atomic import write_bytes
+from kagezou.io.files.atomic import write_bytes
 resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
 try:
     write_bytes(Path(sys.argv[1]), bytes(200_000))
@@ -261,7 +261,7 @@ def test_a_real_size_limit_keeps_the_old_file(tmp_path: Path) -> None:
 SAVING = """
 import hashlib, sys
 from pathlib import Path
-from kagezou.io.atomic import write_bytes
+from kagezou.io.files.atomic import write_bytes
 path = Path(sys.argv[1])
 for turn in range(1_000_000):
     body = str(turn).encode() * 40_000

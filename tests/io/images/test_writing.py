@@ -20,7 +20,14 @@ from kagezou.errors import DiskFullProblem, OutputProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images import oiio_guard
 from kagezou.io.images.reading import read_cel
-from kagezou.io.images.writing import FORMATS, ShadowImage, encode_png, encode_rgba_png, write_rgba, write_shadow
+from kagezou.io.images.writing import (
+    FORMATS,
+    ShadowImage,
+    encode_png,
+    encode_rgba_png,
+    write_rgba,
+    write_shadow,
+)
 from tests.io.images import picture_files as files
 
 Pixels = NDArray[Any]
@@ -262,7 +269,7 @@ from pathlib import Path
 import numpy as np
 from kagezou.errors import OutputProblem
 from kagezou.geometry.box import Box
-from kagezou.io.encode import ShadowImage, write_shadow
+from kagezou.io.images.writing import ShadowImage, write_shadow
 alpha = np.random.default_rng(1).integers(0, 256, (200, 200)).astype(np.uint8)
 resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[2]), int(sys.argv[2])))
 try:

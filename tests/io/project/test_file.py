@@ -154,4 +154,4 @@ def test_the_current_sample_saves_as_the_same_text() -> None:
 
 def test_the_description_of_the_format_is_up_to_date() -> None:
     committed = DESCRIPTION.read_text(encoding="utf-8")
-    assert committed == description(), "run: python -m kagezou.io.project_format"
+    assert committed == description(), "run: python -m kagezou.io.project.format"

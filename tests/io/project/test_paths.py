@@ -62,15 +62,15 @@ def test_refused_on_windows(text: str) -> None:
 
 @pytest.mark.parametrize("text", ["C:/x.png", "D:\\cels\\1.png", "A/1.png", "../bg.png", "/x/y.png", "console.png"])
 def test_allowed_on_windows(text: str) -> None:
-    assert refusal_of(text, windows=True) == ""
+    assert refusal_of(text, windows=True) is None
 
 
 def test_a_drive_is_foreign_elsewhere() -> None:
-    assert refusal_of("C:/x.png", windows=False) == "it names a drive of another computer"
+    assert str(refusal_of("C:/x.png", windows=False)) == "it names a drive of another computer"
 
 
 def test_a_path_has_an_end() -> None:
-    assert refusal_of("a" * 5000, windows=False) == "a path has 1 to 4096 characters"
+    assert str(refusal_of("a" * 5000, windows=False)) == "a path has 1 to 4096 characters"
 
 
 def test_a_file_on_another_drive_is_absolute(monkeypatch: pytest.MonkeyPatch) -> None:

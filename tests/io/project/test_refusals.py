@@ -6,18 +6,26 @@ from typing import Any
 
 import pytest
 
+import kagezou
 from kagezou.errors import ProjectProblem
 from kagezou.io.project import file as project_file
 from kagezou.io.project.file import dumps, load, loads, save
 from tests.documents import FOLDER
 from tests.io.project.small_project import Tree, refusal, small_document, small_tree
 
+OWN = f"Kagezou {kagezou.__version__}"
+
 
 def test_a_newer_project_names_the_version_it_needs() -> None:
     tree = {**small_tree(), "version": 99, "app_version": "7.2.0", "surprise": {}}
     said = refusal(tree)
-    assert "needs a newer Kagezou that knows format version 99 (Kagezou '7.2.0')" in said
-    assert said.startswith("$.version: ")
+    assert said == f"$.version: this project needs Kagezou 7.2.0 or newer (format version 99); this is {OWN}"
+
+
+@pytest.mark.parametrize("made_by", [None, 7, "", "\u202e7.2", "7.2.0" * 100, "<b>7</b>"])
+def test_a_newer_project_is_not_believed_whatever_it_says_of_its_program(made_by: object) -> None:
+    said = refusal({**small_tree(), "version": 99, "app_version": made_by})
+    assert said == f"$.version: this project needs a newer Kagezou (format version 99); this is {OWN}"
 
 
 @pytest.mark.parametrize(

@@ -8,13 +8,15 @@ import pytest
 
 from kagezou.document.model import Canvas, Document
 from kagezou.document.set_pieces import add_piece, copy_piece
-from kagezou.document.set_properties import MESH
 from kagezou.errors import ProjectProblem
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.io.project.file import load, save
 
 
 def with_street(folder: Path) -> Document:
-    return add_piece(Document(Canvas(320, 200)), "street", MESH, {"scale": 12.5, "up": "z"}, folder / "sets" / "a.glb")
+    return add_piece(
+        Document(Canvas(320, 200)), "street", PieceKind.MESH, {"scale": 12.5, "up": "z"}, folder / "sets" / "a.glb"
+    )
 
 
 def test_a_set_is_named_relative_to_its_project_and_moves_with_it(tmp_path: Path) -> None:

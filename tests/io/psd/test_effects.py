@@ -24,11 +24,11 @@ from psd_tools.psd.descriptor import (
 )
 from psd_tools.terminology import Unit
 
-from kagezou.document.model import PicturePart
 from kagezou.io.images.reading import read_cel, read_matte
 from kagezou.io.psd import undrawn as psd_undrawn
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.psd.undrawn import drawn_by_extra
+from kagezou.picture_source import PicturePart
 from tests.psd_files import SIZE, Leaf, block, figure, on_canvas
 
 needs_scipy = pytest.mark.skipif(find_spec("scipy") is None, reason="scipy, of the extra psd, is not installed")

@@ -15,7 +15,6 @@ from PIL import Image, ImageChops
 from psd_tools import PSDImage
 from psd_tools.constants import BlendMode
 
-from kagezou.document.model import PicturePart, PictureSource
 from kagezou.errors import InputProblem
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import probe, read_cel, read_matte
@@ -23,6 +22,7 @@ from kagezou.io.images.writing import write_rgba
 from kagezou.io.psd import file as psd_file
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.psd.tree import addressed
+from kagezou.picture_source import PicturePart, PictureSource
 from tests.psd_files import SIZE, Folder, Leaf, block, figure, on_canvas, write_flat, write_psd
 
 OFFSETS = [(4, 6), (-9, -11), (55, 30), (-100, 0), (0, 200)]

@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 from psd_tools import PSDImage
 from psd_tools.constants import BlendMode, ChannelID
 
-from kagezou.document.model import PicturePart
 from kagezou.geometry.box import Box
-from kagezou.io.images.layered import LayeredImage, LayerPart, write_layered
+from kagezou.io.images.layered import write_layered
 from kagezou.io.images.reading import probe, read_cel
+from kagezou.io.pixels.layers import LayeredImage, LayerPart
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.psd.writing import packed_psd
+from kagezou.picture_source import PicturePart
 
 DTYPES = {8: np.uint8, 16: np.uint16}
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
-from kagezou.document.set_properties import KINDS
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.io.images.writing import ShadowImage
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
@@ -82,10 +82,10 @@ def view(rng: np.random.Generator) -> dict[str, object]:
     }
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", PieceKind)
 @pytest.mark.parametrize("seed", [1, 2])
-def test_every_kind_agrees_with_rays(renderer: Renderer, figure: Path, kind: str, seed: int) -> None:
-    rng = np.random.default_rng(1000 * KINDS.index(kind) + seed)
+def test_every_kind_agrees_with_rays(renderer: Renderer, figure: Path, kind: PieceKind, seed: int) -> None:
+    rng = np.random.default_rng(1000 * list(PieceKind).index(kind) + seed)
     pieces = {"one": random_piece(rng, kind), "wall": {"kind": "wall", "position": [500, 720], "width": 1200}}
     scene = evaluate(in_a_set(figure, pieces, view(rng) | random_light(rng)), 1)
     got = renderer.coverage(scene, scene.layers[0]) / 65535

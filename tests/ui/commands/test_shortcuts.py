@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kagezou.document.property import Words
+from kagezou.document.local_name import LocalName
 from kagezou.io.clips.shortcut_files import KeySet, bundled_key_sets
 from kagezou.ui.commands.fuzzy import score
 from kagezou.ui.commands.shortcut_keys import RESERVED, UNSURE
@@ -22,7 +22,7 @@ MNEMONICS = {"Alt+I", "Alt+E", "Alt+K", "Alt+S", "Alt+V", "Alt+P", "Alt+H"}
 
 
 def set_of(keys: dict[str, tuple[str, ...]]) -> KeySet:
-    return KeySet("", Words("", ""), keys)
+    return KeySet("", LocalName(""), keys)
 
 
 def all_keys(keys: Iterable[tuple[str, ...]]) -> list[str]:

@@ -171,7 +171,7 @@ def test_layers_that_are_chosen_together_have_their_curves_and_linked_ones_once(
     session, document = open_project.bridge.session, open_project.bridge.document
     for name in "AB":
         document = edits.add_layer(document, name, Cels(), Box(0, 0, 9, 9))
-    of_layers = [Address(line, layer.id) for layer in document.layers for line in (OPACITY, SIMPLIFY)]
+    of_layers = [Address(prop, layer.id) for layer in document.layers for prop in (OPACITY, SIMPLIFY)]
     for address in of_layers:
         document = edits.set_key(document, address, 5, 0.5)
     session.edit("Layers", link(document, of_layers[1]))

@@ -35,7 +35,7 @@ def field_of(inspector: Inspector, name: str, index: int = 0) -> ScrubField:
 
 
 def test_the_inspector_has_a_row_for_every_property(inspector: Inspector) -> None:
-    assert {row.address.property for row in inspector.rows} == {line for line in TABLE if line.scope is not Scope.PIECE}
+    assert {row.address.property for row in inspector.rows} == {prop for prop in TABLE if prop.scope is not Scope.PIECE}
 
 
 def test_typing_sets_a_value_as_one_step(qtbot: QtBot, inspector: Inspector, filled: OpenProject) -> None:
@@ -143,8 +143,8 @@ def test_a_choice_a_switch_and_a_colour(inspector: Inspector, filled: OpenProjec
     inspector.row("shadow.blend").enter("normal")
     inspector.row("visible").enter(False)
     inspector.row("shadow.color").enter("#AA0000")
-    for line, value in ((properties.BLEND, "normal"), (properties.VISIBLE, False), (properties.COLOR, "#AA0000")):
-        assert value_of(filled.bridge.document, Address(line, layer_id), 1) == value
+    for prop, value in ((properties.BLEND, "normal"), (properties.VISIBLE, False), (properties.COLOR, "#AA0000")):
+        assert value_of(filled.bridge.document, Address(prop, layer_id), 1) == value
 
 
 def test_layers_are_listed_chosen_hidden_renamed_moved_and_removed(layers: LayerList, filled: OpenProject) -> None:

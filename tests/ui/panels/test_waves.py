@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.project.open_project import OpenProject
@@ -25,13 +25,13 @@ def note(qtbot: QtBot, filled: OpenProject) -> Iterator[WaveNote]:
     yield inspector.waves  # noqa: PT022 - not returned, as the panel around it would go with the fixture
 
 
-def put(open_project: OpenProject, line: Property, value: float) -> None:
-    address = Address(line, open_project.bridge.layer_id)
+def put(open_project: OpenProject, prop: AnyProperty, value: float) -> None:
+    address = Address(prop, open_project.bridge.layer_id)
     open_project.bridge.session.edit("set", set_constant(open_project.bridge.document, address, value))
 
 
-def number(open_project: OpenProject, line: Property) -> float:
-    value = value_of(open_project.bridge.document, Address(line, open_project.bridge.layer_id), 1)
+def number(open_project: OpenProject, prop: AnyProperty) -> float:
+    value = value_of(open_project.bridge.document, Address(prop, open_project.bridge.layer_id), 1)
     assert isinstance(value, float)
     return value
 

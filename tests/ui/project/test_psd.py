@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from kagezou.document.model import PicturePart
+from kagezou.picture_source import PicturePart
 from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.project.dropped_files import arrivals_of, whole_sequence
 from kagezou.ui.project.open_project import OpenProject

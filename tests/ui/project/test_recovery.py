@@ -34,7 +34,7 @@ from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.properties import GROUND_DECLINATION
 from kagezou.ui.application import Application, make_application
-from kagezou.ui.settings import Settings
+from kagezou.ui.system.settings import Settings
 
 folder = Path(sys.argv[1])
 application = make_application()

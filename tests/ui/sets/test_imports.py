@@ -12,7 +12,7 @@ from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant
 from kagezou.document.invariants import check
 from kagezou.document.properties import FOV, GROUND_POSITION, VISIBLE
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.geometry.vectors import Point2
 from kagezou.importing.set_sizing import figure_height
 from kagezou.scene.evaluate import camera_at, evaluate
@@ -37,10 +37,10 @@ def floor(tmp_path: Path) -> Path:
     return path
 
 
-def value(window: MainWindow, line: Property) -> object:
+def value(window: MainWindow, prop: AnyProperty) -> object:
     document = window.open_project.bridge.document
-    piece_id = document.pieces[-1].id if line in lines.SET_LINES and line is not lines.GROUND_RECEIVES else None
-    return value_of(document, Address(line, piece_id=piece_id), 1)
+    piece_id = document.pieces[-1].id if prop in lines.SET_LINES and prop is not lines.GROUND_RECEIVES else None
+    return value_of(document, Address(prop, piece_id=piece_id), 1)
 
 
 def click(qtbot: QtBot, window: MainWindow, canvas_px: Point2) -> None:

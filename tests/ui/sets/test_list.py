@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from kagezou.document import set_properties as s
 from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.edits import set_key
+from kagezou.document.piece_kinds import BUILT_KINDS
 from kagezou.document.set_pieces import add_piece
 from kagezou.ui.curves.curve_list import curves_of, same_in
 from kagezou.ui.sets.list_model import PieceRole
@@ -35,7 +36,7 @@ def steps(window: MainWindow) -> str | None:
 class TestCommands:
     def test_each_kind_is_added_as_a_step_with_its_name_and_worked_on(self, walking: MainWindow) -> None:
         bridge = walking.open_project.bridge
-        for kind in s.BUILT_KINDS:
+        for kind in BUILT_KINDS:
             walking.actions_of[f"add_{kind}"].trigger()
             assert steps(walking) == f"Add {kind}"
             assert bridge.piece_id == bridge.document.pieces[-1].id

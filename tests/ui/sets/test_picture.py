@@ -9,7 +9,7 @@ from kagezou.document import set_properties as s
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.document.set_pieces import add_piece
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, move, place_of
@@ -27,8 +27,8 @@ def furnished(walking: MainWindow) -> MainWindow:
     return walking
 
 
-def value(document: Document, line: Property, piece_id: str = "piece-2") -> object:
-    return value_of(document, Address(line, piece_id=piece_id), 1)
+def value(document: Document, prop: AnyProperty, piece_id: str = "piece-2") -> object:
+    return value_of(document, Address(prop, piece_id=piece_id), 1)
 
 
 def at(window: MainWindow, x: float, y: float) -> QPoint:

@@ -5,13 +5,13 @@ from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, place_of
 
 
-def number(window: MainWindow, line: Property) -> object:
-    return value_of(window.open_project.bridge.document, Address(line), 1)
+def number(window: MainWindow, prop: AnyProperty) -> object:
+    return value_of(window.open_project.bridge.document, Address(prop), 1)
 
 
 def test_lines_take_the_place_of_the_handles_and_find_the_camera(qtbot: QtBot, walking: MainWindow) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from kagezou.errors import InputProblem
+from kagezou.message import Message
 from kagezou.ui.application import Application
 from kagezou.ui.system import unforeseen
 from kagezou.ui.system.settings import Settings
@@ -81,7 +82,7 @@ def test_unforeseen_errors_are_written_down_and_said(
     try:
         watching.watch()
         sys.excepthook(ValueError, ValueError("a defect"), None)
-        sys.excepthook(InputProblem, InputProblem("A_0001.png: it is not there"), None)
+        sys.excepthook(InputProblem, InputProblem(Message("A_0001.png: it is not there")), None)
         thread = threading.Thread(target=lambda: 1 / 0)
         thread.start()
         thread.join()

@@ -9,11 +9,13 @@ from typing import Final
 
 from kagezou.animation.track import Value
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
-from kagezou.document.set_properties import GROUND_RECEIVES, MESH
+from kagezou.document.set_properties import GROUND_RECEIVES
+from kagezou.document.values import value_at
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 
@@ -84,47 +86,56 @@ def _copy_timed(renderer: Renderer) -> float:
 
 
 def _changes(document: Document, hills: Path) -> Iterator[tuple[str, Change]]:
-    layer = document.layers[-1]
+    yield from _changes_of_place(document)
+    yield from _changes_of_shape(document)
+    yield from _changes_on_sets(document, hills)
+    yield "frame step", lambda same, n: (same, 1 + n % same.canvas.length_frames)
+
+
+def _moved_light(document: Document) -> Change:
+    light, height = Address(properties.LIGHT_POSITION), document.layers[-1].figure.height
+    lamp = value_at(document.tracks, properties.LIGHT_POSITION, 1)
+    return _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))
+
+
+def _changes_of_place(document: Document) -> Iterator[tuple[str, Change]]:
+    layer, foot = document.layers[-1], _foot(document)
     height = layer.figure.height
-    foot = ((layer.figure.left + layer.figure.right) / 2, float(layer.figure.bottom))
-    light, ground = Address(properties.LIGHT_POSITION), Address(properties.GROUND_POSITION)
-    grounding, tilt = Address(properties.GROUNDING, layer.id), Address(properties.TILT, layer.id)
-    opacity = Address(properties.OPACITY, layer.id)
-    lamp, place = _numbers(value_of(document, light, 1)), _numbers(value_of(document, ground, 1))
-    yield "light", _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))
+    ground, grounding = Address(properties.GROUND_POSITION), Address(properties.GROUNDING, layer.id)
+    place = value_at(document.tracks, properties.GROUND_POSITION, 1)
+    yield "light", _moved_light(document)
     yield "ground position", _setting(ground, lambda n: (place[0], place[1] + _sweep(n, 0.05 * height)))
     yield "declination", _setting(Address(properties.GROUND_DECLINATION), lambda n: 60.0 + _sweep(n, 12.0))
     yield "roll", _setting(Address(properties.GROUND_ROLL), lambda n: _sweep(n, 6.0))
-    yield "tilt", _setting(tilt, lambda n: _sweep(n, 30.0))
+    yield "tilt", _setting(Address(properties.TILT, layer.id), lambda n: _sweep(n, 30.0))
     yield "grounding point", _setting(grounding, lambda n: ((foot[0] + _sweep(n, 0.1 * height), foot[1]),))
-    yield "opacity", _setting(opacity, lambda n: 0.5 + _sweep(n, 0.4))
+    yield "opacity", _setting(Address(properties.OPACITY, layer.id), lambda n: 0.5 + _sweep(n, 0.4))
+
+
+def _changes_of_shape(document: Document) -> Iterator[tuple[str, Change]]:
+    layer, light = document.layers[-1], _moved_light(document)
     simplify, distance = Address(properties.SIMPLIFY, layer.id), Address(properties.DISTANCE, layer.id)
-    yield "simplify", _setting(simplify, lambda n: 40.0 + _sweep(n, 20.0))
     simplified = _with(document, {simplify: 40.0, distance: 200.0})
-    yield "distance", _upon(simplified, _setting(distance, lambda n: 200.0 + _sweep(n, 60.0)))
-    yield (
-        "light, simplified",
-        _upon(simplified, _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))),
-    )
     first, second = (Address(lines.amplitude, layer.id) for lines in (properties.WAVE1, properties.WAVE2))
     waved = _with(simplified, {first: 10.0, second: 6.0})
-    yield (
-        "light, simplified, waves",
-        _upon(waved, _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))),
-    )
+    yield "simplify", _setting(simplify, lambda n: 40.0 + _sweep(n, 20.0))
+    yield "distance", _upon(simplified, _setting(distance, lambda n: 200.0 + _sweep(n, 60.0)))
+    yield "light, simplified", _upon(simplified, light)
+    yield "light, simplified, waves", _upon(waved, light)
     yield "wave", _upon(waved, _setting(first, lambda n: 10.0 + _sweep(n, 4.0)))
     yield "softness", _setting(Address(properties.SOFTNESS, layer.id), lambda n: 10.0 + _sweep(n, 6.0))
     yield "fade", _setting(Address(properties.FADE, layer.id), lambda n: 600.0 + _sweep(n, 200.0))
-    yield (
-        "light on a set",
-        _upon(
-            _in_a_set(document, foot, height),
-            _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2])),
-        ),
-    )
-    drag = _setting(light, lambda n: (lamp[0] + _sweep(n, 0.3 * height), lamp[1], lamp[2]))
-    yield "light on a mesh set", _upon(_on_hills(document, foot, hills), drag)
-    yield "frame step", lambda same, n: (same, 1 + n % same.canvas.length_frames)
+
+
+def _changes_on_sets(document: Document, hills: Path) -> Iterator[tuple[str, Change]]:
+    foot, height, light = _foot(document), document.layers[-1].figure.height, _moved_light(document)
+    yield "light on a set", _upon(_in_a_set(document, foot, height), light)
+    yield "light on a mesh set", _upon(_on_hills(document, foot, hills), light)
+
+
+def _foot(document: Document) -> tuple[float, float]:
+    figure = document.layers[-1].figure
+    return (figure.left + figure.right) / 2, float(figure.bottom)
 
 
 def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Document:
@@ -136,18 +147,18 @@ def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Doc
         "height": 0.7 * height,
         "angle": -8,
     }
-    document = add_piece(document, "wall", "wall", wall)
+    document = add_piece(document, "wall", PieceKind.WALL, wall)
     for across, back, angle in ((0.2, 0.07, 30), (-0.15, 0.1, 12), (0.08, 0.04, -20)):
         size = {"width": 0.2 * height, "height": 0.13 * height, "depth": 0.13 * height}
         place: dict[str, object] = {"position": [x + across * height, y - back * height], "angle": angle}
-        document = add_piece(document, "box", "box", {**size, **place})
+        document = add_piece(document, "box", PieceKind.BOX, {**size, **place})
     return document
 
 
 def _on_hills(document: Document, foot: tuple[float, float], hills: Path) -> Document:
     """Return the document with the character on hills of a hundred thousand triangles that take the light, too."""
     wide = 1.8 * max(document.canvas.width_px, document.canvas.height_px)
-    document = add_piece(document, "hills", MESH, {"position": [*foot], "scale": wide}, source=hills)
+    document = add_piece(document, "hills", PieceKind.MESH, {"position": [*foot], "scale": wide}, source=hills)
     return set_constant(document, Address(GROUND_RECEIVES), False)  # noqa: FBT003 - a value
 
 
@@ -170,8 +181,3 @@ def _sweep(number: int, reach: float) -> float:
     """Return the value of a round within ±reach, near the one before and unlike every other."""
     turn = (number * 0.0137 + 0.25) % 1.0
     return reach * (4 * abs(turn - 0.5) - 1)
-
-
-def _numbers(value: Value) -> tuple[float, ...]:
-    assert isinstance(value, tuple)
-    return tuple(part for part in value if isinstance(part, float))

@@ -7,7 +7,7 @@ from pathlib import Path
 from statistics import median
 from typing import Final
 
-from kagezou.document.model import Document, PictureSource
+from kagezou.document.model import Document
 from kagezou.export.frames import export_frames
 from kagezou.export.planning import planned
 from kagezou.export.request import ExportRequest
@@ -15,6 +15,7 @@ from kagezou.geometry.box import Box
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.images.reading import read_cel, read_matte
 from kagezou.io.images.writing import ShadowImage, encode_png
+from kagezou.picture_source import PictureSource
 from kagezou.render.gpu.context import OpenContext
 
 REPETITIONS: Final = 7

@@ -11,6 +11,7 @@ from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
 from kagezou.cli.terminal import ProgressLine, give, give_json, note
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.export.after_effects.export import HandedOff
@@ -60,7 +61,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:
         give(shown(resource_folder() / "after_effects" / "Kagezou.jsx"))
         return 0
     if options.project is None or options.output is None:
-        raise UsageProblem("export-ae needs PROJECT.kage and -o DIR (see kagezou export-ae --help)")
+        raise UsageProblem(Message("export-ae needs PROJECT.kage and -o DIR (see kagezou export-ae --help)"))
     request = HandOffRequest(
         folder=options.output,
         name=options.name or options.project.stem,
@@ -93,7 +94,7 @@ def _report(done: "HandedOff", *, as_json: bool) -> None:
             "written": sum(each.written for each in done.exports),
             "trusted": sum(each.trusted for each in done.exports),
             "folders": [shown(folder) for each in done.exports for folder in each.folders],
-            "notes": list(done.notes),
+            "notes": [str(each) for each in done.notes],
             "seconds": round(done.seconds, 3),
         })  # fmt: skip
     elif script:

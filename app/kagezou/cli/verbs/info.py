@@ -44,8 +44,8 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
 
 
 def _about(document: "Document") -> dict[str, Json]:
+    from kagezou.document.piece_kinds import kind_of
     from kagezou.document.properties import OF_LAYER
-    from kagezou.document.set_pieces import kind_of
 
     canvas = document.canvas
     return {
@@ -59,7 +59,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "set": [
             {"name": piece.name, "kind": kind_of(piece), **_about_file(document, piece)} for piece in document.pieces
         ],
-        "linked": [line for line in OF_LAYER if line in document.linked],
+        "linked": [name for name in OF_LAYER if name in document.linked],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": list(_missing(document)),
     }
@@ -110,18 +110,18 @@ def _keyed(document: "Document", address: "Address") -> dict[str, Json]:
 
 
 def _background(document: "Document") -> str | None:
-    from kagezou.document.model import file_of
     from kagezou.io.files.faults import shown
+    from kagezou.picture_source import file_of
 
     return None if document.background is None else shown(file_of(document.background))
 
 
 def _missing(document: "Document") -> Iterator[str]:
     """Yield the files that are not there, and the layers that are not in their files."""
-    from kagezou.document.model import PicturePart, file_of
     from kagezou.errors import InputProblem
     from kagezou.io.files.faults import shown
     from kagezou.io.psd.file import has_part
+    from kagezou.picture_source import PicturePart, file_of
 
     sources = [drawing.source for layer in document.layers for drawing in layer.cels.drawings]
     if document.background is not None:
@@ -137,8 +137,8 @@ def _missing(document: "Document") -> Iterator[str]:
 def _lines(document: "Document") -> Iterator[str]:
     from kagezou.animation.frames import format_frames
     from kagezou.document.address import path_of, track_of
+    from kagezou.document.piece_kinds import kind_of
     from kagezou.document.properties import OF_LAYER
-    from kagezou.document.set_pieces import kind_of
     from kagezou.io.files.faults import shown
 
     canvas = document.canvas
@@ -169,24 +169,26 @@ def _property_table(document: "Document") -> Json:
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import addresses, path_of, track_of
     from kagezou.document.property import Kind
+    from kagezou.io.clips.catalogues import messages_in
 
+    japanese = messages_in("ja")
     table: list[Json] = []
     for address in addresses(document):
-        line, track = address.property, track_of(document, address)
+        prop, track = address.property, track_of(document, address)
         row: dict[str, Json] = {
             "path": path_of(document, address),
-            "kind": line.kind.value,
-            "unit": line.unit,
-            "default": json_of_value(line.default),
+            "kind": prop.kind.value,
+            "unit": prop.unit,
+            "default": json_of_value(prop.default),
             "value": None if track.is_keyed else json_of_value(track.constant),
             "keys": json_of_keys(track),
-            "help": line.help.en,
-            "help_ja": line.help.ja,
+            "help": str(prop.help),
+            "help_ja": prop.help.formatted(japanese),
         }
-        if line.kind is Kind.NUMBER:
-            row["range"] = [json_of_value(line.low), json_of_value(line.high)]
-        if line.choices:
-            row["choices"] = list(line.choices)
+        if prop.kind is Kind.NUMBER:
+            row["range"] = [json_of_value(prop.low), json_of_value(prop.high)]
+        if prop.choices:
+            row["choices"] = list(prop.choices)
         table.append(row)
     return table
 
@@ -199,11 +201,11 @@ def _property_lines(document: "Document") -> Iterator[str]:
     from kagezou.document.property import Kind
 
     for address in addresses(document):
-        line, track = address.property, track_of(document, address)
+        prop, track = address.property, track_of(document, address)
         count = len(track.keys)
         value = json.dumps(json_of_value(track.constant), ensure_ascii=False)
         shown = f"{count} key{'s' * (count != 1)}" if track.is_keyed else value
-        allowed = " | ".join(line.choices) or (f"{line.low:g} to {line.high:g}" if line.kind is Kind.NUMBER else "")
-        limits = " ".join(part for part in (allowed, line.unit) if part)
+        allowed = " | ".join(prop.choices) or (f"{prop.low:g} to {prop.high:g}" if prop.kind is Kind.NUMBER else "")
+        limits = " ".join(part for part in (allowed, prop.unit) if part)
         yield f"{path_of(document, address)} = {shown}" + (f"  ({limits})" if limits else "")
-        yield f"    {line.help.en}"
+        yield f"    {prop.help}"

@@ -7,6 +7,7 @@ from kagezou.cli.arguments import Parser, frame_rate, named_source, project_path
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import note
 from kagezou.errors import OutputProblem
+from kagezou.message import Message
 
 DESCRIPTION = (
     "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', "
@@ -63,7 +64,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
 
     path: Path = options.project
     if path.exists() and not options.force:
-        raise OutputProblem(f"{shown(path)}: it is there already; --force replaces it")
+        raise OutputProblem(Message("{path}: it is there already; --force replaces it", path=shown(path)))
     is_timed = options.timesheet is not None
     sources = [CharacterSource(name, source, is_timed) for name, source in options.character]
     sources += [CharacterSource(None, source) for source in options.psd]

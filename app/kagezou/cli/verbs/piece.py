@@ -8,6 +8,8 @@ from kagezou.cli.arguments import Parser, did_you_mean, point, positive, project
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give, note
 from kagezou.errors import UsageProblem
+from kagezou.geometry.sets.measures import PieceKind
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document
@@ -41,7 +43,7 @@ def add_arguments(parser: Parser) -> None:
         "words",
         nargs="*",
         metavar="KIND | NEW_NAME | PROPERTY=JSON",
-        help="to add: wall, box, steps, ramp, cylinder, sphere or mesh, then its properties; to rename: the new name",
+        help=f"to add: {_kinds()}, then its properties; to rename: the new name",
     )
     parser.add_argument("--file", type=Path, metavar="SET.glb", help="the file of a mesh")
     parser.add_argument("--camera", metavar="NAME", help="the camera of the file that the canvas camera follows")
@@ -66,12 +68,12 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
         _list(before)
         return 0
     if options.name is None:
-        raise UsageProblem(f"which piece is to {options.action}? (see kagezou piece --help)")
+        raise UsageProblem(Message("which piece is to {action}? (see kagezou piece --help)", action=options.action))
     of_mesh = (options.file, options.camera, options.stand, options.up, options.scale)
-    if options.action == "add" and options.words[:1] == ["mesh"]:
+    if options.action == "add" and options.words[:1] == [PieceKind.MESH]:
         after = _imported(before, options)
     elif any(each is not None for each in of_mesh):
-        raise UsageProblem("--file, --camera, --stand, --up and --scale belong to: add NAME mesh")
+        raise UsageProblem(Message("--file, --camera, --stand, --up and --scale belong to: add NAME mesh"))
     else:
         after = _changed(before, options.action, options.name, options.words)
     if after is not before:
@@ -87,10 +89,10 @@ def _changed(document: "Document", action: str, name: str, words: list[str]) -> 
     piece_id = _id_of(document, name)
     if action == "rename":
         if len(words) != 1:
-            raise UsageProblem("rename takes the old name and the new one")
+            raise UsageProblem(Message("rename takes the old name and the new one"))
         return rename_piece(document, piece_id, words[0])
     if words:
-        raise UsageProblem(f"{words[0]!r} is not expected here (see kagezou piece --help)")
+        raise UsageProblem(Message("{words!r} is not expected here (see kagezou piece --help)", words=words[0]))
     return remove_piece(document, piece_id) if action == "remove" else copy_piece(document, piece_id)
 
 
@@ -102,9 +104,9 @@ def _imported(document: "Document", options: Namespace) -> "Document":
     from kagezou.io.sets.mesh_cache import MeshCache
 
     if options.file is None:
-        raise UsageProblem("which file is the mesh to be read from? --file SET.glb")
+        raise UsageProblem(Message("which file is the mesh to be read from? --file SET.glb"))
     if options.camera is not None and options.scale is not None:
-        raise UsageProblem("--camera settles the size of the set: leave out --scale, or the camera")
+        raise UsageProblem(Message("--camera settles the size of the set: leave out --scale, or the camera"))
     values = _values(options.words[1:])
     how = (options.camera, options.stand, options.up, options.scale)
     wanted = SetImport(options.file.absolute(), options.name, *how)
@@ -114,22 +116,34 @@ def _imported(document: "Document", options: Namespace) -> "Document":
     document = imported.document
     for name, value in values.items():
         if name not in OF_PIECE:
-            raise UsageProblem(f"a set piece has no property {name!r}")
+            raise UsageProblem(Message("a set piece has no property {name!r}", name=name))
         document = set_constant(document, Address(OF_PIECE[name], piece_id=imported.piece_id), value)
     return document
 
 
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
     from kagezou.document.set_pieces import add_piece
-    from kagezou.document.set_properties import KINDS
+    from kagezou.document.set_properties import PIECE_KIND
 
     kind = words[0] if words else ""
-    if kind not in KINDS:
-        known = f"one of {', '.join(KINDS)}"
+    if kind not in PIECE_KIND.choices:
+        known = f"one of {', '.join(PIECE_KIND.choices)}"
         raise UsageProblem(
-            f"a set piece is {known}, not {kind!r}{did_you_mean(kind, KINDS)}" if kind else f"add what? {known}"
+            Message(
+                "a set piece is {known}, not {kind!r}{kind_2}",
+                known=known,
+                kind=kind,
+                kind_2=did_you_mean(kind, PIECE_KIND.choices),
+            )
+            if kind
+            else Message("add what? {known}", known=known)
         )
     return add_piece(document, name, kind, _values(words[1:]))
+
+
+def _kinds() -> str:
+    *others, last = PieceKind
+    return f"{', '.join(others)} or {last}"
 
 
 def _values(words: list[str]) -> dict[str, object]:
@@ -137,15 +151,15 @@ def _values(words: list[str]) -> dict[str, object]:
 
     values: dict[str, object] = {}
     for text in words:
-        line, sign, value = text.partition("=")
+        name, sign, value = text.partition("=")
         if not sign:
-            raise UsageProblem(f"{text!r} is not PROPERTY=JSON, such as angle=30")
-        values[line.strip()] = value_of_text(line.strip(), value.strip())
+            raise UsageProblem(Message("{text!r} is not PROPERTY=JSON, such as angle=30", text=text))
+        values[name.strip()] = value_of_text(name.strip(), value.strip())
     return values
 
 
 def _list(document: "Document") -> None:
-    from kagezou.document.set_pieces import kind_of
+    from kagezou.document.piece_kinds import kind_of
     from kagezou.io.files.faults import shown
 
     for piece in document.pieces:
@@ -157,5 +171,7 @@ def _id_of(document: "Document", name: str) -> str:
     names = {piece.name: piece.id for piece in document.pieces}
     if name not in names:
         known = ", ".join(repr(each) for each in names) or "none at all"
-        raise UsageProblem(f"there is no set piece {name!r} in this project, only {known}")
+        raise UsageProblem(
+            Message("there is no set piece {name!r} in this project, only {known}", name=name, known=known)
+        )
     return names[name]

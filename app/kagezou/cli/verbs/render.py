@@ -90,7 +90,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
         summary = exporter.export(document, request, doors.open_context, line.update, interruption.is_set)
         if isinstance(lines, JobLines) and summary.failures:
-            lines.fail(summary.failures[0].sentence)
+            lines.fail(summary.failures[0].message)
     if not options.openjd:
         report(summary, as_json=options.json)
     return verdict(summary, interruption)

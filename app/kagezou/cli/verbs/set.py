@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.document.address import Address
@@ -47,7 +48,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
     from kagezou.io.project.file import load, save
 
     if options.interp is not None and options.frame is None:
-        raise UsageProblem("--interp says how a key goes on and needs --frame")
+        raise UsageProblem(Message("--interp says how a key goes on and needs --frame"))
     interpolation = None if options.interp is None else Interpolation(options.interp)
     before = document = load(options.project)
     for text in options.assignments:
@@ -74,7 +75,9 @@ def _assignment(document: "Document", text: str) -> "tuple[Address, object]":
             raise
         except UsageProblem as unknown:
             problem = problem or unknown
-    raise problem or UsageProblem(f"{text!r} is not PATH=JSON, such as light.position=[1400,-300,900]")
+    raise problem or UsageProblem(
+        Message("{text!r} is not PATH=JSON, such as light.position=[1400,-300,900]", text=text)
+    )
 
 
 def _halves(text: str) -> Iterator[tuple[str, str]]:

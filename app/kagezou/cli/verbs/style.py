@@ -8,6 +8,7 @@ from kagezou.cli.arguments import Parser, did_you_mean, project_path
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give, tell
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document
@@ -39,16 +40,21 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
     styles = _styles()
     if options.style is None:
         if options.project is not None:
-            raise UsageProblem("which style? (kagezou style lists them)")
-        give("\n".join(f"{each.name.en}\t{each.name.ja}" for each in styles.values()))
+            raise UsageProblem(Message("which style? (kagezou style lists them)"))
+        give("\n".join(f"{each.name.en}\t{each.name.in_language('ja')}" for each in styles.values()))
         return 0
     wanted = options.style.casefold()
     style = next(
-        (each for each in styles.values() if wanted in (each.name.en.casefold(), each.name.ja.casefold())), None
+        (
+            each
+            for each in styles.values()
+            if wanted in (each.name.en.casefold(), each.name.in_language("ja").casefold())
+        ),
+        None,
     )
     if style is None:
-        hint = did_you_mean(options.style, list(styles)) or "; kagezou style lists them"
-        raise UsageProblem(f"there is no style {options.style!r}{hint}")
+        hint = did_you_mean(options.style, list(styles)) or Message("; kagezou style lists them")
+        raise UsageProblem(Message("there is no style {style!r}{hint}", style=options.style, hint=hint))
     before = document = load(options.project)
     for layer_id in _layer_ids(document, options.layer):
         document = apply_style(document, layer_id, style, options.frame)
@@ -72,5 +78,5 @@ def _layer_ids(document: "Document", name: str | None) -> list[str]:
     ids = [layer.id for layer in document.layers if name in (None, layer.name)]
     if not ids:
         known = ", ".join(repr(layer.name) for layer in document.layers) or "none at all"
-        raise UsageProblem(f"there is no layer {name!r} in this project, only {known}")
+        raise UsageProblem(Message("there is no layer {name!r} in this project, only {known}", name=name, known=known))
     return ids

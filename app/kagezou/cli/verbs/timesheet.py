@@ -6,6 +6,7 @@ from pathlib import Path
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import give
+from kagezou.message import Message
 
 DESCRIPTION = """\
 Write when which drawing is exposed as a digital timesheet (XDTS), a column for each layer, for Clip Studio Paint,
@@ -34,9 +35,9 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
     project: Path = options.project
     output: Path = options.output
     if output.suffix.lower() != ".xdts":
-        raise UsageProblem(f"{shown(output)}: a timesheet is written as .xdts")
+        raise UsageProblem(Message("{output}: a timesheet is written as .xdts", output=shown(output)))
     if output.exists() and not options.force:
-        raise OutputProblem(f"{shown(output)}: it is there already; --force replaces it")
+        raise OutputProblem(Message("{output}: it is there already; --force replaces it", output=shown(output)))
     write_xdts(output, sheet_of(load(project), project.stem))
     give(shown(output))
     return 0

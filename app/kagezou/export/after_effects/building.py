@@ -8,10 +8,11 @@ from fractions import Fraction
 from pathlib import Path
 
 from kagezou.document import properties
-from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.address import Address, track_of
 from kagezou.document.model import Document, Layer, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.set_properties import SET_BLEND, SET_OPACITY
+from kagezou.document.values import value_at
 from kagezou.export.after_effects import comp as ae
 from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import CelFootage
@@ -119,9 +120,9 @@ def _shadows(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
     """Return the shadow layers, that of the set below those of the characters."""
     made = []
     rate = document.canvas.frame_rate
-    owners = [(SET, "Set", Address(SET_BLEND), Address(SET_OPACITY))]
+    owners = [(SET, "Set", value_at(document.tracks, SET_BLEND, 1), Address(SET_OPACITY))]
     owners += [
-        (layer.id, layer.name, Address(properties.BLEND, layer.id), Address(properties.OPACITY, layer.id))
+        (layer.id, layer.name, value_at(layer.tracks, properties.BLEND, 1), Address(properties.OPACITY, layer.id))
         for layer in document.layers
     ]
     for owner, name, blend, opacity in owners:
@@ -131,7 +132,7 @@ def _shadows(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
                     tag=f"shadow:{owner}",
                     name=f"{name} shadow",
                     footage=f"shadow:{owner}",
-                    blend=str(value_of(document, blend, 1)).upper(),
+                    blend=blend.upper(),
                     opacity=channel_of(track_of(document, opacity), 0, rate, 100.0),
                     remap=_remap(written.rendered[SHADOWS, owner].pictures, rate),
                     markers=_notes(document, owner),
@@ -167,7 +168,7 @@ def _received(document: Document, layer: Layer, written: Written) -> ae.CompLaye
         tag=f"received:{layer.id}",
         name=f"{layer.name} received",
         footage=f"received:{layer.id}",
-        blend=str(value_of(document, Address(properties.BLEND, caster.id), 1)).upper(),
+        blend=value_at(caster.tracks, properties.BLEND, 1).upper(),
         opacity=ae.Channel(100.0),
         remap=_remap(written.rendered[RECEIVED, layer.id].pictures, document.canvas.frame_rate),
     )
@@ -246,8 +247,8 @@ def _markers(document: Document) -> tuple[ae.CompMarker, ...]:
 
 
 def _said(note: Note) -> str:
-    line = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
-    return f"{note.author}{': ' if note.author else ''}{line.label.en}: {note.text}"
+    prop = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
+    return f"{note.author}{': ' if note.author else ''}{prop.label}: {note.text}"
 
 
 def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) -> ae.CompMarker:

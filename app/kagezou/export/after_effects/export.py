@@ -22,6 +22,7 @@ from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.reading import read_cel
 from kagezou.io.images.writing import write_rgba
 from kagezou.io.pixels.signatures import is_psd
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 _AE_LONGEST_S: Final = 10800
@@ -63,9 +64,17 @@ class HandOffRequest:
     def __post_init__(self) -> None:
         for matte in self.mattes:
             if matte not in MATTES:
-                raise UsageProblem(f"there is no matte {matte!r}, only {', '.join(MATTES)}")
+                raise UsageProblem(
+                    Message("there is no matte {matte!r}, only {mattes}", matte=matte, mattes=", ".join(MATTES))
+                )
         if self.format not in FORMATS:
-            raise UsageProblem(f"shadows for After Effects are {' or '.join(FORMATS)}, not {self.format!r}")
+            raise UsageProblem(
+                Message(
+                    "shadows for After Effects are {formats}, not {format!r}",
+                    formats=" or ".join(FORMATS),
+                    format=self.format,
+                )
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +93,7 @@ class HandedOff:
 
     script: Path | None
     exports: tuple[Summary, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
     seconds: float
 
 
@@ -121,11 +130,21 @@ def _check(document: Document) -> None:
     canvas = document.canvas
     low, high = _AE_SIZES_PX
     if not (low <= canvas.width_px <= high and low <= canvas.height_px <= high):
-        raise UsageProblem(f"After Effects has no composition of {canvas.width_px}x{canvas.height_px} px")
+        raise UsageProblem(
+            Message(
+                "After Effects has no composition of {width_px}x{height_px} px",
+                width_px=canvas.width_px,
+                height_px=canvas.height_px,
+            )
+        )
     if not _AE_RATES[0] <= canvas.frame_rate <= _AE_RATES[1]:
-        raise UsageProblem(f"After Effects has no composition of {canvas.frame_rate} frames a second")
+        raise UsageProblem(
+            Message("After Effects has no composition of {frame_rate} frames a second", frame_rate=canvas.frame_rate)
+        )
     if canvas.length_frames / canvas.frame_rate > _AE_LONGEST_S:
-        raise UsageProblem(f"After Effects has no composition of {canvas.length_frames} frames")
+        raise UsageProblem(
+            Message("After Effects has no composition of {length_frames} frames", length_frames=canvas.length_frames)
+        )
 
 
 class _ScriptRun:
@@ -140,7 +159,7 @@ class _ScriptRun:
         self._versions = {each: each.version(document) for each in self.renderings}
         self._all = sum(planned(version, self._frames_of(each)).files for each, version in self._versions.items())
         self.footage: dict[tuple[Rendering, str], RenderedFootage] = {}
-        self.notes: list[str] = []
+        self.notes: list[Message] = []
 
     def export(self, rendering: Rendering, open_context: OpenContext) -> Summary:
         """Render one version of the document."""
@@ -162,8 +181,12 @@ class _ScriptRun:
             folder = self._copies_of(layer)
             if are_within(layer, folder) and referenced(layer, self._document.canvas.length_frames) is None:
                 raise OutputProblem(
-                    f"{shown(folder)}: the drawings of {layer.name!r} lie there themselves and would be replaced by "
-                    "their copies; please choose another folder"
+                    Message(
+                        "{folder}: the drawings of {layer!r} lie there themselves and would be replaced by "
+                        "their copies; please choose another folder",
+                        folder=shown(folder),
+                        layer=layer.name,
+                    )
                 )
 
     def cels(self) -> dict[str, CelFootage]:
@@ -217,11 +240,11 @@ class _ScriptRun:
             self.footage[rendering, sequence.subject.owner] = RenderedFootage(sequence.file(1), count, pictures)
 
 
-def _note_of_copies(layer: Layer, length: int) -> str:
+def _note_of_copies(layer: Layer, length: int) -> Message:
     """Return why drawings that were to stay where they lie were copied."""
     if not have_alpha(layer, length):
-        return f"the drawings of {layer.name!r} have no alpha, so they were copied with it"
-    return f"the drawings of {layer.name!r} are no gap-free sequence, so they were copied"
+        return Message("the drawings of {layer!r} have no alpha, so they were copied with it", layer=layer.name)
+    return Message("the drawings of {layer!r} are no gap-free sequence, so they were copied", layer=layer.name)
 
 
 def _made(folder: Path) -> Path:

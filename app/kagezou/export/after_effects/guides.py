@@ -4,9 +4,10 @@ from collections.abc import Callable
 
 from kagezou.animation.track import Track, components_of
 from kagezou.document import properties
-from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.address import Address, track_of
 from kagezou.document.model import Document, Layer
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
+from kagezou.document.values import value_at
 from kagezou.export.after_effects.channels import baked, channel_of
 from kagezou.export.after_effects.comp import Channel, Null
 from kagezou.geometry.camera import project
@@ -23,7 +24,7 @@ def guides_of(document: Document) -> tuple[Null, ...]:
 
 
 def _ground(document: Document) -> Null:
-    place, roll = (track_of(document, Address(line)) for line in (properties.GROUND_POSITION, properties.GROUND_ROLL))
+    place, roll = (track_of(document, Address(prop)) for prop in (properties.GROUND_POSITION, properties.GROUND_ROLL))
     rate = document.canvas.frame_rate
     sliders = (("Declination", _number(document, properties.GROUND_DECLINATION)),)
     return Null(
@@ -52,7 +53,7 @@ def _light(document: Document) -> Null:
 
 def _is_plain(document: Document) -> bool:
     """Whether the light is a lamp seen without perspective for the whole cut."""
-    fov, kind = (track_of(document, Address(line)) for line in (properties.FOV, properties.LIGHT_KIND))
+    fov, kind = (track_of(document, Address(prop)) for prop in (properties.FOV, properties.LIGHT_KIND))
     flat = not any(key.value for key in fov.keys) if fov.is_keyed else not fov.constant
     lamp = all(key.value == "point" for key in kind.keys) if kind.is_keyed else kind.constant == "point"
     return bool(flat and lamp)
@@ -65,8 +66,7 @@ def _lamp_on_canvas(document: Document, frame: int) -> Point2:
     matrix = camera.canvas_from_world()
     # A lamp behind the eye is seen nowhere.
     if light[3] == 0 or float(matrix[2] @ light) <= 0:
-        x, y = components_of(value_of(document, Address(properties.GROUND_POSITION), frame)) or (0.0, 0.0)
-        return (x, y)
+        return value_at(document.tracks, properties.GROUND_POSITION, frame)
     return project(matrix, light)
 
 
@@ -101,5 +101,5 @@ def _baked(document: Document, place_at: Callable[[int], Point2]) -> tuple[Chann
     )
 
 
-def _number(document: Document, line: Property) -> Channel:
-    return channel_of(track_of(document, Address(line)), 0, document.canvas.frame_rate)
+def _number(document: Document, prop: AnyProperty) -> Channel:
+    return channel_of(track_of(document, Address(prop)), 0, document.canvas.frame_rate)

@@ -10,7 +10,7 @@ from kagezou.document import properties
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, Layer
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty
 from kagezou.document.set_properties import SET_COLOR, SET_OPACITY
 
 MATTES: Final[Mapping[str, str]] = MappingProxyType({
@@ -45,7 +45,7 @@ def matte_document(document: Document, matte: str) -> Document:
     return set_constant(set_constant(document, Address(SET_OPACITY), 1.0), Address(SET_COLOR), _WHITE)
 
 
-def _plain(_layer: Layer) -> dict[Property, Value]:
+def _plain(_layer: Layer) -> dict[AnyProperty, Value]:
     return {
         properties.COLOR: _WHITE,
         properties.TIP_COLOR: _WHITE,
@@ -55,16 +55,16 @@ def _plain(_layer: Layer) -> dict[Property, Value]:
     }
 
 
-def _core(layer: Layer) -> dict[Property, Value]:
+def _core(layer: Layer) -> dict[AnyProperty, Value]:
     height = float(layer.figure.height)
     return {**_plain(layer), properties.FADE: max(height * _CORE_HEIGHT, 1.0), properties.FADE_CURVE: 1.0}
 
 
-def _distance(layer: Layer) -> dict[Property, Value]:
+def _distance(layer: Layer) -> dict[AnyProperty, Value]:
     reach = min(layer.figure.height * _REACH_HEIGHTS, properties.TIP_DISTANCE.high)
     return {**_plain(layer), properties.TIP_COLOR: _BLACK, properties.TIP_DISTANCE: reach}
 
 
-def _changed(layer: Layer, values: dict[Property, Value]) -> Layer:
-    tracks = {**layer.tracks, **{line.name: Track(line.canonical(value)) for line, value in values.items()}}
+def _changed(layer: Layer, values: dict[AnyProperty, Value]) -> Layer:
+    tracks = {**layer.tracks, **{prop.name: Track(prop.canonical(value)) for prop, value in values.items()}}
     return replace(layer, tracks=MappingProxyType(tracks))

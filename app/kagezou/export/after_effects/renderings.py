@@ -9,7 +9,7 @@ from kagezou.document.model import Document
 from kagezou.export import request
 from kagezou.export.after_effects.mattes import at_full_opacity, matte_document
 from kagezou.export.selection import ever_receives
-from kagezou.export.sequences import Sequence
+from kagezou.export.sequences import OutputSequence
 from kagezou.export.subjects import SetShadowSubject
 
 
@@ -43,7 +43,7 @@ class Rendering:
     is_matte: bool = False
     takes_set: bool = False
 
-    def takes(self, sequence: Sequence) -> bool:
+    def takes(self, sequence: OutputSequence) -> bool:
         """Return whether a sequence that was rendered becomes footage."""
         return self.takes_set or sequence.subject != SetShadowSubject()
 

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.request import Cancelled, Progress
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 
@@ -37,9 +37,9 @@ class ExportOutcome:
     files: int
     written: int
     cancelled: bool
-    problem: str
+    problem: Message | None
     where: Path
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 Work = Callable[[OpenContext, Progress, Cancelled], ExportOutcome]
@@ -59,7 +59,7 @@ class Exporter(ABC, Generic[Request, Made]):
     ----------
     key
         What it is remembered by in settings and presets.
-    words
+    label
         What the window calls it.
     verb
         The command of the command line that makes it.
@@ -68,12 +68,12 @@ class Exporter(ABC, Generic[Request, Made]):
     """
 
     key: str
-    words: Words
+    label: Message
     verb: str
     options: frozenset[Option]
 
     @abstractmethod
-    def lacks(self) -> Words | None:
+    def lacks(self) -> Message | None:
         """Return what this machine lacks for it; None where it can be made."""
 
     @abstractmethod

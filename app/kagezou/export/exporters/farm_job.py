@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.errors import UsageProblem
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
@@ -13,6 +12,7 @@ from kagezou.export.exporters.numbered_frames import frames_request, sequence_li
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, write_bundle
 from kagezou.export.request import LAYERED_SUFFIXES, SUFFIXES, Cancelled, Progress
 from kagezou.export.selection import chosen_frames
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 
@@ -50,7 +50,7 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
     def request(self, document: Document, choices: ExportChoices, place: Place) -> BundleRequest:
         """Return what the job is asked for with; it renders beside the project."""
         if place.project is None:
-            raise UsageProblem("a farm renders a saved project; save this one first")
+            raise UsageProblem(Message("a farm renders a saved project; save this one first"))
         output = place.project.with_name(f"{place.project.stem}_shadows")
         export = frames_request(document, choices, output, is_layered=self.is_layered(choices))
         return BundleRequest(FarmRequest(place.project, export, choices.chunk), place.folder)
@@ -68,12 +68,12 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
 
     def outcome(self, made: tuple[Path, ...], place: Place) -> ExportOutcome:
         """Return what came of it; the folder is the one to look in."""
-        return ExportOutcome(len(made), len(made), cancelled=False, problem="", where=place.folder)
+        return ExportOutcome(len(made), len(made), cancelled=False, problem=None, where=place.folder)
 
 
 FARM_JOB: Final = FarmJob(
     key="farm",
-    words=Words("Render farm job", "レンダーファームのジョブ"),
+    label=Message("Render farm job"),
     verb="farm",
     options=frozenset(
         (Option.DEPTH, Option.IN_ONE, Option.COMPOSITE, Option.RECEIVERS, Option.ONLY_WORK_AREA, Option.CHUNK)

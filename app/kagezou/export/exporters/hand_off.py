@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.export.after_effects.drawings import exposed
 from kagezou.export.after_effects.export import FORMATS, HandedOff, HandOffRequest, export_to_after_effects
 from kagezou.export.after_effects.mattes import at_full_opacity
@@ -17,10 +16,11 @@ from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
 from kagezou.export.request import Cancelled, ExportRequest, Progress
 from kagezou.export.sequences import sequences_of
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 
-class HandOff(Exporter[HandOffRequest, HandedOff]):
+class HandOffExporter(Exporter[HandOffRequest, HandedOff]):
     """Everything that After Effects needs of a cut."""
 
     __slots__ = ()
@@ -97,9 +97,9 @@ def _copied(document: Document, choices: ExportChoices) -> Iterator[str]:
         yield "background/background.png"
 
 
-HAND_OFF: Final = HandOff(
+HAND_OFF: Final = HandOffExporter(
     key="after effects",
-    words=Words("After Effects", "After Effects"),
+    label=Message("After Effects"),
     verb="export-ae",
     options=frozenset((Option.DEPTH, Option.PER_DRAWING, Option.COPIES, Option.MATTES, Option.SKIP_EXISTING)),
 )

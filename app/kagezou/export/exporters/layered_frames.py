@@ -3,13 +3,13 @@
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Option
 from kagezou.export.exporters.numbered_frames import NumberedFrames, frames_request, sequence_lines
 from kagezou.export.request import LAYERED_SUFFIXES, ExportRequest
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import layered_subject
+from kagezou.message import Message
 from kagezou.scene.evaluate import evaluate
 
 
@@ -42,7 +42,7 @@ class LayeredFrames(NumberedFrames):
 
 LAYERED_FRAMES: Final = LayeredFrames(
     key="layered",
-    words=Words("Layered frames", "レイヤー付きフレーム"),
+    label=Message("Layered frames"),
     verb="render",
     options=frozenset((Option.DEPTH, Option.ONLY_WORK_AREA, Option.SKIP_EXISTING)),
 )

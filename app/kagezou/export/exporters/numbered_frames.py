@@ -10,6 +10,7 @@ from kagezou.export.frames import export_frames
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import sequences_of
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 
@@ -79,14 +80,14 @@ def sequence_lines(document: Document, request: ExportRequest) -> tuple[str, ...
     return tuple(f"{each.label}/  {length} × {each.suffix}" for each in sequences_of(document, request))
 
 
-def outcome_of(summaries: tuple[Summary, ...], where: Path, notes: tuple[str, ...] = ()) -> ExportOutcome:
+def outcome_of(summaries: tuple[Summary, ...], where: Path, notes: tuple[Message, ...] = ()) -> ExportOutcome:
     """Return what came of exports of frames."""
-    failures = [failure.sentence for summary in summaries for failure in summary.failures]
+    failures = [failure.message for summary in summaries for failure in summary.failures]
     return ExportOutcome(
         files=sum(summary.files for summary in summaries),
         written=sum(summary.written for summary in summaries),
         cancelled=any(summary.cancelled for summary in summaries),
-        problem=failures[0] if failures else "",
+        problem=failures[0] if failures else None,
         where=where,
         notes=notes,
     )

@@ -3,11 +3,11 @@
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Option
 from kagezou.export.exporters.numbered_frames import NumberedFrames, frames_request, sequence_lines
 from kagezou.export.request import SUFFIXES, ExportRequest
+from kagezou.message import Message
 
 
 class ShadowLayers(NumberedFrames):
@@ -34,7 +34,7 @@ class ShadowLayers(NumberedFrames):
 
 SHADOW_LAYERS: Final = ShadowLayers(
     key="layers",
-    words=Words("Shadow layers", "影レイヤー"),
+    label=Message("Shadow layers"),
     verb="render",
     options=frozenset((Option.DEPTH, Option.COMPOSITE, Option.RECEIVERS, Option.ONLY_WORK_AREA, Option.SKIP_EXISTING)),
 )

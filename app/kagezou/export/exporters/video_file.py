@@ -3,7 +3,6 @@
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.document.property import Words
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option, Work
 from kagezou.export.exporters.numbered_frames import frames_chosen, workers
@@ -12,6 +11,7 @@ from kagezou.export.request import Cancelled, Progress
 from kagezou.export.video import VideoRequest, VideoSummary, export_video, video_jobs
 from kagezou.io.files.faults import output_problem
 from kagezou.io.images.video import is_there
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 
@@ -20,14 +20,11 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
 
     __slots__ = ()
 
-    def lacks(self) -> Words | None:
+    def lacks(self) -> Message | None:
         """Return what is to be installed where videos cannot be written."""
         if is_there():
             return None
-        return Words(
-            "Video needs PyAV: pip install 'kagezou[video]'",
-            "動画の書き出しには PyAV が必要です: pip install 'kagezou[video]'",
-        )
+        return Message("Video needs PyAV: pip install 'kagezou[video]'")
 
     def formats(self, _choices: ExportChoices) -> tuple[str, ...]:
         """Return every kind of video."""
@@ -64,7 +61,7 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
 
     def outcome(self, made: VideoSummary, _place: Place) -> ExportOutcome:
         """Return what came of it; the file is what to look at."""
-        return ExportOutcome(1, int(made.is_whole), cancelled=not made.is_whole, problem="", where=made.path)
+        return ExportOutcome(1, int(made.is_whole), cancelled=not made.is_whole, problem=None, where=made.path)
 
     def work(self, document: Document, choices: ExportChoices, place: Place) -> Work:
         """Return what carries the choices out; the folder is made, as it is for frames."""
@@ -82,7 +79,7 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
 
 VIDEO_FILE: Final = VideoFile(
     key="video",
-    words=Words("Video", "動画"),
+    label=Message("Video"),
     verb="video",
     options=frozenset((Option.VIDEO_LAYER, Option.ONLY_WORK_AREA)),
 )

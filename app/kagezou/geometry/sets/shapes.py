@@ -1,16 +1,63 @@
 """The shapes of set pieces, built on a stand: a frame on the ground whose v points out of the piece's front."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from math import cos, radians, sin
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 
 from kagezou.geometry.ground import Plane
-from kagezou.geometry.sets.bodies import Ball, Drum, Facet, Solid, vector
+from kagezou.geometry.sets.bodies import Ball, Body, Drum, Facet, Solid, vector
+from kagezou.geometry.sets.measures import Measures, PieceKind, by_kind
 from kagezou.geometry.vectors import Vector3
 
 _BOX_SIDES = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5))
 """The faces of a box, by corners counted 4·(right) + 2·(front) + (top)."""
+
+_STEP_PARTS = 48
+"""Into how many parts the edges of all steps together are looked at, along each of their directions."""
+
+
+class Profile(NamedTuple):
+    """The outline of a piece seen from its side: (toward the front, up) in px, and the parts each edge is cut into.
+
+    Whether an edge is hidden is asked of each part; one is enough where edges are hidden as a whole.
+    """
+
+    points: tuple[tuple[float, float], ...]
+    parts: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A shape that is one flat face; its edges are that face's."""
+
+    bodies: Callable[[Plane, Measures], tuple[Solid, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnOut:
+    """A shape of flat faces: a profile drawn out along the piece's width, which gives its edges."""
+
+    bodies: Callable[[Plane, Measures], tuple[Solid, ...]]
+    profile: Callable[[Measures], Profile]
+
+
+@dataclass(frozen=True, slots=True)
+class Round:
+    """A shape of round bodies; its edges are their rims and the outline that the eye sees."""
+
+    bodies: Callable[[Plane, Measures], tuple[Drum | Ball, ...]]
+
+
+Shape: TypeAlias = Sheet | DrawnOut | Round
+
+
+def bodies_of(stand: Plane, measures: Measures) -> tuple[Body, ...]:
+    """Return what a piece is made of; nothing where its kind is not built from measures."""
+    shape = SHAPES[measures.kind]
+    return () if shape is None else shape.bodies(stand, measures)
 
 
 def stand_on(ground: Plane, place: Vector3, angle_deg: float) -> Plane:
@@ -91,3 +138,42 @@ def _closed(rims: Sequence[tuple[Vector3, ...]]) -> Solid:
         normal /= np.linalg.norm(normal)
         facets.append(Facet(rim, vector(normal if normal @ (first - middle) > 0 else -normal)))
     return Solid(tuple(facets))
+
+
+def _box_profile(measures: Measures) -> Profile:
+    front, top = measures.depth_px / 2, measures.height_px
+    return Profile(((front, 0.0), (front, top), (-front, top), (-front, 0.0)))
+
+
+def _steps_profile(measures: Measures) -> Profile:
+    """Return the outline of steps from the foot of the first one; where steps are many, each edge is cut less."""
+    depth, count = measures.depth_px, measures.count
+    tread, riser = depth / count, measures.height_px / count
+    points = [(depth / 2, 0.0)]
+    for each in range(count):
+        front, top = depth / 2 - each * tread, (each + 1) * riser
+        points += [(front, top), (front - tread, top)]
+    return Profile((*points, (-depth / 2, 0.0)), max(_STEP_PARTS // count, 2))
+
+
+def _ramp_profile(measures: Measures) -> Profile:
+    front = measures.depth_px / 2
+    return Profile(((front, 0.0), (-front, measures.height_px), (-front, 0.0)))
+
+
+SHAPES: Final[Mapping[PieceKind, Shape | None]] = by_kind({
+    PieceKind.WALL: Sheet(lambda stand, size: wall(stand, size.width_px, size.height_px, size.lean_deg)),
+    PieceKind.BOX: DrawnOut(
+        lambda stand, size: box(stand, size.width_px, size.depth_px, size.height_px), _box_profile
+    ),
+    PieceKind.STEPS: DrawnOut(
+        lambda stand, size: steps(stand, size.width_px, size.depth_px, size.height_px, size.count), _steps_profile
+    ),
+    PieceKind.RAMP: DrawnOut(
+        lambda stand, size: ramp(stand, size.width_px, size.depth_px, size.height_px), _ramp_profile
+    ),
+    PieceKind.CYLINDER: Round(lambda stand, size: drum(stand, size.width_px, size.height_px)),
+    PieceKind.SPHERE: Round(lambda stand, size: ball(stand, size.width_px)),
+    PieceKind.MESH: None,
+})  # fmt: skip
+"""How each kind is built from its measures; None for what is not."""

@@ -13,28 +13,15 @@ from typing import NamedTuple
 import numpy as np
 
 from kagezou.geometry.ground import Plane
-from kagezou.geometry.sets import shapes as shapes
 from kagezou.geometry.sets.bodies import Ball, Body, Drum, Solid, vector
+from kagezou.geometry.sets.measures import Measures
+from kagezou.geometry.sets.shapes import SHAPES, DrawnOut, Profile, Round, Sheet
 from kagezou.geometry.vectors import Matrix, Vector3, Vector4
 
 RIM_PARTS = 48
-_STEP_PARTS = 48
-"""Into how many parts the edges of all steps together are looked at, along each of their directions."""
 
 _TOUCH = 1e-4
 """A sight line that crosses a body for less than this part of its size only touches it."""
-
-
-@dataclass(frozen=True, slots=True)
-class Measures:
-    """What a piece is made from: its kind, sizes in world px, and the angles and counts of its properties."""
-
-    kind: str
-    width_px: float
-    height_px: float
-    depth_px: float
-    lean_deg: float = 0.0
-    count: int = 1
 
 
 class _Edge(NamedTuple):
@@ -65,53 +52,39 @@ def wires_of(stand: Plane, measures: Measures, eye: Vector4) -> tuple[Wire, ...]
         The eye in world px, homogeneous; w = 0 for a direction.
     """
     w, h, d = measures.width_px, measures.height_px, measures.depth_px
-    match measures.kind:
-        case "wall":
-            corners = shapes.wall(stand, w, h, measures.lean_deg)[0].facets[0].corners
-            return (Wire((*corners, corners[0]), is_hidden=False),)
-        case "cylinder":
-            drum = shapes.drum(stand, w, h)[0]
-            rims = [_circle(middle, stand.u, stand.v, drum.radius_px) for middle in (drum.foot, drum.head)]
-            return _split([*rims, *_sides(drum, eye)], (drum,), eye, w + h)
-        case "sphere":
-            ball = shapes.ball(stand, w)[0]
-            girth = _circle(ball.centre, stand.u, stand.v, ball.radius_px)
-            rim = Wire(_points(_contour(ball, eye).points), is_hidden=False)
-            return (rim, *_split([girth], (ball,), eye, w))
-        case "steps":
-            solids = shapes.steps(stand, w, d, h, measures.count)
-            parts = max(_STEP_PARTS // measures.count, 2)
-            edges = _drawn_out(stand, w, _steps_profile(d, h, measures.count), parts)
-            return _split(edges, solids, eye, w + h + d)
-        case "ramp":
-            edges = _drawn_out(stand, w, [(d / 2, 0.0), (-d / 2, h), (-d / 2, 0.0)], 1)
-            return _split(edges, shapes.ramp(stand, w, d, h), eye, w + h + d)
-        case "box":
-            edges = _drawn_out(stand, w, [(d / 2, 0.0), (d / 2, h), (-d / 2, h), (-d / 2, 0.0)], 1)
-            return _split(edges, shapes.box(stand, w, d, h), eye, w + h + d)
-        case _:
+    match SHAPES[measures.kind]:
+        case DrawnOut(bodies=build, profile=profile):
+            return _split(_drawn_out(stand, w, profile(measures)), build(stand, measures), eye, w + h + d)
+        case Sheet(bodies=build):
+            rims = (sheet.facets[0].corners for sheet in build(stand, measures))
+            return tuple(Wire((*corners, corners[0]), is_hidden=False) for corners in rims)
+        case Round(bodies=build):
+            return tuple(wire for body in build(stand, measures) for wire in _of_round(body, stand, eye))
+        case None:
             return ()
 
 
-def _steps_profile(depth: float, height: float, count: int) -> list[tuple[float, float]]:
-    """Return the outline of steps seen from the side: (toward the front, up), from the foot of the first one."""
-    tread, riser = depth / count, height / count
-    profile = [(depth / 2, 0.0)]
-    for each in range(count):
-        front, top = depth / 2 - each * tread, (each + 1) * riser
-        profile += [(front, top), (front - tread, top)]
-    return [*profile, (-depth / 2, 0.0)]
+def _of_round(body: Drum | Ball, stand: Plane, eye: Vector4) -> tuple[Wire, ...]:
+    """Return the rims of a drum or the girth of a ball, and the outline that the eye sees of it."""
+    width = 2 * body.radius_px
+    match body:
+        case Drum():
+            rims = [_circle(middle, stand.u, stand.v, body.radius_px) for middle in (body.foot, body.head)]
+            return _split([*rims, *_sides(body, eye)], (body,), eye, width + body.height_px)
+        case Ball():
+            girth = _circle(body.centre, stand.u, stand.v, body.radius_px)
+            rim = Wire(_points(_contour(body, eye).points), is_hidden=False)
+            return (rim, *_split([girth], (body,), eye, width))
 
 
-def _drawn_out(stand: Plane, width: float, profile: Sequence[tuple[float, float]], parts: int) -> list[_Edge]:
-    """Return the edges of a profile drawn out along the stand's u, around its middle, each in so many parts."""
+def _drawn_out(stand: Plane, width: float, profile: Profile) -> list[_Edge]:
+    """Return the edges of a profile drawn out along the stand's u, around its middle."""
     axes = np.array([stand.u, stand.v, stand.normal])
-    rims = [
-        np.array(stand.origin) + np.array([(side, *at) for at in profile]) @ axes for side in (-width / 2, width / 2)
-    ]
-    ends = [(rim[i - 1], rim[i]) for rim in rims for i in range(len(profile))]
-    ends += [(rims[0][i], rims[1][i]) for i in range(len(profile))]
-    return [_straight(start, end, parts) for start, end in ends]
+    points, sides = profile.points, (-width / 2, width / 2)
+    rims = [np.array(stand.origin) + np.array([(side, *at) for at in points]) @ axes for side in sides]
+    ends = [(rim[i - 1], rim[i]) for rim in rims for i in range(len(points))]
+    ends += [(rims[0][i], rims[1][i]) for i in range(len(points))]
+    return [_straight(start, end, profile.parts) for start, end in ends]
 
 
 def _straight(start: Matrix, end: Matrix, parts: int = 1) -> _Edge:

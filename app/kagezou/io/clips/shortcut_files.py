@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
-from kagezou.document.property import Words
+from kagezou.document.local_name import LocalName
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
-from kagezou.io.project.json import JsonRow, Reader, formatted, parse
+from kagezou.io.files.json_text import JsonRow, Reader, formatted, parse
 from kagezou.locations import resource_folder
+from kagezou.message import Message
 
 SUFFIX = ".json"
 VERSION = 1
@@ -39,7 +40,7 @@ class KeySet:
     """
 
     code: str
-    name: Words
+    name: LocalName
     keys: Keys
 
 
@@ -61,15 +62,19 @@ def load_key_set(path: Path) -> KeySet:
         with path.open("rb") as file:
             data = file.read(MAX_BYTES + 1)
     except OSError as error:
-        raise InputProblem(f"{shown(path)} cannot be read: {error.strerror or error}") from error
+        raise InputProblem(
+            Message("{path} cannot be read: {cause}", path=shown(path), cause=error.strerror or error)
+        ) from error
     try:
         if len(data) > MAX_BYTES:
-            raise ProjectProblem("it is too large for shortcuts")
+            raise ProjectProblem(Message("it is too large for shortcuts"))
         return _key_set(Reader(parse(data.decode())), path.stem.lstrip("0123456789-"))
     except UnicodeDecodeError as error:
-        raise InputProblem(f"{shown(path)} does not hold shortcuts: it is not UTF-8 text") from error
+        raise InputProblem(Message("{path} does not hold shortcuts: it is not UTF-8 text", path=shown(path))) from error
     except ProjectProblem as problem:
-        raise InputProblem(f"{shown(path)} does not hold shortcuts: {problem}") from problem
+        raise InputProblem(
+            Message("{path} does not hold shortcuts: {cause}", path=shown(path), cause=problem)
+        ) from problem
 
 
 def save_key_set(path: Path, key_set: KeySet) -> None:
@@ -82,7 +87,7 @@ def save_key_set(path: Path, key_set: KeySet) -> None:
     """
     record = {
         "shortcuts": VERSION,
-        "name": JsonRow({"en": key_set.name.en, "ja": key_set.name.ja}),
+        "name": JsonRow({"en": key_set.name.en, "ja": key_set.name.in_language("ja")}),
         "keys": {name: JsonRow(list(keys)) for name, keys in key_set.keys.items()},
     }
     write_bytes(path, formatted(record).encode())
@@ -108,13 +113,14 @@ def _key_set(reader: Reader, code: str) -> KeySet:
     found = reader.record(("shortcuts", "name", "keys"))
     found["shortcuts"].whole(VERSION, VERSION)
     names = found["name"].record(("en", "ja"))
-    return KeySet(code, Words(names["en"].text(_LONGEST), names["ja"].text(_LONGEST)), _keys(found["keys"]))
+    name = LocalName.of(names["en"].text(_LONGEST), ja=names["ja"].text(_LONGEST))
+    return KeySet(code, name, _keys(found["keys"]))
 
 
 def _keys(reader: Reader) -> Keys:
     members = reader.members()
     if len(members) > _MOST_COMMANDS:
-        raise reader.problem(f"it names more than {_MOST_COMMANDS} commands")
+        raise reader.problem(Message("it names more than {most_commands} commands", most_commands=_MOST_COMMANDS))
     return MappingProxyType(
         {name: tuple(each.text(_LONGEST) for each in keys.items(_MOST_KEYS)) for name, keys in members.items()}
     )

@@ -7,14 +7,16 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.track import Value
+from kagezou.document.local_name import LocalName
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
-from kagezou.document.property import Property, Words
+from kagezou.document.property import AnyProperty
 from kagezou.document.style import NOT_OF_A_STYLE, Style
 from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
 from kagezou.locations import resource_folder
+from kagezou.message import Message
 
 SUFFIX = ".json"
 VERSION = 1
@@ -61,14 +63,16 @@ def load_style(path: Path) -> Style:
         with path.open("rb") as file:
             data = file.read(MAX_BYTES + 1)
     except OSError as error:
-        raise InputProblem(f"{shown(path)} cannot be read: {error.strerror or error}") from error
+        raise InputProblem(
+            Message("{path} cannot be read: {cause}", path=shown(path), cause=error.strerror or error)
+        ) from error
     try:
         if len(data) > MAX_BYTES:
-            raise ProjectProblem("it is too large for a style")
+            raise ProjectProblem(Message("it is too large for a style"))
         return _style(Reader(parse(data.decode())))
     except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
-        cause = "it is not UTF-8 text" if isinstance(problem, UnicodeDecodeError) else str(problem)
-        raise InputProblem(f"{shown(path)} is not a style: {cause}") from problem
+        cause = Message("it is not UTF-8 text") if isinstance(problem, UnicodeDecodeError) else problem.message
+        raise InputProblem(Message("{path} is not a style: {cause}", path=shown(path), cause=cause)) from problem
 
 
 def save_style(folder: Path, style: Style) -> Path:
@@ -84,7 +88,9 @@ def save_style(folder: Path, style: Style) -> Path:
     name = style.name.en.strip()
     stem = "".join(letter if letter.isalnum() or letter in " -_" else "_" for letter in name).strip()
     if not stem or len(stem) > 80:
-        raise UsageProblem(f"a style cannot be named {name[:60]!r}: a name is 1 to 80 letters and digits")
+        raise UsageProblem(
+            Message("a style cannot be named {name!r}: a name is 1 to 80 letters and digits", name=name[:60])
+        )
     path = folder / f"{stem}{SUFFIX}"
     folder.mkdir(parents=True, exist_ok=True)
     write_bytes(path, dumps_style(style).encode())
@@ -96,7 +102,7 @@ def dumps_style(style: Style) -> str:
     name = style.name.en.strip()
     record: dict[str, object] = {
         "style": VERSION,
-        "name": {"en": name, "ja": style.name.ja.strip() or name},
+        "name": {"en": name, "ja": style.name.in_language("ja").strip() or name},
         "figure_px": style.figure_px,
         "values": dict(style.values),
     }
@@ -124,16 +130,16 @@ def _style(reader: Reader) -> Style:
     found = reader.record(("style", "name", "figure_px", "values"), ("scene",))
     found["style"].whole(VERSION, VERSION)
     names = found["name"].record(("en", "ja"))
-    layer_lines = {name: line for name, line in OF_LAYER.items() if name not in NOT_OF_A_STYLE}
+    layer_lines = {name: prop for name, prop in OF_LAYER.items() if name not in NOT_OF_A_STYLE}
     height = found["figure_px"]
     if (
         isinstance(height.value, bool)
         or not isinstance(height.value, (int, float))
         or not 1 <= height.value <= _TALLEST_PX
     ):
-        raise height.refused(f"a height from 1 to {_TALLEST_PX:g} px")
+        raise height.refused(Message("a height from 1 to {tallest_px:g} px", tallest_px=_TALLEST_PX))
     return Style(
-        Words(_name(names["en"]), _name(names["ja"])),
+        LocalName.of(_name(names["en"]), ja=_name(names["ja"])),
         float(height.value),
         _values(found["values"], layer_lines),
         _values(found["scene"], OF_DOCUMENT) if "scene" in found else MappingProxyType({}),
@@ -143,21 +149,21 @@ def _style(reader: Reader) -> Style:
 def _name(reader: Reader) -> str:
     text = reader.value
     if not isinstance(text, str) or not text.strip() or not text.isprintable() or len(text) > 80:
-        raise reader.refused("a name of 1 to 80 printable characters")
+        raise reader.refused(Message("a name of 1 to 80 printable characters"))
     return text
 
 
 def _height(reader: Reader) -> float:
     height = reader.value
     if isinstance(height, bool) or not isinstance(height, (int, float)) or not 1 <= height <= _TALLEST_PX:
-        raise reader.refused(f"a height from 1 to {_TALLEST_PX:g} px")
+        raise reader.refused(Message("a height from 1 to {tallest_px:g} px", tallest_px=_TALLEST_PX))
     return float(height)
 
 
-def _values(reader: Reader, lines: Mapping[str, Property]) -> Mapping[str, Value]:
+def _values(reader: Reader, props: Mapping[str, AnyProperty]) -> Mapping[str, Value]:
     values: dict[str, Value] = {}
     for name, each in reader.members().items():
-        if name not in lines:
-            raise reader.problem(f"the key {name!r} is no property that a style can set")
-        values[name] = lines[name].canonical(each.value)
+        if name not in props:
+            raise reader.problem(Message("the key {name!r} is no property that a style can set", name=name))
+        values[name] = props[name].canonical(each.value)
     return MappingProxyType(values)

@@ -11,8 +11,8 @@ from kagezou.document.key_edits import KeyClip
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_LAYER
 from kagezou.errors import ProjectProblem, UsageProblem
+from kagezou.io.files.json_text import JsonRow, Reader, formatted, parse
 from kagezou.io.project.fields import MAX_ROWS
-from kagezou.io.project.json import JsonRow, Reader, formatted, parse
 from kagezou.io.project.paths import MAX_PATH_CHARACTERS
 from kagezou.io.project.reading import read_key
 from kagezou.io.project.writing import key_tree

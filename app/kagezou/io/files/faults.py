@@ -6,19 +6,20 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.errors import DiskFullProblem, InputProblem, OutputProblem
+from kagezou.message import Message
 
 _CAUSES: Final = {
-    errno.ENOENT: "it does not exist",
-    errno.ENOTDIR: "a part of its path is not a folder",
-    errno.EISDIR: "it is a folder",
-    errno.EACCES: "permission denied",
-    errno.EPERM: "the operation is not permitted",
-    errno.EROFS: "the disk is read-only",
-    errno.EIO: "the disk reports an input/output error",
-    errno.ENOSPC: "no space left on the disk",
-    errno.EFBIG: "it would exceed the file size limit",
-    errno.ENAMETOOLONG: "its name is too long",
-    errno.ELOOP: "its links lead in a circle",
+    errno.ENOENT: Message("it does not exist"),
+    errno.ENOTDIR: Message("a part of its path is not a folder"),
+    errno.EISDIR: Message("it is a folder"),
+    errno.EACCES: Message("permission denied"),
+    errno.EPERM: Message("the operation is not permitted"),
+    errno.EROFS: Message("the disk is read-only"),
+    errno.EIO: Message("the disk reports an input/output error"),
+    errno.ENOSPC: Message("no space left on the disk"),
+    errno.EFBIG: Message("it would exceed the file size limit"),
+    errno.ENAMETOOLONG: Message("its name is too long"),
+    errno.ELOOP: Message("its links lead in a circle"),
 }
 _QUOTA: Final[int | None] = getattr(errno, "EDQUOT", None)
 _FULL: Final = frozenset({errno.ENOSPC, errno.EFBIG, _QUOTA})
@@ -31,27 +32,27 @@ def shown(path: Path) -> str:
     return os.fsencode(path).decode("utf-8", "backslashreplace")
 
 
-def cause_of(error: OSError) -> str:
+def cause_of(error: OSError) -> Message:
     """Return why the system refused, in a few words."""
     if error.errno == _QUOTA and _QUOTA is not None:
-        return "the disk quota is used up"
+        return Message("the disk quota is used up")
     known = _CAUSES.get(error.errno or 0)
-    return known or error.strerror or type(error).__name__
+    return known or Message("{reason}", reason=error.strerror or type(error).__name__)
 
 
-def input_problem(path: Path, cause: str | OSError) -> InputProblem:
+def input_problem(path: Path, cause: Message | OSError) -> InputProblem:
     """Return the problem of reading ``path``, as ``"{path}: {cause}"``."""
-    text = cause_of(cause) if isinstance(cause, OSError) else cause
-    return InputProblem(f"{shown(path)}: {text}")
+    why = cause_of(cause) if isinstance(cause, OSError) else cause
+    return InputProblem(Message("{path}: {cause}", path=shown(path), cause=why))
 
 
-def output_problem(path: Path, cause: str | OSError) -> OutputProblem:
+def output_problem(path: Path, cause: Message | OSError) -> OutputProblem:
     """Return the problem of writing ``path``; a full disk, quota or size limit is a ``DiskFullProblem``."""
-    if isinstance(cause, str):
-        return OutputProblem(f"{shown(path)}: {cause}")
+    if isinstance(cause, Message):
+        return OutputProblem(Message("{path}: {cause}", path=shown(path), cause=cause))
     kind = DiskFullProblem if is_full(cause) else OutputProblem
-    why = "its folder does not exist" if cause.errno == errno.ENOENT else cause_of(cause)
-    return kind(f"{shown(path)}: cannot be written: {why}")
+    why = Message("its folder does not exist") if cause.errno == errno.ENOENT else cause_of(cause)
+    return kind(Message("{path}: cannot be written: {cause}", path=shown(path), cause=why))
 
 
 def is_full(error: OSError) -> bool:

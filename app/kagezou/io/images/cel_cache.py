@@ -7,10 +7,11 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Final, Literal, Protocol
 
-from kagezou.document.model import PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
 from kagezou.io.images.reading import Cel, Matte, read_cel, read_matte
+from kagezou.message import Message
+from kagezou.picture_source import PictureSource, file_of
 
 DEFAULT_LIMIT_BYTES: Final = 512 << 20
 _Kind = Literal["cel", "matte", "background"]
@@ -198,5 +199,5 @@ def _key(kind: _Kind, source: PictureSource) -> _Key:
     except OSError as error:
         raise input_problem(path, error) from error
     except ValueError as error:  # a NUL in the name
-        raise input_problem(path, "it cannot be a file name") from error
+        raise input_problem(path, Message("it cannot be a file name")) from error
     return _Key(kind, source, state.st_size, state.st_mtime_ns)

@@ -3,72 +3,21 @@
 The same frame gives the same bytes. Both are read back before they take their place.
 """
 
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kagezou.errors import UsageProblem
-from kagezou.geometry.box import Box
 from kagezou.io.files.atomic import replace_by, write_bytes
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.oiio_parts import ExrPart, write_parts_verified
 from kagezou.io.pixels.colour import light_from_rgba
+from kagezou.io.pixels.layers import LayeredImage, LayerPart
+from kagezou.message import Message
 
-Pixels = NDArray[Any]
 LAYERED_FORMATS: Final = (".exr", ".psd")
 """The suffixes of files of layers."""
-
-
-@dataclass(frozen=True, eq=False)
-class LayerPart:
-    """One layer.
-
-    Attributes
-    ----------
-    name
-        What it is called, in any script.
-    pixels
-        (box.height, box.width, 4) ``uint8`` or ``uint16``, straight sRGB.
-    box
-        Its place on the canvas, px, y down, inside the canvas; it may be empty.
-    opacity
-        0 to 1, beside the alpha of its pixels; kept by Photoshop documents alone.
-    multiply
-        Whether it multiplies what is under it; else it lies over it.
-    """
-
-    name: str
-    pixels: Pixels
-    box: Box
-    opacity: float = 1.0
-    multiply: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class LayeredImage:
-    """A canvas of layers.
-
-    Attributes
-    ----------
-    width_px, height_px
-        The canvas.
-    parts
-        The layers from the bottom; no two have one name.
-    merged
-        (height_px, width_px, 4) ``uint8`` or ``uint16``, straight sRGB: all of them on each other, which a Photoshop
-        document holds for programs that know no layers.
-    depth
-        Bits a channel of a Photoshop document, 8 or 16; OpenEXR has halves.
-    """
-
-    width_px: int
-    height_px: int
-    parts: tuple[LayerPart, ...]
-    merged: Pixels | None = None
-    depth: int = 8
 
 
 def write_layered(path: Path, image: LayeredImage) -> None:
@@ -92,10 +41,16 @@ def write_layered(path: Path, image: LayeredImage) -> None:
             try:
                 data = packed_psd(image)
             except ValueError as error:
-                raise output_problem(path, str(error)) from error
+                raise output_problem(path, Message("{cause}", cause=error)) from error
             write_bytes(path, data)
         case _:
-            raise UsageProblem(f"{shown(path)}: layers are written as {' or '.join(LAYERED_FORMATS)}")
+            raise UsageProblem(
+                Message(
+                    "{path}: layers are written as {layered_formats}",
+                    path=shown(path),
+                    layered_formats=" or ".join(LAYERED_FORMATS),
+                )
+            )
 
 
 def _exr_part(part: LayerPart) -> ExrPart:

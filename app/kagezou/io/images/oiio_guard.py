@@ -18,8 +18,9 @@ import OpenImageIO as oiio  # noqa: N813  # the name its own manual uses
 from numpy.typing import NDArray
 
 from kagezou.errors import DiskFullProblem
-from kagezou.io.files.faults import input_problem, output_problem
+from kagezou.io.files.faults import input_problem, output_problem, shown
 from kagezou.io.pixels.signatures import LARGEST_SIDE_PX, checked_format
+from kagezou.message import Message
 
 LARGEST_PICTURE_MB: Final = 1024
 _SETTINGS: Final = {
@@ -104,11 +105,11 @@ class DecodedPicture:
         try:
             opened = oiio.ImageInput.open(str(path), config)
         except TypeError as error:  # a name of undecodable bytes does not pass into C++
-            raise input_problem(path, "its name is not valid text: please rename it") from error
+            raise input_problem(path, Message("its name is not valid text: please rename it")) from error
         except (MemoryError, RuntimeError, ValueError) as error:
-            raise input_problem(path, first_line(str(error))) from error
+            raise input_problem(path, _words_of(str(error))) from error
         if opened is None:
-            raise input_problem(path, _text_of(oiio.geterror))
+            raise input_problem(path, _words_of(_text_of(oiio.geterror)))
         self._input = opened
         self.header = _header(path, opened)
 
@@ -133,10 +134,10 @@ class DecodedPicture:
         try:
             pixels = self._input.read_image(0, 0, first, end, wanted)
         except (MemoryError, RuntimeError, ValueError) as error:
-            raise input_problem(self._path, first_line(str(error))) from error
+            raise input_problem(self._path, _words_of(str(error))) from error
         message = _text_of(self._input.geterror)
         if pixels is None or message:
-            raise input_problem(self._path, message or "its pixels cannot be decoded")
+            raise input_problem(self._path, _words_of(message) if message else Message("its pixels cannot be decoded"))
         return pixels.reshape(self.header.data[3], self.header.data[2], end - first)
 
 
@@ -164,8 +165,18 @@ def write_verified(temp: Path, pixels: Pixels, settings: Mapping[str, Any], show
     if not cause:
         return
     if shutil.disk_usage(temp.parent).free < pixels.nbytes:
-        raise DiskFullProblem(str(output_problem(shown_as, "cannot be written: no space left on the disk")))
-    raise output_problem(shown_as, f"cannot be written: {cause}")
+        raise disk_full(shown_as)
+    raise output_problem(shown_as, Message("cannot be written: {cause}", cause=cause))
+
+
+def disk_full(shown_as: Path) -> DiskFullProblem:
+    """Return the problem of a file for which there is no room."""
+    return DiskFullProblem(Message("{path}: cannot be written: no space left on the disk", path=shown(shown_as)))
+
+
+def _words_of(decoder: str) -> Message:
+    """Return what a decoder says, which is in no language of ours."""
+    return Message("{words}", words=first_line(decoder))
 
 
 def _written(temp: Path, pixels: Pixels, settings: Mapping[str, Any]) -> str:
@@ -214,7 +225,7 @@ def configure() -> None:
 def _header(path: Path, source: oiio.ImageInput) -> Header:
     spec = source.spec()
     if spec.deep or spec.depth > 1:
-        raise input_problem(path, "deep and volume pictures cannot be read")
+        raise input_problem(path, Message("deep and volume pictures cannot be read"))
     kind = source.format_name()
     alpha = spec.alpha_channel if 0 <= spec.alpha_channel < spec.nchannels else None
     flagged = bool(spec.get_int_attribute(_STRAIGHT))
@@ -244,9 +255,11 @@ def _check_size(path: Path, header: Header) -> None:
     width, height = header.display[2:]
     pixel_bytes = 4 if header.dtype == "uint8" else 8
     if width < 1 or height < 1:
-        raise input_problem(path, "it has no pixels")
+        raise input_problem(path, Message("it has no pixels"))
     if max(width, height) > LARGEST_SIDE_PX or width * height * pixel_bytes > LARGEST_PICTURE_MB << 20:
-        raise input_problem(path, f"{width} × {height} px is larger than can be read")
+        raise input_problem(
+            path, Message("{width} × {height} px is larger than can be read", width=width, height=height)
+        )
 
 
 def _text_of(ask: Any) -> str:

@@ -10,9 +10,9 @@ import numpy as np
 import OpenImageIO as oiio  # noqa: N813  # the name its own manual uses
 from numpy.typing import NDArray
 
-from kagezou.errors import DiskFullProblem
 from kagezou.io.files.faults import output_problem
-from kagezou.io.images.oiio_guard import configure, first_line
+from kagezou.io.images.oiio_guard import configure, disk_full, first_line
+from kagezou.message import Message
 
 BLEND: Final = "kagezou:blend"
 """The attribute that says how a part lies on those before it: ``normal`` or ``multiply``."""
@@ -64,8 +64,8 @@ def write_parts_verified(temp: Path, size_px: tuple[int, int], parts: Sequence[E
     if not cause:
         return
     if shutil.disk_usage(temp.parent).free < sum(part.light.nbytes for part in parts):
-        raise DiskFullProblem(str(output_problem(shown_as, "cannot be written: no space left on the disk")))
-    raise output_problem(shown_as, f"cannot be written: {cause}")
+        raise disk_full(shown_as)
+    raise output_problem(shown_as, Message("cannot be written: {cause}", cause=cause))
 
 
 def _spec(part: ExrPart, size_px: tuple[int, int]) -> oiio.ImageSpec:

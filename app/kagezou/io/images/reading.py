@@ -11,19 +11,19 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import PicturePart, PictureSource, file_of
 from kagezou.geometry.box import Box
-from kagezou.io.images.oiio_guard import DecodedPicture, Header
-from kagezou.io.pixels.colour import coded_from_light, steps_from_unit, straight_from_associated
+from kagezou.io.images.oiio_guard import DecodedPicture
+from kagezou.io.images.stored_pixels import TURNED, alpha_plane, assembled, box_of, full, on_canvas, upright
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
+from kagezou.message import Message
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 Steps = NDArray[np.uint8] | NDArray[np.uint16]
-_NO_ALPHA: Final = "no alpha channel: pure white was taken as clear"
-_NO_ALPHA_NO_WHITE: Final = "no alpha channel and no white: the whole frame would cast a shadow"
-_ALL_FULL: Final = "alpha is full everywhere: the whole frame would cast a shadow"
-_TURNED: Final = 5
+_NO_ALPHA: Final = Message("no alpha channel: pure white was taken as clear")
+_NO_ALPHA_NO_WHITE: Final = Message("no alpha channel and no white: the whole frame would cast a shadow")
+_ALL_FULL: Final = Message("alpha is full everywhere: the whole frame would cast a shadow")
 
 
 @dataclass(frozen=True, eq=False, slots=True, weakref_slot=True)
@@ -52,7 +52,7 @@ class Matte:
     def is_full(self) -> bool:
         """Whether every pixel is opaque; so it is for a drawing of no pixels."""
         covers = self.alpha.size == self.width_px * self.height_px
-        return covers and bool((self.alpha == _full(self.alpha)).all())
+        return covers and bool((self.alpha == full(self.alpha)).all())
 
     def whole(self) -> Steps:
         """Return the alpha of the whole drawing, (height_px, width_px)."""
@@ -84,7 +84,7 @@ class Cel:
 
     rgba: Steps
     matte: Matte
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
     @property
     def nbytes(self) -> int:
@@ -117,7 +117,7 @@ def probe(source: PictureSource) -> ImageInfo:
     with DecodedPicture(path, whole=False) as picture:
         header = picture.header
     width, height = header.display[2:]
-    if header.orientation >= _TURNED:
+    if header.orientation >= TURNED:
         width, height = height, width
     return ImageInfo(width, height, len(header.channels), header.alpha is not None, header.bit_depth)
 
@@ -146,7 +146,7 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
         It cannot be read as a whole; one sentence with name and cause.
     """
     rgba, has_alpha = _psd_rgba(source) if is_psd(file_of(source)) else _file_rgba(file_of(source))
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     if not has_alpha and white_is_clear:
         notes = _clear_white(rgba)
     matte = matte_of(rgba[..., 3])
@@ -166,9 +166,9 @@ def _file_rgba(path: Path) -> tuple[Steps, bool]:
     with DecodedPicture(path) as picture:
         header = picture.header
         stored = picture.read()
-    alpha = _alpha_plane(header, stored, header.alpha)
-    rgba = _assembled(header, stored, alpha)
-    return _upright(_on_canvas(rgba, header), header.orientation), alpha is not None
+    alpha = alpha_plane(header, stored, header.alpha)
+    rgba = assembled(header, stored, alpha)
+    return upright(on_canvas(rgba, header), header.orientation), alpha is not None
 
 
 def read_matte(source: PictureSource) -> Matte:
@@ -190,11 +190,11 @@ def read_matte(source: PictureSource) -> Matte:
         if header.alpha is None or not header.alpha_declared:
             return read_cel(source).matte
         if header.dtype == "float32":
-            alpha = _alpha_plane(header, picture.read(header.alpha, header.alpha + 1), 0)
+            alpha = alpha_plane(header, picture.read(header.alpha, header.alpha + 1), 0)
         else:
-            alpha = _alpha_plane(header, picture.read(), header.alpha)
+            alpha = alpha_plane(header, picture.read(), header.alpha)
     assert alpha is not None
-    return matte_of(_upright(_on_canvas(alpha, header), header.orientation))
+    return matte_of(upright(on_canvas(alpha, header), header.orientation))
 
 
 def matte_of(alpha: NDArray[Any]) -> Matte:
@@ -202,7 +202,7 @@ def matte_of(alpha: NDArray[Any]) -> Matte:
     # One pass over pixels that lie apart; the rest is then done on those of the figure alone.
     plane = np.ascontiguousarray(alpha)
     height, width = plane.shape
-    box = _box_of(plane)
+    box = box_of(plane)
     if box is None:
         none: Steps = np.zeros((0, 0), plane.dtype)
         none.setflags(write=False)
@@ -215,102 +215,9 @@ def matte_of(alpha: NDArray[Any]) -> Matte:
     return Matte(width, height, box, kept, hard_edged=hard)
 
 
-def _box_of(alpha: NDArray[Any]) -> Box | None:
-    rows = np.flatnonzero(alpha.max(axis=1, initial=0))
-    if rows.size == 0:
-        return None
-    top, bottom = int(rows[0]), int(rows[-1]) + 1
-    columns = np.flatnonzero(alpha[top:bottom].max(axis=0))
-    return Box(int(columns[0]), top, int(columns[-1]) + 1, bottom)
-
-
-def _full(pixels: NDArray[Any]) -> int:
-    return int(np.iinfo(pixels.dtype).max)
-
-
-def _alpha_plane(header: Header, stored: NDArray[Any], index: int | None) -> NDArray[Any] | None:
-    """Return channel ``index`` of (H, W, C) as integer (H, W), or None where it means nothing."""
-    if index is None:
-        return None
-    plane: NDArray[Any] = stored[..., index]
-    if plane.dtype.kind == "f":
-        return steps_from_unit(plane)
-    if not header.alpha_declared and not plane.any() and stored.any():
-        return None  # a 32-bit file whose writer left the fourth byte unused
-    return plane
-
-
-def _assembled(header: Header, stored: NDArray[Any], alpha: NDArray[Any] | None) -> NDArray[Any]:
-    """Return the stored pixels as straight (H, W, 4); where ``alpha`` is None it is full."""
-    chosen = _colour_channels(header)
-    floating = stored.dtype.kind == "f"
-    if not floating and header.straight and alpha is not None and (*chosen, header.alpha) == (0, 1, 2, 3):
-        return np.ascontiguousarray(stored[..., :4])
-    dtype = np.uint16 if floating else stored.dtype
-    rgba = np.empty((*stored.shape[:2], 4), dtype)
-    colour = rgba[..., :3]
-    if floating:
-        _put_light(header, stored, alpha, colour)
-    else:
-        colour[...] = stored[..., chosen] if chosen else 0
-        if alpha is not None and not header.straight:
-            straight_from_associated(colour, alpha)
-    rgba[..., 3] = _full(rgba) if alpha is None else alpha
-    return rgba
-
-
-def _put_light(header: Header, stored: NDArray[Any], alpha: NDArray[Any] | None, colour: NDArray[Any]) -> None:
-    """Put the linear light of ``stored`` into ``colour`` as sRGB; what was multiplied by an alpha of 0 is black."""
-    chosen = _colour_channels(header)
-    divided = not header.straight and header.alpha is not None and alpha is not None
-    box = _box_of(alpha) if divided and alpha is not None else Box(0, 0, colour.shape[1], colour.shape[0])
-    colour[...] = 0
-    if box is None or not chosen:
-        return
-    part = stored[box.top : box.bottom, box.left : box.right]
-    whole = part[..., header.alpha] if divided else None
-    colour[box.top : box.bottom, box.left : box.right] = coded_from_light(part[..., chosen], whole)
-
-
-def _colour_channels(header: Header) -> list[int]:
-    """Return the indices of red, green and blue, one gray index, or none."""
-    names = [name.rpartition(".")[2].lower() for name in header.channels]
-    if {"r", "g", "b"} <= set(names):
-        return [names.index("r"), names.index("g"), names.index("b")]
-    others = [index for index in range(len(names)) if index != header.alpha]
-    return others[:3] if len(others) >= 3 else others[:1]
-
-
-def _on_canvas(pixels: NDArray[Any], header: Header) -> NDArray[Any]:
-    """Return the stored pixels cut or padded with clear to the display window."""
-    if header.data == header.display:
-        return pixels
-    left, top, width, height = header.display
-    x, y = header.data[0] - left, header.data[1] - top
-    canvas = np.zeros((height, width, *pixels.shape[2:]), pixels.dtype)
-    x0, y0 = max(x, 0), max(y, 0)
-    x1, y1 = min(x + pixels.shape[1], width), min(y + pixels.shape[0], height)
-    if x0 < x1 and y0 < y1:
-        canvas[y0:y1, x0:x1] = pixels[y0 - y : y1 - y, x0 - x : x1 - x]
-    return canvas
-
-
-def _upright(pixels: NDArray[Any], orientation: int) -> NDArray[Any]:
-    """Return the pixels turned as the Exif number 1..8 tells a viewer to."""
-    if orientation in {2, 3}:
-        pixels = pixels[:, ::-1]
-    if orientation in {3, 4}:
-        pixels = pixels[::-1]
-    if orientation >= _TURNED:
-        pixels = pixels.swapaxes(0, 1)
-        pixels = pixels[:, ::-1] if orientation in {6, 7} else pixels
-        pixels = pixels[::-1] if orientation in {7, 8} else pixels
-    return np.ascontiguousarray(pixels)
-
-
-def _clear_white(rgba: NDArray[Any]) -> tuple[str, ...]:
+def _clear_white(rgba: NDArray[Any]) -> tuple[Message, ...]:
     """Make pure white clear in place, in (H, W, 4), and return the note about it."""
-    full = _full(rgba)
-    white = (rgba[..., 0] & rgba[..., 1] & rgba[..., 2]) == full
+    most = full(rgba)
+    white = (rgba[..., 0] & rgba[..., 1] & rgba[..., 2]) == most
     rgba[..., 3][white] = 0
     return (_NO_ALPHA,) if white.any() else (_NO_ALPHA_NO_WHITE,)

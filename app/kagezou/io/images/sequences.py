@@ -12,6 +12,7 @@ from typing import Final
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem, shown
 from kagezou.io.pixels.signatures import is_picture
+from kagezou.message import Message
 
 # At most six digits, so that a date is not a number, then the letters of an inserted drawing or a retake.
 _NUMBERED: Final = re.compile(r"(?P<prefix>.*?)(?<![0-9])(?P<number>[0-9]{1,6})(?P<suffix>[A-Za-z]{0,2})", re.DOTALL)
@@ -81,7 +82,7 @@ def find_sequences(source: Path) -> Found:
             return _by_pattern(source)
     except OSError as error:
         raise input_problem(source, error) from error
-    raise input_problem(source, "it does not exist")
+    raise input_problem(source, Message("it does not exist"))
 
 
 def natural_key(text: str) -> tuple[tuple[int, int, str], ...]:
@@ -93,9 +94,11 @@ def natural_key(text: str) -> tuple[tuple[int, int, str], ...]:
 
 def _still(path: Path) -> Found:
     if not path.is_file():
-        raise input_problem(path, "it is neither a file nor a folder")
+        raise input_problem(path, Message("it is neither a file nor a folder"))
     if not is_picture(path):
-        raise input_problem(path, f"'{path.suffix}' is no picture format that can be read")
+        raise input_problem(
+            path, Message("'{path_suffix}' is no picture format that can be read", path_suffix=path.suffix)
+        )
     return Found((_one(path),), ())
 
 
@@ -116,7 +119,7 @@ def _in_folder(folder: Path) -> Found:
     if below:
         return Found(_sorted(below), loose)
     if not loose:
-        raise input_problem(folder, "there is no picture in this folder")
+        raise input_problem(folder, Message("there is no picture in this folder"))
     return Found(_stills(loose), ())
 
 
@@ -135,11 +138,13 @@ def _stills(pictures: Iterable[Path]) -> tuple[Sequence, ...]:
 def _by_pattern(pattern: Path) -> Found:
     parts = _PATTERN.fullmatch(pattern.name)
     if parts is None:
-        raise input_problem(pattern, "one run of '#' is needed where the number stands")
+        raise input_problem(pattern, Message("one run of '#' is needed where the number stands"))
     if not is_picture(pattern):
-        raise input_problem(pattern, f"'{pattern.suffix}' is no picture format that can be read")
+        raise input_problem(
+            pattern, Message("'{pattern_suffix}' is no picture format that can be read", pattern_suffix=pattern.suffix)
+        )
     if not pattern.parent.is_dir():
-        raise input_problem(pattern, "its folder does not exist")
+        raise input_problem(pattern, Message("its folder does not exist"))
     rest = parts["rest"].removesuffix(pattern.suffix)
     behind = "[A-Za-z]{0,2}" if rest == _LETTERS else re.escape(rest)
     number = re.compile(re.escape(parts["prefix"]) + f"([0-9]{{1,6}})({behind})")
@@ -149,7 +154,7 @@ def _by_pattern(pattern: Path) -> Found:
         if match and path.suffix.lower() == pattern.suffix.lower():
             files.append(NumberedFile(int(match[1]), match[2] if match[2].isalpha() else "", path))
     if not files:
-        raise input_problem(pattern, "no file has such a name")
+        raise input_problem(pattern, Message("no file has such a name"))
     return Found((_sequence(parts["prefix"], pattern.parent, files),), ())
 
 
@@ -195,7 +200,9 @@ def _sequence(prefix: str, folder: Path, files: list[NumberedFile]) -> Sequence:
     ordered = sorted(files, key=lambda file: (file.number or 0, file.suffix.lower(), file.suffix, file.path.name))
     for file, following in itertools.pairwise(ordered):
         if (file.number, file.suffix) == (following.number, following.suffix):
-            raise InputProblem(f"{shown(file.path)}: {shown(following.path)} has the same number")
+            raise InputProblem(
+                Message("{path}: {path_2} has the same number", path=shown(file.path), path_2=shown(following.path))
+            )
     return Sequence(prefix.rstrip(_BETWEEN) or folder.resolve().name, tuple(ordered))
 
 

@@ -9,10 +9,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import PictureSource
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Cel, Matte, matte_of
+from kagezou.picture_source import PictureSource
 
 _WIDE: Final = {1: np.uint32, 2: np.uint64}
 """By the bytes of a channel: what holds the sum of colour times alpha over sixteen pixels."""

@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.io.files.faults import output_problem, shown
+from kagezou.message import Message
 
 Pixels = NDArray[Any]
-MISSING: Final = "video needs PyAV, which is not installed: pip install 'kagezou[video]'"
+MISSING: Final = Message("video needs PyAV, which is not installed: pip install 'kagezou[video]'")
 _BT709: Final = 1
 _VIDEO_RANGE: Final = 1
 _WHITE: Final = 255
@@ -71,7 +72,7 @@ def kind_of(path: Path) -> VideoKind:
     """
     suffix = path.suffix.lower()
     if suffix not in [kind.value for kind in VideoKind]:
-        raise UsageProblem(f"{shown(path)}: a video ends in .mp4 or .mov")
+        raise UsageProblem(Message("{path}: a video ends in .mp4 or .mov", path=shown(path)))
     if not is_there():
         raise UsageProblem(MISSING)
     return VideoKind(suffix)
@@ -175,7 +176,7 @@ class VideoWriter:
     def _problem(self, error: Exception) -> OutputProblem:
         if isinstance(error, OSError):
             return output_problem(self._shown_as, error)
-        return output_problem(self._shown_as, f"cannot be written: {error}")
+        return output_problem(self._shown_as, Message("cannot be written: {error}", error=error))
 
 
 def frames_in(path: Path) -> int:

@@ -20,6 +20,7 @@ from kagezou.io.images.oiio_guard import write_verified
 from kagezou.io.pixels.colour import light_from_rgba
 from kagezou.io.pixels.png import pack_layer, pack_rgba
 from kagezou.io.pixels.tiff import pack_rgba as pack_tiff
+from kagezou.message import Message
 
 Pixels = NDArray[Any]
 _STRAIGHT: Final = "oiio:UnassociatedAlpha"
@@ -134,7 +135,14 @@ def write_rgba(path: Path, rgba: Pixels) -> None:
 def _format(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
-        raise UsageProblem(f"{shown(path)}: '{path.suffix}' cannot be written, only {', '.join(FORMATS)}")
+        raise UsageProblem(
+            Message(
+                "{path}: '{path_suffix}' cannot be written, only {formats}",
+                path=shown(path),
+                path_suffix=path.suffix,
+                formats=", ".join(FORMATS),
+            )
+        )
     return _SAME.get(suffix, suffix)
 
 

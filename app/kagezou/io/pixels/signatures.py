@@ -12,6 +12,7 @@ from typing import BinaryIO, Final
 from isal import isal_zlib
 
 from kagezou.io.files.faults import input_problem
+from kagezou.message import Message
 
 FORMATS: Final = {
     ".png": "png",
@@ -89,10 +90,10 @@ def checked_format(path: Path, *, whole: bool) -> str:
     """
     expected = FORMATS.get(path.suffix.lower())
     if expected is None:
-        raise input_problem(path, f"'{path.suffix}' is no picture format that can be read")
+        raise input_problem(path, Message("'{suffix}' is no picture format that can be read", suffix=path.suffix))
     try:
         if path.exists() and not path.is_file():
-            raise input_problem(path, "it is not a file")
+            raise input_problem(path, Message("it is not a file"))
         with path.open("rb") as stream:
             _check_start(path, stream.read(len(_PNG)), expected)
             if expected == "png":
@@ -100,19 +101,24 @@ def checked_format(path: Path, *, whole: bool) -> str:
     except OSError as error:
         raise input_problem(path, error) from error
     except ValueError as error:  # a NUL in the name
-        raise input_problem(path, "it cannot be a file name") from error
+        raise input_problem(path, Message("it cannot be a file name")) from error
     return expected
 
 
 def _check_start(path: Path, start: bytes, expected: str) -> None:
     if not start:
-        raise input_problem(path, "the file is empty")
+        raise input_problem(path, Message("the file is empty"))
     found = next((name for name, magic in _STARTS if start.startswith(magic)), None)
     if expected == "targa":  # has no mark of its own, and any bytes may open it
         found = found if found in {"png", "openexr", "jpeg"} else "targa"
     if found != expected:
-        inside = f" but {_TITLES[found]}" if found else ""
-        raise input_problem(path, f"it is not {_TITLES[expected]}{inside}, whatever its name says")
+        wanted = _TITLES[expected]
+        if found is None:
+            raise input_problem(path, Message("it is not {wanted}, whatever its name says", wanted=wanted))
+        inside = _TITLES[found]
+        raise input_problem(
+            path, Message("it is not {wanted} but {inside}, whatever its name says", wanted=wanted, inside=inside)
+        )
 
 
 def _check_png(path: Path, stream: BinaryIO, *, whole: bool) -> None:
@@ -124,12 +130,12 @@ def _check_png(path: Path, stream: BinaryIO, *, whole: bool) -> None:
         length, following = struct.unpack(">I4s", head) if len(head) == _CHUNK_HEAD else (0, b"")
         rest -= _CHUNK_HEAD + length + _CHUNK_CRC
         if rest < 0:
-            raise input_problem(path, "the file is cut short")
+            raise input_problem(path, Message("the file is cut short"))
         body = stream.read(length)
         told = int.from_bytes(stream.read(_CHUNK_CRC))
         needed = following[:1].isupper() or following == b"tRNS"
         if needed and isal_zlib.crc32(body, isal_zlib.crc32(following)) != told:
-            raise input_problem(path, "the file is damaged (a checksum is wrong)")
+            raise input_problem(path, Message("the file is damaged (a checksum is wrong)"))
         if not kind:
             _check_png_header(path, following, body)
             if not whole:
@@ -139,9 +145,11 @@ def _check_png(path: Path, stream: BinaryIO, *, whole: bool) -> None:
 
 def _check_png_header(path: Path, kind: bytes, body: bytes) -> None:
     if kind != b"IHDR" or len(body) != _PNG_HEADER.size:
-        raise input_problem(path, "the file is damaged (it has no header)")
+        raise input_problem(path, Message("the file is damaged (it has no header)"))
     width, height, bits, colour, packing, filtering, interlace = _PNG_HEADER.unpack(body)
     if bits not in _PNG_DEPTHS.get(colour, ()) or packing or filtering or interlace > 1 or not min(width, height):
-        raise input_problem(path, "the file is damaged (an impossible header)")
+        raise input_problem(path, Message("the file is damaged (an impossible header)"))
     if max(width, height) > LARGEST_SIDE_PX:
-        raise input_problem(path, f"{width} × {height} px is larger than can be read")
+        raise input_problem(
+            path, Message("{width} × {height} px is larger than can be read", width=width, height=height)
+        )

@@ -15,11 +15,12 @@ from kagezou.document.model import Document
 from kagezou.errors import ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import cause_of, shown
-from kagezou.io.project.json import Reader, formatted, parse
+from kagezou.io.files.json_text import Reader, formatted, parse
 from kagezou.io.project.paths import absolute
 from kagezou.io.project.reading import document_of
 from kagezou.io.project.versions import upgraded
 from kagezou.io.project.writing import tree_of
+from kagezou.message import Message
 
 _VERSION: Final = re.compile(r"(.+)_(\d{2,5})")
 
@@ -39,9 +40,9 @@ def load(path: Path) -> Document:
     try:
         return loads(_text_at(path), absolute(path).parent)
     except OSError as error:
-        raise ProjectProblem(f"{shown(path)}: {cause_of(error)}") from error
+        raise ProjectProblem(Message("{path}: {cause}", path=shown(path), cause=cause_of(error))) from error
     except ProjectProblem as problem:
-        raise ProjectProblem(f"{shown(path)}: {problem}") from problem
+        raise ProjectProblem(Message("{path}: {cause}", path=shown(path), cause=problem)) from problem
 
 
 def fingerprint(path: Path) -> str:
@@ -79,7 +80,7 @@ def save(document: Document, path: Path) -> None:
         text = dumps(document, folder)
         loads(text, folder)
     except ProjectProblem as problem:
-        raise ProjectProblem(f"{shown(path)}: cannot be saved: {problem}") from problem
+        raise ProjectProblem(Message("{path}: cannot be saved: {cause}", path=shown(path), cause=problem)) from problem
     write_bytes(path, text.encode("utf-8"), keep_previous=True)
 
 
@@ -110,12 +111,14 @@ def loads(text: str, folder: Path) -> Document:
 def _text_at(path: Path) -> str:
     try:
         if path.exists() and not path.is_file():
-            raise ProjectProblem("it is not a file")
+            raise ProjectProblem(Message("it is not a file"))
         with path.open("rb") as stream:
             if os.fstat(stream.fileno()).st_size > MAX_BYTES:
-                raise ProjectProblem(f"it is larger than {MAX_BYTES >> 20} MB, which no project is")
+                raise ProjectProblem(
+                    Message("it is larger than {megabytes} MB, which no project is", megabytes=MAX_BYTES >> 20)
+                )
             return stream.read(MAX_BYTES + 1).decode("utf-8")
     except UnicodeDecodeError as error:
-        raise ProjectProblem(f"it is not UTF-8 text (byte {error.start + 1})") from error
+        raise ProjectProblem(Message("it is not UTF-8 text (byte {start})", start=error.start + 1)) from error
     except ValueError as error:  # a NUL in the name
-        raise ProjectProblem("it cannot be the name of a file") from error
+        raise ProjectProblem(Message("it cannot be the name of a file")) from error

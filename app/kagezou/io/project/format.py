@@ -1,6 +1,6 @@
 """The description of the project format, made from the tables that the reader obeys.
 
-``python -m kagezou.io.project_format`` writes ``FORMAT.md`` beside this module; a test compares the two.
+``python -m kagezou.io.project.format`` writes ``FORMAT.md`` beside this module; a test compares the two.
 """
 
 from fractions import Fraction
@@ -12,10 +12,10 @@ from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Kind, Property
+from kagezou.document.property import AnyProperty, Kind
 from kagezou.geometry.box import Box
+from kagezou.io.files.json_text import formatted
 from kagezou.io.project import fields as fields
-from kagezou.io.project.json import formatted
 from kagezou.io.project.versions import BROUGHT
 from kagezou.io.project.writing import tree_of
 
@@ -24,7 +24,7 @@ DESCRIPTION: Final = Path(__file__).with_name("FORMAT.md")
 _HEAD: Final = """\
 # The project file (.kage)
 
-Made by `python -m kagezou.io.project_format` from the tables that the reader obeys; do not edit.
+Made by `python -m kagezou.io.project.format` from the tables that the reader obeys; do not edit.
 
 A project is one JSON object as UTF-8 text (a byte order mark is allowed), at most 64 MB. It holds no pictures and no
 code. Reading is strict: a key that is not listed here, a key that stands twice, a value of another kind, NaN, infinity
@@ -38,16 +38,24 @@ default; a **track** is either a value (constant over the cut) or an object with
 """
 
 
+_RULE: Final = """\
+The version rises with a release whose files an older release would refuse or read wrongly: one that adds a property, a
+key or a choice, or changes what one means. It rises at most once a release. A program reads every version up to its own
+and leads older files over when it saves; of a newer file it says which Kagezou is needed.
+
+"""
+
+
 def description() -> str:
     """Return the whole text of ``FORMAT.md``."""
-    parts = [_HEAD, "\n## Versions\n\n"]
+    parts = [_HEAD, "\n## Versions\n\n", _RULE]
     parts += [f"{int(version)}. `{version.name}`: {text}\n" for version, text in BROUGHT.items()]
     for title, table in _OBJECTS.items():
         parts.append(f"\n## {title}\n\n| key | value | meaning |\n|---|---|---|\n")
         parts += [_field_row(name, field) for name, field in table.items()]
-    for title, lines in _PROPERTIES.items():
+    for title, props in _PROPERTIES.items():
         parts.append(f"\n## {title}\n\n| property | value | default | meaning |\n|---|---|---|---|\n")
-        parts += [_property_row(line) for line in lines.values()]
+        parts += [_property_row(prop) for prop in props.values()]
     parts.append("\n## Example\n\n```json\n" + _example_text() + "```\n")
     return "".join(parts)
 
@@ -73,15 +81,15 @@ def _field_row(name: str, field: fields.Field) -> str:
     return f"| `{name}` | {field.kind} | {field.meaning}{' May be missing.' if field.optional else ''} |\n"
 
 
-def _property_row(line: Property) -> str:
-    default = formatted(line.default).strip()
-    return f"| `{line.name}` | {_kind(line)} | `{default}` | {line.help.en} |\n"
+def _property_row(prop: AnyProperty) -> str:
+    default = formatted(prop.default).strip()
+    return f"| `{prop.name}` | {_kind(prop)} | `{default}` | {prop.help} |\n"
 
 
-def _kind(line: Property) -> str:
-    match line.kind:
+def _kind(prop: AnyProperty) -> str:
+    match prop.kind:
         case Kind.NUMBER:
-            return f"number, {line.low:g} to {line.high:g}{line.unit and ' ' + line.unit}"
+            return f"number, {prop.low:g} to {prop.high:g}{prop.unit and ' ' + prop.unit}"
         case Kind.POINT:
             return "[x, y] in px"
         case Kind.PLACE:
@@ -91,7 +99,7 @@ def _kind(line: Property) -> str:
         case Kind.COLOR:
             return '"#RRGGBB"'
         case Kind.CHOICE:
-            return " or ".join(f'"{choice}"' for choice in line.choices)
+            return " or ".join(f'"{choice}"' for choice in prop.choices)
         case Kind.SWITCH:
             return "true or false"
 

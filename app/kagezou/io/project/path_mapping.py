@@ -3,10 +3,12 @@
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
 
-from kagezou.document.model import Document, Drawing, PicturePart, PictureSource
+from kagezou.document.model import Document, Drawing
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.faults import input_problem, shown
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
+from kagezou.message import Message
+from kagezou.picture_source import PicturePart, PictureSource
 
 _MOST_RULES = 10_000
 _MOST_CHARACTERS = 32_768
@@ -34,11 +36,13 @@ def read_rules(path: Path) -> tuple[Rule, ...]:
     except OSError as error:
         raise input_problem(path, error) from error
     except (UnicodeDecodeError, ProjectProblem) as problem:
-        raise InputProblem(f"{shown(path)}: these are no rules of path mapping: {problem}") from problem
+        raise InputProblem(
+            Message("{path}: these are no rules of path mapping: {cause}", path=shown(path), cause=problem)
+        ) from problem
     try:
         return _rules(Reader(tree))
     except ProjectProblem as problem:
-        raise InputProblem(f"{shown(path)}: {problem}") from problem
+        raise InputProblem(Message("{path}: {cause}", path=shown(path), cause=problem)) from problem
 
 
 def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:

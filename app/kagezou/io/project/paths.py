@@ -11,6 +11,7 @@ from typing import Final
 
 from kagezou.errors import ProjectProblem
 from kagezou.io.files.faults import shown
+from kagezou.message import Message
 
 MAX_PATH_CHARACTERS: Final = 4096
 _NETWORK: Final = re.compile(r"[/\\]{2}")
@@ -37,8 +38,11 @@ def stored_path(path: Path, folder: Path) -> str:
         text = path.as_posix()
         if _NETWORK.match(text):
             raise ProjectProblem(
-                f"{shown(path)}: a project cannot name files of a network share it does not lie on; "
-                "give the share a drive letter or save the project there"
+                Message(
+                    "{path}: a project cannot name files of a network share it does not lie on; "
+                    "give the share a drive letter or save the project there",
+                    path=shown(path),
+                )
             ) from error
         return text
     # A name that only looks like a drive or a share is told from one by where it starts.
@@ -59,8 +63,8 @@ def local_path(text: str, folder: Path) -> Path:
     return Path(os.path.normpath(folder / text))
 
 
-def refusal_of(text: str, *, windows: bool) -> str:
-    """Return why a project may not name a file so, or an empty text if it may.
+def refusal_of(text: str, *, windows: bool) -> Message | None:
+    """Return why a project may not name a file so, None if it may.
 
     Parameters
     ----------
@@ -70,24 +74,24 @@ def refusal_of(text: str, *, windows: bool) -> str:
         Whether it is read on Windows, where drives are local and some names are devices.
     """
     if not 1 <= len(text) <= MAX_PATH_CHARACTERS:
-        return f"a path has 1 to {MAX_PATH_CHARACTERS} characters"
+        return Message("a path has 1 to {most} characters", most=MAX_PATH_CHARACTERS)
     if "\0" in text or not _encodable(text):
-        return "it cannot be the name of a file"
+        return Message("it cannot be the name of a file")
     if _NETWORK.match(text):
-        return "a project may not name files on the network"
+        return Message("a project may not name files on the network")
     if not windows:
-        return "it names a drive of another computer" if _DRIVE.match(text) else ""
+        return Message("it names a drive of another computer") if _DRIVE.match(text) else None
     return _windows_refusal(text)
 
 
-def _windows_refusal(text: str) -> str:
+def _windows_refusal(text: str) -> Message | None:
     drive = _DRIVE.match(text)
     if drive and text[2:3] not in ("/", "\\"):
-        return "a path on a drive starts at its root"
+        return Message("a path on a drive starts at its root")
     parts = re.split(r"[/\\]", text[2:] if drive else text)
     if any(_DEVICE.fullmatch(part) for part in parts):
-        return "it names a device"
-    return "it cannot be the name of a file" if any(":" in part for part in parts) else ""
+        return Message("it names a device")
+    return Message("it cannot be the name of a file") if any(":" in part for part in parts) else None
 
 
 def _encodable(text: str) -> bool:

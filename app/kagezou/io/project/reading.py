@@ -11,28 +11,19 @@ from typing import Final
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.linking import LINKABLE
-from kagezou.document.model import (
-    Canvas,
-    Cels,
-    Document,
-    Drawing,
-    Exposure,
-    Layer,
-    PicturePart,
-    PictureSource,
-    Piece,
-    Tracks,
-)
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Property
+from kagezou.document.property import AnyProperty, ValueProblem
 from kagezou.document.set_pieces import MAX_PIECES
-from kagezou.errors import ProjectProblem, UsageProblem
+from kagezou.errors import ProjectProblem
 from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import Line, VanishingLines
+from kagezou.io.files.json_text import Reader
 from kagezou.io.project import fields as fields
-from kagezou.io.project.json import Reader
 from kagezou.io.project.paths import MAX_PATH_CHARACTERS, local_path
 from kagezou.io.project.review import read_review
+from kagezou.message import Message
+from kagezou.picture_source import PicturePart, PictureSource
 
 _FRAME_RATE: Final = re.compile(r"[0-9]{1,18}(/[0-9]{1,18})?")
 _MAX_FRAME: Final = 1_000_000
@@ -65,7 +56,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         linked=_linked(found["linked"]) if "linked" in found else frozenset(),
     )
     if _row_count(document) > fields.MAX_ROWS:
-        raise project.problem(f"more than {fields.MAX_ROWS} drawings, exposures and keys")
+        raise project.problem(Message("more than {most_rows} drawings, exposures and keys", most_rows=fields.MAX_ROWS))
     return document
 
 
@@ -85,7 +76,7 @@ def _canvas(reader: Reader) -> Canvas:
     found = _record(reader, fields.CANVAS)
     rate = found["frame_rate"].text(64)
     if not _FRAME_RATE.fullmatch(rate) or not 0 < _ratio(rate) <= 1000:
-        raise found["frame_rate"].refused('a frame rate such as "24" or "24000/1001"')
+        raise found["frame_rate"].refused(Message('a frame rate such as "24" or "24000/1001"'))
     return Canvas(
         width_px=found["width_px"].whole(1, 16384),
         height_px=found["height_px"].whole(1, 16384),
@@ -135,7 +126,7 @@ def _line(reader: Reader) -> Line:
 def _name(reader: Reader) -> str:
     name = reader.text(fields.MAX_NAME_CHARACTERS)
     if not name.isprintable() or not name.strip():
-        raise reader.refused("a printable name")
+        raise reader.refused(Message("a printable name"))
     return name
 
 
@@ -143,7 +134,7 @@ def _figure(reader: Reader) -> Box:
     left, top, right, bottom = (side.whole(-_MAX_PX, _MAX_PX) for side in reader.items(4, least=4))
     box = Box(left, top, right, bottom)
     if box.is_empty:
-        raise reader.refused("a box with pixels in it")
+        raise reader.refused(Message("a box with pixels in it"))
     return box
 
 
@@ -171,7 +162,7 @@ def _path(reader: Reader, folder: Path) -> Path:
     try:
         return local_path(text, folder)
     except ProjectProblem as problem:
-        raise reader.problem(str(problem)) from problem
+        raise reader.problem(problem.message) from problem
 
 
 def _exposures(reader: Reader, drawing_count: int) -> tuple[Exposure, ...]:
@@ -181,7 +172,7 @@ def _exposures(reader: Reader, drawing_count: int) -> tuple[Exposure, ...]:
         index = None
         if drawing.value is not None:
             if drawing_count == 0:
-                raise drawing.problem("the layer has no drawings")
+                raise drawing.problem(Message("the layer has no drawings"))
             index = drawing.whole(0, drawing_count - 1)
         exposures.append(Exposure(frame.whole(-_MAX_FRAME, _MAX_FRAME), index))
     _check_order(reader, (exposure.frame for exposure in exposures), "[0]")
@@ -192,29 +183,29 @@ def _check_order(rows: Reader, frames: Iterable[int], inner: str) -> None:
     for index, (before, after) in enumerate(pairwise(frames), start=1):
         if after <= before:
             place = Reader(after, f"{rows.place}[{index}]{inner}")
-            raise place.problem(f"frame {after} does not come after frame {before}")
+            raise place.problem(Message("frame {after} does not come after frame {before}", after=after, before=before))
 
 
-def _tracks(reader: Reader, known: Mapping[str, Property]) -> Tracks:
+def _tracks(reader: Reader, known: Mapping[str, AnyProperty]) -> Tracks:
     tracks: dict[str, Track] = {}
     for name, track in reader.members().items():
         if name not in known:
-            raise track.problem("there is no such property")
+            raise track.problem(Message("there is no such property"))
         tracks[name] = _track(track, known[name])
     return MappingProxyType(tracks)
 
 
-def _track(reader: Reader, line: Property) -> Track:
+def _track(reader: Reader, prop: AnyProperty) -> Track:
     if not isinstance(reader.value, dict):
-        return Track(_value(reader, line))
+        return Track(_value(reader, prop))
     found = _record(reader, fields.TRACK)
-    keys = tuple(read_key(each, line) for each in found["keys"].items(fields.MAX_ROWS, least=1))
+    keys = tuple(read_key(each, prop) for each in found["keys"].items(fields.MAX_ROWS, least=1))
     _check_order(found["keys"], (key.frame for key in keys), ".frame")
-    constant = _value(found["constant"], line) if "constant" in found else keys[0].value
+    constant = _value(found["constant"], prop) if "constant" in found else keys[0].value
     return Track(constant, keys)
 
 
-def read_key(reader: Reader, line: Property) -> Key:
+def read_key(reader: Reader, prop: AnyProperty) -> Key:
     """Return the key of a property.
 
     Raises
@@ -224,9 +215,9 @@ def read_key(reader: Reader, line: Property) -> Key:
     """
     found = _record(reader, fields.KEY)
     interpolation = Interpolation(found["interpolation"].word([str(each) for each in Interpolation]))
-    if line.holds_only and interpolation is not Interpolation.HOLD:
-        raise found["interpolation"].problem("a switch or choice can only be held")
-    value = _value(found["value"], line)
+    if prop.holds_only and interpolation is not Interpolation.HOLD:
+        raise found["interpolation"].problem(Message("a switch or choice can only be held"))
+    value = _value(found["value"], prop)
     most = len(components_of(value) or ())
     return Key(
         frame=found["frame"].whole(1, _MAX_FRAME),
@@ -237,11 +228,11 @@ def read_key(reader: Reader, line: Property) -> Key:
     )
 
 
-def _value(reader: Reader, line: Property) -> Value:
+def _value(reader: Reader, prop: AnyProperty) -> Value:
     try:
-        return line.canonical(reader.value)
-    except UsageProblem as problem:
-        raise reader.problem(str(problem).removeprefix(f"{line.name}: ")) from problem
+        return prop.canonical(reader.value)
+    except ValueProblem as problem:
+        raise reader.problem(problem.cause) from problem
 
 
 def _eases(reader: Reader | None, most: int) -> tuple[Ease, ...]:

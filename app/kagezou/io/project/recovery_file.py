@@ -15,8 +15,9 @@ from kagezou.document.model import Document
 from kagezou.errors import OutputProblem, ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import cause_of, output_problem, shown
+from kagezou.io.files.json_text import Reader, parse
 from kagezou.io.project.file import MAX_BYTES, dumps, loads
-from kagezou.io.project.json import Reader, parse
+from kagezou.message import Message
 
 SUFFIX: Final = ".keepsake"
 _FORMAT: Final = "kagezou-keepsake"
@@ -85,12 +86,16 @@ def read_recovery_file(file: Path) -> RecoveredWork:
     """
     try:
         if file.stat().st_size > 2 * MAX_BYTES:
-            raise ProjectProblem(f"it is larger than {2 * MAX_BYTES >> 20} MB, which no keepsake is")
+            raise ProjectProblem(
+                Message("it is larger than {megabytes} MB, which no keepsake is", megabytes=2 * MAX_BYTES >> 20)
+            )
         return _keepsake(Reader(parse(file.read_bytes().decode("ascii"))), file.parent)
     except OSError as error:
-        raise ProjectProblem(f"{shown(file)}: {cause_of(error)}") from error
+        raise ProjectProblem(Message("{path}: {cause}", path=shown(file), cause=cause_of(error))) from error
     except (UnicodeDecodeError, ProjectProblem) as problem:
-        raise ProjectProblem(f"{shown(file)}: the kept work is damaged: {problem}") from problem
+        raise ProjectProblem(
+            Message("{path}: the kept work is damaged: {cause}", path=shown(file), cause=problem)
+        ) from problem
 
 
 def recovery_files_in(folder: Path) -> tuple[Path, ...]:
@@ -114,7 +119,9 @@ def forget(file: Path) -> None:
     try:
         file.unlink(missing_ok=True)
     except OSError as error:
-        raise OutputProblem(f"{shown(file)}: cannot be removed: {cause_of(error)}") from error
+        raise OutputProblem(
+            Message("{path}: cannot be removed: {cause}", path=shown(file), cause=cause_of(error))
+        ) from error
 
 
 def now_s() -> int:

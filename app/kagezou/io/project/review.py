@@ -8,9 +8,10 @@ from typing import Final
 from kagezou.document.model import Document, Marker, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.review import MAX_TEXT_CHARACTERS
+from kagezou.io.files.json_text import JsonRow, Reader
 from kagezou.io.project import fields as fields
-from kagezou.io.project.json import JsonRow, Reader
 from kagezou.io.project.versions import Tree
+from kagezou.message import Message
 
 _MAX_FRAME: Final = 1_000_000
 
@@ -63,7 +64,7 @@ def _note_row(note: Note) -> JsonRow:
 def _work_area(reader: Reader) -> tuple[int, int]:
     first, last = (end.whole(1, _MAX_FRAME) for end in reader.items(2, least=2))
     if last < first:
-        raise reader.problem(f"frame {last} does not come after frame {first}")
+        raise reader.problem(Message("frame {last} does not come after frame {first}", last=last, first=first))
     return first, last
 
 
@@ -76,7 +77,9 @@ def _markers(reader: Reader) -> tuple[Marker, ...]:
     for index, (before, after) in enumerate(pairwise(markers), start=1):
         if after.frame <= before.frame:
             place = Reader(after.frame, f"{reader.place}[{index}][0]")
-            raise place.problem(f"frame {after.frame} does not come after frame {before.frame}")
+            raise place.problem(
+                Message("frame {frame} does not come after frame {frame_2}", frame=after.frame, frame_2=before.frame)
+            )
     return tuple(markers)
 
 
@@ -84,7 +87,7 @@ def _note(reader: Reader, layer_ids: Set[str]) -> Note:
     found = reader.record(list(fields.NOTE))
     layer = None if found["layer"].value is None else found["layer"].text(fields.MAX_NAME_CHARACTERS)
     if layer is not None and layer not in layer_ids:
-        raise found["layer"].problem("there is no such layer")
+        raise found["layer"].problem(Message("there is no such layer"))
     return Note(
         frame=found["frame"].whole(1, _MAX_FRAME),
         property=found["property"].word(list(OF_DOCUMENT if layer is None else OF_LAYER)),

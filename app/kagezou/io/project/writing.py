@@ -6,13 +6,14 @@ from pathlib import Path
 from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
-from kagezou.document.model import Document, Drawing, Layer, PicturePart, PictureSource, Piece, Tracks
+from kagezou.document.model import Document, Drawing, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import Property
-from kagezou.io.project.json import JsonRow
+from kagezou.document.property import AnyProperty
+from kagezou.io.files.json_text import JsonRow
 from kagezou.io.project.paths import stored_path
 from kagezou.io.project.review import review_tree
 from kagezou.io.project.versions import CURRENT, FORMAT_NAME, Tree
+from kagezou.picture_source import PicturePart, PictureSource
 
 
 def tree_of(document: Document, folder: Path) -> Tree:
@@ -67,7 +68,7 @@ def _layer(layer: Layer, folder: Path) -> dict[str, object]:
     }
 
 
-def _tracks(tracks: Tracks, table: Mapping[str, Property]) -> dict[str, object]:
+def _tracks(tracks: Tracks, table: Mapping[str, AnyProperty]) -> dict[str, object]:
     """Return the tracks in table order, so that the order of edits never shows in the file."""
     return {name: _track(tracks[name]) for name in table if name in tracks}
 

@@ -13,12 +13,13 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Final
 
-from kagezou.document.model import PicturePart, PictureSource, file_of
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
 from kagezou.io.psd.pixels import PsdPixels, merged_pixels, part_pixels
 from kagezou.io.psd.tree import DEEPEST, PsdNode, PsdTree, addressed, psd_header
 from kagezou.io.psd.undrawn import undrawn_in
+from kagezou.message import Message
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 _KEPT_BYTES: Final = 256 << 20
 """So large may the files be together that are held open; the last one is always."""
@@ -56,27 +57,36 @@ class _Opened:
     def pixels(self, address: str | None) -> PsdPixels:
         """Return a layer or a group, or what the whole file shows."""
         if address is not None and address not in self._layers:
-            raise input_problem(self._path, f"there is no layer {address!r} in it")
+            raise input_problem(self._path, Message("there is no layer {address!r} in it", address=address))
         try:
             with self._lock:
                 return merged_pixels(self._image) if address is None else part_pixels(self._layers[address])
         except ImportError as error:
-            raise input_problem(self._path, f"{address or 'it'} has vector shapes that cannot be drawn") from error
+            raise input_problem(
+                self._path,
+                Message("{layer} has vector shapes that cannot be drawn", layer=address)
+                if address
+                else Message("it has vector shapes that cannot be drawn"),
+            ) from error
         except Exception as error:  # as above
             raise _damaged(self._path, error, address) from error
 
     def _nodes(self, group: Iterable[Any], parent: str | None, depth: int) -> tuple[PsdNode, ...]:
         if depth > DEEPEST:
-            raise input_problem(self._path, "its groups are nested too deep")
+            raise input_problem(self._path, Message("its groups are nested too deep"))
         layers = list(group)
         names = [_name_of(layer) for layer in layers]
         nodes = []
         for layer, name, address in zip(layers, names, addressed(names, parent), strict=True):
             self._layers[address] = layer
             if len(self._layers) > _MOST_NODES:
-                raise input_problem(self._path, f"more than {_MOST_NODES} layers are in it")
+                raise input_problem(
+                    self._path, Message("more than {most_nodes} layers are in it", most_nodes=_MOST_NODES)
+                )
             if len(address) > _LONGEST_ADDRESS:
-                raise input_problem(self._path, f"the names of the groups around {name[:20]!r} are too long")
+                raise input_problem(
+                    self._path, Message("the names of the groups around {name!r} are too long", name=name[:20])
+                )
             children = self._nodes(layer, address, depth + 1) if layer.is_group() else None
             nodes.append(
                 PsdNode(
@@ -106,7 +116,7 @@ class _OpenFiles:
         except OSError as error:
             raise input_problem(path, error) from error
         except ValueError as error:  # a NUL in the name
-            raise input_problem(path, "it cannot be a file name") from error
+            raise input_problem(path, Message("it cannot be a file name")) from error
         state = (path, status.st_size, status.st_mtime_ns)
         with self._lock:
             for other in [known for known in self._kept if known[0] == path and known != state]:
@@ -187,11 +197,19 @@ def _parsed(path: Path, size: int) -> Any:
 
 
 def _damaged(path: Path, error: Exception, address: str | None = None) -> InputProblem:
-    place = f" at the layer {address!r}" if address else ""
-    cause = str(error).strip().partition("\n")[0][:120]
+    cause = str(error).strip().partition("\n")[0][:120] or type(error).__name__
     if "over the configured budget" in str(error) or isinstance(error, MemoryError):
-        return input_problem(path, f"it is larger than can be read{place}")
-    return input_problem(path, f"the file is damaged{place} or of an unknown kind ({cause or type(error).__name__})")
+        if address:
+            return input_problem(path, Message("it is larger than can be read at the layer {layer!r}", layer=address))
+        return input_problem(path, Message("it is larger than can be read"))
+    if address:
+        return input_problem(
+            path,
+            Message(
+                "the file is damaged at the layer {layer!r} or of an unknown kind ({cause})", layer=address, cause=cause
+            ),
+        )
+    return input_problem(path, Message("the file is damaged or of an unknown kind ({cause})", cause=cause))
 
 
 def _name_of(layer: Any) -> str:

@@ -9,6 +9,7 @@ from typing import Final
 
 from kagezou.io.files.faults import input_problem
 from kagezou.io.pixels.signatures import LARGEST_SIDE_PX, checked_format
+from kagezou.message import Message
 
 LARGEST_FILE_BYTES: Final = 2 << 30
 """The largest PSD file that is read; it is held in memory while its layers are wanted."""
@@ -102,16 +103,18 @@ def psd_header(path: Path) -> PsdHeader:
     except OSError as error:
         raise input_problem(path, error) from error
     if len(head) < _HEAD.size:
-        raise input_problem(path, "the file is cut short")
+        raise input_problem(path, Message("the file is cut short"))
     _, version, channels, height, width, depth, mode = _HEAD.unpack(head)
     if version not in {1, 2} or depth not in {1, 8, 16, 32} or mode not in _COLOUR_CHANNELS or not 1 <= channels <= 56:
-        raise input_problem(path, "the file is damaged (an impossible header)")
+        raise input_problem(path, Message("the file is damaged (an impossible header)"))
     if not min(width, height):
-        raise input_problem(path, "it has no pixels")
+        raise input_problem(path, Message("it has no pixels"))
     if max(width, height) > LARGEST_SIDE_PX or width * height > LARGEST_CANVAS_PX:
-        raise input_problem(path, f"{width} × {height} px is larger than can be read")
+        raise input_problem(
+            path, Message("{width} × {height} px is larger than can be read", width=width, height=height)
+        )
     if size > LARGEST_FILE_BYTES:
-        raise input_problem(path, f"with {size >> 20} MB it is larger than can be read")
+        raise input_problem(path, Message("with {megabytes} MB it is larger than can be read", megabytes=size >> 20))
     return PsdHeader(width, height, channels, depth, mode)
 
 

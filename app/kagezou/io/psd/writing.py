@@ -28,7 +28,7 @@ from psd_tools.psd.layer_and_mask import (
 )
 from psd_tools.psd.tagged_blocks import TaggedBlocks
 
-from kagezou.io.images.layered import LayeredImage, LayerPart
+from kagezou.io.pixels.layers import LayeredImage, LayerPart
 
 LARGEST_SIDE_PX: Final = 30000
 # As differences to the left, deflated fast, 16 bit are packed as fast as in run lengths, in about half the room.

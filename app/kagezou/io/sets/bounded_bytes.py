@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.io.files.faults import input_problem
+from kagezou.message import Message
 
 MAX_BYTES: Final = 512 << 20
 
@@ -21,11 +22,13 @@ def state_of(path: Path) -> tuple[int, int]:
     except OSError as error:
         raise input_problem(path, error) from error
     except ValueError as error:  # a NUL in the name
-        raise input_problem(path, "it cannot be a file name") from error
+        raise input_problem(path, Message("it cannot be a file name")) from error
     if not path.is_file():
-        raise input_problem(path, "it is not a file")
+        raise input_problem(path, Message("it is not a file"))
     if state.st_size > MAX_BYTES:
-        raise input_problem(path, f"it is larger than {MAX_BYTES >> 20} MB, too large for a set")
+        raise input_problem(
+            path, Message("it is larger than {megabytes} MB, too large for a set", megabytes=MAX_BYTES >> 20)
+        )
     return state.st_size, state.st_mtime_ns
 
 
@@ -54,4 +57,6 @@ def check_inside(path: Path, name: str) -> None:
     """
     outside = ":" in name or "\\" in name or "\0" in name or name.startswith("/") or ".." in name.split("/")
     if outside or not (path.parent / name).resolve().is_relative_to(path.parent.resolve()):
-        raise input_problem(path, f"it refers to {name[:80]!r} outside its own folder, which is not followed")
+        raise input_problem(
+            path, Message("it refers to {name!r} outside its own folder, which is not followed", name=name[:80])
+        )

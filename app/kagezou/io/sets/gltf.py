@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.bounded_bytes import MAX_BYTES, bytes_of, check_inside
+from kagezou.message import Message
 
 Tree = dict[str, Any]
 
@@ -71,7 +72,9 @@ def read_gltf(path: Path) -> Gltf:
         tree, binary = _parts(path, data)
         for name in tree.get("extensionsRequired", ()):
             if name in _UNREADABLE:
-                raise input_problem(path, f"it is compressed ({name}): please export it without compression")
+                raise input_problem(
+                    path, Message("it is compressed ({name}): please export it without compression", name=name)
+                )
         buffers = _buffers(path, tree, binary)
         file = Gltf(path, tree, buffers, _parents(path, tree))
         for accessor in list_of(path, tree, "accessors"):
@@ -87,26 +90,28 @@ def _parts(path: Path, data: bytes) -> tuple[Tree, bytes | None]:
     if data[:4] == MAGIC:
         _, version, length = struct.unpack_from("<4sII", data)
         if version != 2:
-            raise input_problem(path, f"it is glTF {version}; only glTF 2 is read")
+            raise input_problem(path, Message("it is glTF {version}; only glTF 2 is read", version=version))
         if length > len(data):
-            raise input_problem(path, "it is cut off")
+            raise input_problem(path, Message("it is cut off"))
         at = 12
         chunks: dict[int, bytes] = {}
         while at + 8 <= length:
             size, kind = struct.unpack_from("<II", data, at)
             if at + 8 + size > length:
-                raise input_problem(path, "it is cut off")
+                raise input_problem(path, Message("it is cut off"))
             chunks.setdefault(kind, data[at + 8 : at + 8 + size])
             at += 8 + size
         text, binary = chunks[JSON_CHUNK], chunks.get(BINARY_CHUNK)
     if len(text) > _MAX_JSON_BYTES:
-        raise input_problem(path, f"its description is larger than {_MAX_JSON_BYTES >> 20} MB")
+        raise input_problem(
+            path, Message("its description is larger than {megabytes} MB", megabytes=_MAX_JSON_BYTES >> 20)
+        )
     try:
         tree = json.loads(text.decode("utf-8-sig"))
     except RecursionError as error:
-        raise input_problem(path, "it is nested too deep") from error
+        raise input_problem(path, Message("it is nested too deep")) from error
     if not isinstance(tree, dict) or str(tree["asset"]["version"]).partition(".")[0] != "2":
-        raise input_problem(path, "it is no glTF 2 file")
+        raise input_problem(path, Message("it is no glTF 2 file"))
     return tree, binary
 
 
@@ -114,7 +119,7 @@ def list_of(path: Path, tree: Tree, name: str) -> list[Tree]:
     """Return a list of objects out of a tree, empty where there is none."""
     found = tree.get(name, [])
     if not isinstance(found, list):
-        raise input_problem(path, f"it is no whole glTF file: {name!r} is no list")
+        raise input_problem(path, Message("it is no whole glTF file: {name!r} is no list", name=name))
     return found
 
 
@@ -122,7 +127,9 @@ def entry_of(path: Path, tree: Tree, name: str, index: object) -> Tree:
     """Return an object of such a list."""
     found = list_of(path, tree, name)
     if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(found):
-        raise input_problem(path, f"it is damaged: there is no {name}[{index!r}]"[:200])
+        raise input_problem(
+            path, Message("it is damaged: there is no {name}[{index}]", name=name, index=repr(index)[:160])
+        )
     entry = found[index]
     if not isinstance(entry, dict):
         raise TypeError(entry)
@@ -135,7 +142,9 @@ def _buffers(path: Path, tree: Tree, binary: bytes | None) -> tuple[bytes, ...]:
         found.append(_buffer(path, buffer, binary))
         # One file may be named many times.
         if sum(map(len, found)) > MAX_BYTES or len(found) > _MAX_BUFFERS:
-            raise input_problem(path, f"its buffers are larger than {MAX_BYTES >> 20} MB or too many")
+            raise input_problem(
+                path, Message("its buffers are larger than {megabytes} MB or too many", megabytes=MAX_BYTES >> 20)
+            )
     return tuple(found)
 
 
@@ -147,11 +156,11 @@ def _buffer(path: Path, buffer: Tree, binary: bytes | None) -> bytes:
         try:
             data = base64.b64decode(uri.partition(",")[2], validate=True)
         except binascii.Error as error:
-            raise input_problem(path, "it is damaged: a buffer in it is no base64 text") from error
+            raise input_problem(path, Message("it is damaged: a buffer in it is no base64 text")) from error
     else:
         data = _beside(path, uri)
     if not isinstance(length, int) or len(data) < length:
-        raise input_problem(path, "it is damaged: a buffer is shorter than it should be")
+        raise input_problem(path, Message("it is damaged: a buffer is shorter than it should be"))
     return data
 
 
@@ -178,20 +187,20 @@ def _parents(path: Path, tree: Tree) -> dict[int, int]:
     """Return which node hangs on which, having seen that none hangs on itself or too deep."""
     nodes = list_of(path, tree, "nodes")
     if len(nodes) > _MAX_NODES:
-        raise input_problem(path, f"it has more than {_MAX_NODES} nodes")
+        raise input_problem(path, Message("it has more than {most_nodes} nodes", most_nodes=_MAX_NODES))
     parents: dict[int, int] = {}
     for number, node in enumerate(nodes):
         for child in node.get("children", ()):
             entry_of(path, tree, "nodes", child)
             if child in parents:
-                raise input_problem(path, "it is damaged: a node hangs on two others")
+                raise input_problem(path, Message("it is damaged: a node hangs on two others"))
             parents[child] = number
     reached = level = [number for number in range(len(nodes)) if number not in parents]
     for _ in range(_MAX_DEPTH):
         level = [child for number in level for child in nodes[number].get("children", ())]
         reached = reached + level
     if len(reached) != len(nodes):
-        raise input_problem(path, "it is damaged: its nodes hang on one another without end")
+        raise input_problem(path, Message("it is damaged: its nodes hang on one another without end"))
     for scene in list_of(path, tree, "scenes"):
         for root in scene.get("nodes", ()):
             entry_of(path, tree, "nodes", root)
@@ -204,10 +213,10 @@ def _check_accessor(file: Gltf, accessor: Tree) -> None:
     if not isinstance(count, int) or count < 0:
         raise ValueError(count)
     if "sparse" in accessor:
-        raise input_problem(file.path, "it uses sparse accessors, which are not read")
+        raise input_problem(file.path, Message("it uses sparse accessors, which are not read"))
     if "bufferView" not in accessor:
         # Nothing but zeros, of any claimed number.
-        raise input_problem(file.path, "it is damaged: numbers are claimed that are not there")
+        raise input_problem(file.path, Message("it is damaged: numbers are claimed that are not there"))
     view = entry_of(file.path, file.tree, "bufferViews", accessor["bufferView"])
     buffer = file.buffers[_index(view["buffer"], len(file.buffers))]
     start, inner = view.get("byteOffset", 0), accessor.get("byteOffset", 0)
@@ -215,7 +224,7 @@ def _check_accessor(file: Gltf, accessor: Tree) -> None:
     length = view["byteLength"]
     needed = inner + (step * (count - 1) + size if count else 0)
     if min(start, inner, length, step) < 0 or start + length > len(buffer) or needed > length:
-        raise input_problem(file.path, "it is damaged: it claims more numbers than it holds")
+        raise input_problem(file.path, Message("it is damaged: it claims more numbers than it holds"))
 
 
 def _index(index: object, count: int) -> int:
@@ -226,4 +235,4 @@ def _index(index: object, count: int) -> int:
 
 def damaged(path: Path) -> InputProblem:
     """Return the problem of a file whose numbers do not fit together."""
-    return input_problem(path, "it is no whole glTF file")
+    return input_problem(path, Message("it is no whole glTF file"))

@@ -14,6 +14,7 @@ from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Matrix
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.gltf import Gltf, damaged, read_gltf
+from kagezou.message import Message
 
 _PATHS: Final = ("translation", "rotation", "scale")
 MAX_FRAMES: Final = 20_000
@@ -87,7 +88,14 @@ def _camera(file: Gltf, number: int, animated: dict[tuple[int, str], _Channel], 
     ends = [float(channel.times[-1]) for (on, _), channel in animated.items() if on in chain]
     frames = ceil(max(ends) * frame_rate - _HARDLY) + 1 if ends else 1
     if frames > MAX_FRAMES:
-        raise input_problem(file.path, f"a camera moves for {frames} frames, more than the {MAX_FRAMES} that are read")
+        raise input_problem(
+            file.path,
+            Message(
+                "a camera moves for {frames} frames, more than the {most_frames} that are read",
+                frames=frames,
+                most_frames=MAX_FRAMES,
+            ),
+        )
     poses = np.stack([_rigid(_pose(file, chain, animated, float(frame / frame_rate))) for frame in range(frames)])
     lens = camera[camera["type"]]
     if camera["type"] == "perspective":

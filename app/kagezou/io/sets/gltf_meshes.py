@@ -18,6 +18,7 @@ from kagezou.io.sets.gltf import (
     list_of,
     read_gltf,
 )
+from kagezou.message import Message
 
 _TRIANGLE_MODES: Final = (4, 5, 6)
 _OF_NODE: Final = ("children", "mesh", "matrix", "translation", "rotation", "scale")
@@ -52,10 +53,17 @@ def _check_sizes(file: Gltf, meshes: list[list[Tree]], most_triangles: int) -> N
     corners = max(sum(sizes[index][1] for index in placed), sum(size[1] for size in sizes))
     if total > most_triangles:
         raise input_problem(
-            file.path, f"it has {total} triangles, more than the {most_triangles} that can be worked with"
+            file.path,
+            Message(
+                "it has {total} triangles, more than the {most_triangles} that can be worked with",
+                total=total,
+                most_triangles=most_triangles,
+            ),
         )
     if corners > 3 * most_triangles:
-        raise input_problem(file.path, f"it has {corners} corners of triangles, too many to work with")
+        raise input_problem(
+            file.path, Message("it has {corners} corners of triangles, too many to work with", corners=corners)
+        )
 
 
 def _packed(file: Gltf, meshes: list[list[Tree]]) -> bytes:
@@ -106,8 +114,8 @@ def _triangles_of(file: Gltf, part: Tree) -> int:
     if "indices" in part:
         indices = entry_of(file.path, file.tree, "accessors", part["indices"])
         if indices["componentType"] not in (5121, 5123, 5125) or indices["type"] != "SCALAR":
-            raise input_problem(file.path, "it is damaged: corners are not named by whole numbers")
+            raise input_problem(file.path, Message("it is damaged: corners are not named by whole numbers"))
         if indices["count"] and file.accessor(part["indices"]).max() >= count:
-            raise input_problem(file.path, "it is damaged: a triangle names a corner that is not there")
+            raise input_problem(file.path, Message("it is damaged: a triangle names a corner that is not there"))
         count = int(indices["count"])
     return count // 3 if part.get("mode", 4) == 4 else max(count - 2, 0)

@@ -19,6 +19,7 @@ from kagezou.io.sets.bounded_bytes import bytes_of, state_of
 from kagezou.io.sets.gltf_meshes import packed_gltf
 from kagezou.io.sets.obj import bare_obj
 from kagezou.io.sets.usd import read_usd
+from kagezou.message import Message
 
 MESH_SUFFIXES: Final = (".glb", ".gltf", ".obj", ".ply", ".stl", ".usd", ".usda", ".usdc", ".usdz")
 MAX_TRIANGLES: Final = 5_000_000
@@ -105,7 +106,10 @@ def read_mesh(path: Path) -> Mesh:
     state_of(path)
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
-        raise input_problem(path, f"this is no set that can be read, only {', '.join(MESH_SUFFIXES)}")
+        raise input_problem(
+            path,
+            Message("this is no set that can be read, only {mesh_suffixes}", mesh_suffixes=", ".join(MESH_SUFFIXES)),
+        )
     if suffix in _USD:
         vertices, triangles = read_usd(path, MAX_TRIANGLES)
     elif suffix in _GLTF:
@@ -126,11 +130,11 @@ def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
             scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True, process=False)
             found = scene.to_mesh()
     except MemoryError as error:
-        raise input_problem(path, "there is not enough memory for this set") from error
+        raise input_problem(path, Message("there is not enough memory for this set")) from error
     # What a decoder raises for a broken file is of any kind.
     except Exception as error:
         raise input_problem(
-            path, "it cannot be read as a set: the file is damaged or not what its name says"
+            path, Message("it cannot be read as a set: the file is damaged or not what its name says")
         ) from error
     return found.vertices, found.faces
 
@@ -139,26 +143,28 @@ def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
     """Return a mesh whose numbers make sense, its equal vertices made one."""
     points, corners = np.asarray(vertices, np.float64), np.asarray(triangles)
     if not points.size or not corners.size:
-        raise input_problem(path, "there are no triangles in it")
+        raise input_problem(path, Message("there are no triangles in it"))
     if points.shape[1:] != (3,) or corners.shape[1:] != (3,) or corners.dtype.kind not in "iu":
-        raise input_problem(path, "it is damaged: its corners are no points in space")
+        raise input_problem(path, Message("it is damaged: its corners are no points in space"))
     if len(corners) > MAX_TRIANGLES:
         raise too_many(path, len(corners), MAX_TRIANGLES)
     if corners.min() < 0 or corners.max() >= len(points):
-        raise input_problem(path, "it is damaged: a triangle names a corner that is not there")
+        raise input_problem(path, Message("it is damaged: a triangle names a corner that is not there"))
     is_used = np.zeros(len(points), bool)
     is_used[corners] = True
     used = points[is_used]
     if not np.isfinite(used).all():
-        raise input_problem(path, "it is damaged: a corner is not a number")
+        raise input_problem(path, Message("it is damaged: a corner is not a number"))
     if np.abs(used).max() > _FARTHEST:
-        raise input_problem(path, f"a corner lies more than {_FARTHEST:g} units away")
+        raise input_problem(path, Message("a corner lies more than {farthest:g} units away", farthest=_FARTHEST))
     mesh = mesh_of(points, corners)
     if not len(mesh.triangles):
-        raise input_problem(path, "there are no triangles in it but some without an area")
+        raise input_problem(path, Message("there are no triangles in it but some without an area"))
     return mesh
 
 
 def too_many(path: Path, count: int, most: int) -> InputProblem:
     """Return the problem of a set with more triangles than can be worked with."""
-    return input_problem(path, f"it has {count} triangles, more than the {most} that can be worked with")
+    return input_problem(
+        path, Message("it has {count} triangles, more than the {most} that can be worked with", count=count, most=most)
+    )

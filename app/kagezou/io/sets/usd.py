@@ -9,8 +9,9 @@ import numpy as np
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.bounded_bytes import check_inside, state_of
+from kagezou.message import Message
 
-MISSING: Final = "USD files need the package usd-core: pip install 'kagezou[usd]'"
+MISSING: Final = Message("USD files need the package usd-core: pip install 'kagezou[usd]'")
 
 
 def read_usd(path: Path, most: int) -> tuple[Any, Any]:
@@ -38,17 +39,19 @@ def read_usd(path: Path, most: int) -> tuple[Any, Any]:
         if not len(counts) or not len(local):
             continue
         if counts.min() < 3 or counts.sum() != len(indices) or indices.min() < 0 or indices.max() >= len(local):
-            raise input_problem(path, "it is damaged: a triangle names a corner that is not there")
+            raise input_problem(path, Message("it is damaged: a triangle names a corner that is not there"))
         total += int((counts - 2).sum())
         if total > most:
-            raise input_problem(path, f"it has more than the {most} triangles that can be worked with")
+            raise input_problem(
+                path, Message("it has more than the {most} triangles that can be worked with", most=most)
+            )
         # USD's matrices act on rows.
         matrix = np.asarray(placed.GetLocalToWorldTransform(prim))
         points.append(np.c_[local.astype(np.float64), np.ones(len(local))] @ matrix[:, :3])
         corners.append(_fans(counts, indices) + count)
         count += len(local)
     if not points:
-        raise input_problem(path, "there are no triangles in it")
+        raise input_problem(path, Message("there are no triangles in it"))
     return np.concatenate(points), np.concatenate(corners)
 
 
@@ -73,9 +76,9 @@ def open_stage(path: Path) -> Any:
         _check_layers(path)
         stage = stages.Open(str(path), stages.LoadAll)
     except pxr("Tf").ErrorException as error:
-        raise input_problem(path, "it cannot be read as USD: the file is damaged") from error
+        raise input_problem(path, Message("it cannot be read as USD: the file is damaged")) from error
     if stage is None:
-        raise input_problem(path, "it cannot be read as USD: the file is damaged")
+        raise input_problem(path, Message("it cannot be read as USD: the file is damaged"))
     return stage
 
 

@@ -11,6 +11,7 @@ from kagezou.geometry.set_camera import SetCamera
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.gltf_cameras import MAX_FRAMES
 from kagezou.io.sets.usd import open_stage, pxr
+from kagezou.message import Message
 
 _APERTURE_UNIT: Final = 0.1
 """Apertures are in tenths of the stage's unit."""
@@ -31,7 +32,14 @@ def usd_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
     first, last, rate = stage.GetStartTimeCode(), stage.GetEndTimeCode(), stage.GetTimeCodesPerSecond()
     count = ceil((last - first) / rate * frame_rate - _STILL) + 1 if last > first and rate > 0 else 1
     if count > MAX_FRAMES:
-        raise input_problem(path, f"it lasts {count} frames, more than the {MAX_FRAMES} that are read")
+        raise input_problem(
+            path,
+            Message(
+                "it lasts {count} frames, more than the {most_frames} that are read",
+                count=count,
+                most_frames=MAX_FRAMES,
+            ),
+        )
     times = [Usd.TimeCode(first + float(frame / frame_rate) * rate) for frame in range(count)]
     found = []
     for prim in stage.Traverse():
@@ -44,7 +52,7 @@ def usd_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
             if not np.isfinite(poses).all() or not (
                 np.isfinite(sizes).all() and (sizes > 0).all() and max(sizes) < most
             ):
-                raise input_problem(path, f"the camera {made.name!r} in it makes no sense")
+                raise input_problem(path, Message("the camera {made!r} in it makes no sense", made=made.name))
             found.append(made)
     return tuple(found)
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from kagezou.errors import ProjectProblem
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.message import Message
 
 _MAGIC: Final = b"\x11ShiraheiTimeSheet"
 _HEAD_BYTES: Final = 23
@@ -30,13 +31,19 @@ def sts_sheet(data: bytes) -> Timesheet:
         It is cut off, or has no frames.
     """
     if len(data) < _HEAD_BYTES:
-        raise ProjectProblem("the STS timesheet is cut off")
+        raise ProjectProblem(Message("the STS timesheet is cut off"))
     columns, length = data[18], int.from_bytes(data[19:21], "little")
     end = _HEAD_BYTES + 2 * columns * length
     if not length:
-        raise ProjectProblem("the STS timesheet has no frames")
+        raise ProjectProblem(Message("the STS timesheet has no frames"))
     if len(data) < end:
-        raise ProjectProblem(f"the STS timesheet is cut off: {columns} columns of {length} frames do not fit")
+        raise ProjectProblem(
+            Message(
+                "the STS timesheet is cut off: {columns} columns of {length} frames do not fit",
+                columns=columns,
+                length=length,
+            )
+        )
     cels = np.frombuffer(data, "<u2", columns * length, _HEAD_BYTES).reshape(columns, length)
     names = _names(data[end:], columns)
     return Timesheet("", length, tuple(SheetTrack(name, _entries(row)) for name, row in zip(names, cels, strict=True)))

@@ -12,9 +12,10 @@ from typing import Final
 from kagezou.errors import ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import input_problem
-from kagezou.io.project.json import Reader, parse
+from kagezou.io.files.json_text import Reader, parse
 from kagezou.io.sheets.sts import is_sts, sts_sheet
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.message import Message
 
 MAX_BYTES: Final = 32 << 20
 _MAX_FRAMES: Final = 1_000_000
@@ -44,20 +45,22 @@ def read_timesheet(path: Path) -> Timesheet:
     """
     try:
         if path.exists() and not path.is_file():
-            raise input_problem(path, "it is not a file")
+            raise input_problem(path, Message("it is not a file"))
         with path.open("rb") as stream:
             data = stream.read(MAX_BYTES + 1)
         if len(data) > MAX_BYTES:
-            raise input_problem(path, f"it is larger than {MAX_BYTES >> 20} MB, which no timesheet is")
+            raise input_problem(
+                path, Message("it is larger than {megabytes} MB, which no timesheet is", megabytes=MAX_BYTES >> 20)
+            )
         return sts_sheet(data) if is_sts(data) else sheet_of(data.decode("utf-8-sig"))
     except OSError as error:
         raise input_problem(path, error) from error
     except UnicodeDecodeError as error:
-        raise input_problem(path, "it is not UTF-8 text") from error
+        raise input_problem(path, Message("it is not UTF-8 text")) from error
     except ProjectProblem as problem:
-        raise input_problem(path, str(problem)) from problem
+        raise input_problem(path, problem.message) from problem
     except ValueError as error:  # a NUL in the name
-        raise input_problem(path, "it cannot be a file name") from error
+        raise input_problem(path, Message("it cannot be a file name")) from error
 
 
 def sheet_of(text: str) -> Timesheet:
@@ -70,7 +73,7 @@ def sheet_of(text: str) -> Timesheet:
     """
     first, _, rest = text.partition("\n")
     if first.strip() not in (_FIRST_LINE, _OTHER_FIRST_LINE):
-        raise ProjectProblem("it is not a timesheet (XDTS, TDTS or STS)")
+        raise ProjectProblem(Message("it is not a timesheet (XDTS, TDTS or STS)"))
     is_tdts = first.strip() == _OTHER_FIRST_LINE
     table = _table(Reader(parse(rest)))
     field = _CELS_OF_TDTS if is_tdts and any(_columns(table, _CELS_OF_TDTS)) else _CELS
@@ -93,7 +96,7 @@ def _table(root: Reader) -> Reader:
 def _member(reader: Reader, name: str) -> Reader:
     found = reader.members().get(name)
     if found is None:
-        raise reader.problem(f"the key {name!r} is missing")
+        raise reader.problem(Message("the key {name!r} is missing", name=name))
     return found
 
 

@@ -6,9 +6,9 @@ import numpy as np
 
 from kagezou.geometry.sets.occlusion_cones import Cone, Occlusion
 from kagezou.geometry.vectors import Matrix
-from kagezou.render.gpu.program import Uniform
 from kagezou.render.gpu.targets import Format, Texture
 from kagezou.render.prepare.mask_uniforms import LAST, OVERLAPS
+from kagezou.render.prepare.uniforms import Uniform
 
 _ROW_TEXELS = 256
 

@@ -6,6 +6,7 @@ from types import TracebackType
 from typing import Protocol, Self
 
 from kagezou.errors import GraphicsProblem
+from kagezou.message import Message
 from kagezou.render.gpu.info import GraphicsInfo
 
 
@@ -42,7 +43,7 @@ def open_headless_context() -> GraphicsContext:
         the window's room can make.
     """
     if not sys.platform.startswith("linux"):
-        raise GraphicsProblem("OpenGL without a window system is only to be had on Linux")
+        raise GraphicsProblem(Message("OpenGL without a window system is only to be had on Linux"))
     from kagezou.render.gpu.egl import EglContext
 
     return EglContext()

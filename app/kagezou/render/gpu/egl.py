@@ -6,6 +6,7 @@ from types import TracebackType
 from typing import Self
 
 from kagezou.errors import GraphicsProblem
+from kagezou.message import Message
 from kagezou.render.gpu.info import GraphicsInfo, read_info
 
 _OPENGL_API = 0x30A2
@@ -21,7 +22,9 @@ def _library() -> ctypes.CDLL:
     try:
         egl = ctypes.CDLL("libEGL.so.1")
     except OSError as error:
-        raise GraphicsProblem(f"OpenGL without a display needs libEGL (Debian package libegl1): {error}") from error
+        raise GraphicsProblem(
+            Message("OpenGL without a display needs libEGL (Debian package libegl1): {error}", error=error)
+        ) from error
     egl.eglGetProcAddress.restype = c_void_p
     egl.eglGetProcAddress.argtypes = [c_char_p]
     egl.eglGetDisplay.restype = c_void_p
@@ -63,7 +66,9 @@ class EglContext:
     def make_current(self) -> None:
         """Make the context current on the calling thread."""
         if not self._egl.eglMakeCurrent(self._display, None, None, self._context):
-            raise GraphicsProblem(f"the OpenGL context cannot be used on this thread (EGL error {self._error()})")
+            raise GraphicsProblem(
+                Message("the OpenGL context cannot be used on this thread (EGL error {self})", self=self._error())
+            )
 
     def close(self) -> None:
         """Destroy the context; a second call does nothing."""
@@ -85,7 +90,10 @@ class EglContext:
             if context:
                 return display, context
         raise GraphicsProblem(
-            "no OpenGL 3.3 is to be had without a display: on Debian and Ubuntu install libegl1 libgl1 libgl1-mesa-dri"
+            Message(
+                "no OpenGL 3.3 is to be had without a display: "
+                "on Debian and Ubuntu install libegl1 libgl1 libgl1-mesa-dri"
+            )
         )
 
     def _displays(self) -> list[int | None]:

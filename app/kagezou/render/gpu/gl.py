@@ -15,6 +15,7 @@ from typing import Any, Final
 import OpenGL
 
 from kagezou.errors import GraphicsProblem
+from kagezou.message import Message
 
 if sys.platform.startswith("linux"):
     # One dispatch table (libglvnd) serves EGL contexts of our own and GLX or EGL contexts of a window alike.
@@ -56,7 +57,11 @@ def check(doing: str) -> None:
     if error:
         while GL.glGetError():
             pass
-        raise GraphicsProblem(f"the graphics driver failed while {doing}: {_NAMES.get(error, hex(error))}")
+        raise GraphicsProblem(
+            Message(
+                "the graphics driver failed while {doing}: {error}", doing=doing, error=_NAMES.get(error, hex(error))
+            )
+        )
 
 
 def made(make: Any) -> int:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from kagezou.errors import GraphicsProblem
+from kagezou.message import Message
 from kagezou.render.gpu.gl import GL, integer, text
 
 NEEDED = (3, 3)
@@ -35,12 +36,16 @@ def read_info() -> GraphicsInfo:
     """Return what the current context is; GraphicsProblem if none is current or it is too old."""
     vendor, renderer, version = (text(what) for what in (GL.GL_VENDOR, GL.GL_RENDERER, GL.GL_VERSION))
     if vendor is None or renderer is None or version is None:
-        raise GraphicsProblem("there is no OpenGL context to draw with")
+        raise GraphicsProblem(Message("there is no OpenGL context to draw with"))
     numbers = version.split()[0].split(".")
     major, minor = (int(part) if part.isdigit() else 0 for part in (*numbers, "0")[:2])
     info = GraphicsInfo(vendor, renderer, version, major, minor, integer(GL.GL_MAX_TEXTURE_SIZE))
     if not info.is_enough:
         raise GraphicsProblem(
-            f"the graphics driver offers OpenGL {version} ({renderer}); Kagezou needs 3.3: update the driver"
+            Message(
+                "the graphics driver offers OpenGL {version} ({renderer}); Kagezou needs 3.3: update the driver",
+                version=version,
+                renderer=renderer,
+            )
         )
     return info

@@ -17,9 +17,10 @@ from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images.reading import Matte, Steps
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.made_of_cache import MadeOfCache
-from kagezou.render.gpu.program import Program, Uniform
-from kagezou.render.gpu.targets import LAST_LEVEL, Format, Target, Texture
+from kagezou.render.gpu.program import Program
+from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.prepare.occupancy import Occupancy
+from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 
 HARD_EDGE_SIGMA_PX = 1.0
 """Paint data without anti-aliasing is smoothed by this Gaussian before its 0.5 level is taken as the edge."""

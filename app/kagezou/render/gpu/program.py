@@ -2,17 +2,18 @@
 
 import ctypes
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kagezou.errors import GraphicsProblem
 from kagezou.locations import shader_folder
+from kagezou.message import Message
 from kagezou.render.gpu.gl import GL, log_of, set_source, status
+from kagezou.render.prepare.uniforms import Uniform
 
 _INCLUDE = re.compile(r'^#include "([\w./]+)"$')
 _ENDS = ("#else", "#elif", "#endif")
@@ -20,9 +21,6 @@ _PLACE_IN_LOG = re.compile(r"\b(\d+)([:(])(\d+)")
 """File number and line as drivers write them: ``0:12(5)``, ``0(12)``, ``ERROR: 0:12``."""
 
 _FLOATS = ctypes.POINTER(ctypes.c_float)
-
-Uniform = bool | int | float | Sequence[float] | NDArray[np.float64]
-"""A (3, 3) matrix, (N, 4) vectors, a vector, a number or a switch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +96,11 @@ class Program:
         GL.glLinkProgram(self.id)
         if not status(GL.glGetProgramiv, self.id, GL.GL_LINK_STATUS):
             raise GraphicsProblem(
-                f"the graphics driver refuses {self._name}: {log_of(GL.glGetProgramInfoLog, self.id)}"
+                Message(
+                    "the graphics driver refuses {name}: {glgetprograminfolog}",
+                    name=self._name,
+                    glgetprograminfolog=log_of(GL.glGetProgramInfoLog, self.id),
+                )
             )
         self._places: dict[str, int] = {}
 
@@ -169,5 +171,5 @@ def _compiled(name: str, kind: int, switches: Iterable[str]) -> int:
     GL.glCompileShader(shader)
     if not status(GL.glGetShaderiv, shader, GL.GL_COMPILE_STATUS):
         log = source.named(log_of(GL.glGetShaderInfoLog, shader))
-        raise GraphicsProblem(f"the graphics driver refuses {name}: {log}")
+        raise GraphicsProblem(Message("the graphics driver refuses {name}: {log}", name=name, log=log))
     return shader

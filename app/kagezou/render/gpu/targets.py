@@ -10,11 +10,9 @@ from numpy.typing import NDArray
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images.reading import Steps
+from kagezou.message import Message
 from kagezou.render.gpu.gl import GL, deleted, integer, made
-
-LAST_LEVEL = 5
-"""The coarsest mipmap; a texture whose sides are multiples of 2 to this power has exact means in every level."""
-
+from kagezou.render.prepare.uniforms import LAST_LEVEL
 
 Component: TypeAlias = type[np.uint8] | type[np.uint16] | type[np.uint32] | type[np.float32]
 
@@ -58,7 +56,14 @@ class Texture:
     def __init__(self, width_px: int, height_px: int, form: Format) -> None:
         limit = integer(GL.GL_MAX_TEXTURE_SIZE)
         if max(width_px, height_px) > limit:
-            raise GraphicsProblem(f"a picture of {width_px}x{height_px} px is over this graphics driver's {limit} px")
+            raise GraphicsProblem(
+                Message(
+                    "a picture of {width_px}x{height_px} px is over this graphics driver's {limit} px",
+                    width_px=width_px,
+                    height_px=height_px,
+                    limit=limit,
+                )
+            )
         self.width_px = width_px
         self.height_px = height_px
         self.form = form
@@ -138,7 +143,12 @@ class Target:
         GL.glFramebufferTexture2D(GL.GL_FRAMEBUFFER, GL.GL_COLOR_ATTACHMENT0, GL.GL_TEXTURE_2D, self.texture.id, 0)
         if GL.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER) != GL.GL_FRAMEBUFFER_COMPLETE:
             raise GraphicsProblem(
-                f"the graphics driver cannot draw a picture of {width_px}x{height_px} px ({form.name})"
+                Message(
+                    "the graphics driver cannot draw a picture of {width_px}x{height_px} px ({form})",
+                    width_px=width_px,
+                    height_px=height_px,
+                    form=form.name,
+                )
             )
 
     @property

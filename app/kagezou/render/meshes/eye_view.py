@@ -10,11 +10,12 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, integer
-from kagezou.render.gpu.program import Program, Uniform
+from kagezou.render.gpu.program import Program
 from kagezou.render.gpu.targets import DeepTarget, Format, Target, Texture
 from kagezou.render.meshes.buffers import MeshBuffers
 from kagezou.render.prepare.mask_tiles import Flags
 from kagezou.render.prepare.shadow_tiles import TILE_PX, TileGrid, whole_grid
+from kagezou.render.prepare.uniforms import Uniform
 
 PIXELS_UNIT, SAMPLES_UNIT, TRIANGLES_UNIT, MAP_UNIT, PAST_UNIT = 3, 4, 5, 6, 7
 """Texture units; those before are the caster's."""

@@ -9,10 +9,11 @@ import numpy as np
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import box_polygon
 from kagezou.geometry.vectors import Matrix, Vector4
-from kagezou.render.gpu.program import Uniform, Variants
+from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import DeepTarget, Format, Texture
 from kagezou.render.meshes.eye_view import MAP_UNIT, TRIANGLES_UNIT, MeshView
 from kagezou.render.prepare.mask_tiles import Flags
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.pieces import PieceScene
 
 _STEP_PX: Final = 512

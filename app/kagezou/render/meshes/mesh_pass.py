@@ -19,7 +19,7 @@ from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.cone_tables import ConeTables
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.mattes import PlacedMatte
-from kagezou.render.gpu.program import Uniform, Variants
+from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Target
 from kagezou.render.meshes.buffers import MeshBuffers, PlacedMesh
 from kagezou.render.meshes.display import Display, MeshDisplays, SetPicture
@@ -30,6 +30,7 @@ from kagezou.render.prepare.cast_uniforms import TRANSLUCENT, card_uniforms
 from kagezou.render.prepare.mask_tiles import Flags
 from kagezou.render.prepare.mask_uniforms import LIGHT
 from kagezou.render.prepare.set_as_seen import SetAsSeen
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.pieces import PieceScene
 from kagezou.scene.scene import ShadowCast
 

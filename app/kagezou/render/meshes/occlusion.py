@@ -9,13 +9,14 @@ from kagezou.geometry.sets.faces_seen import Face
 from kagezou.geometry.sets.round_faces_seen import RoundFace
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
-from kagezou.render.gpu.program import Uniform, Variants
+from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.eye_view import MAP_UNIT, PAST_UNIT, TRIANGLES_UNIT, MeshView
 from kagezou.render.meshes.light_map import LightMap
 from kagezou.render.prepare.mask_tiles import Flags, MaskStates
 from kagezou.render.prepare.set_as_seen import SetAsSeen
 from kagezou.render.prepare.shadow_tiles import TILE_PX, whole_grid
+from kagezou.render.prepare.uniforms import Uniform
 
 _NO_SHIFT = np.zeros(3)
 

@@ -13,11 +13,12 @@ from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.mattes import PlacedMatte
-from kagezou.render.gpu.program import Program, Uniform, Variants
+from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Target
 from kagezou.render.prepare.cast_uniforms import FULL_STRENGTH, TRANSLUCENT, Edges, Frame, Grazing
 from kagezou.render.prepare.shadow_tiles import CELLS, Fineness, TileGrid, Tiling, tile_grid
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast
 
 CELLS_A_TEXEL = 1.25
@@ -183,10 +184,10 @@ class CastPass:
             self._boxes.draw(tiling.full)
         if stroke.is_translucent:
             switches |= TRANSLUCENT
+        matte.texture.bind(0)
         self._draw_edges(tiling, Edges(each, matte, frame), switches, uniforms)
 
     def _draw_edges(self, tiling: Tiling, edges: Edges, switches: frozenset[str], uniforms: dict[str, Uniform]) -> None:
-        edges.matte.texture.bind(0)
         uniforms = uniforms | edges.uniforms()
         limits = edges.limits()
         for kind, boxes in tiling.edges.items():

@@ -14,6 +14,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.vectors import Matrix
+from kagezou.message import Message
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, deleted, made
 from kagezou.render.gpu.mattes import PlacedMatte
@@ -113,5 +114,5 @@ def _on_piece(camera: Camera, piece: CardPiece, x: float, y: float) -> Matrix:
     start = np.array([x, y, 0.0, 1.0])
     lifted = (plane @ eye) * start - (plane @ start) * eye
     if abs(lifted[3]) < 1e-12:
-        raise GraphicsProblem("the card is seen edge-on and has no picture for the depth map")
+        raise GraphicsProblem(Message("the card is seen edge-on and has no picture for the depth map"))
     return np.asarray(lifted[:3] / lifted[3])

@@ -6,8 +6,8 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.vectors import Matrix
-from kagezou.render.gpu.program import Uniform
 from kagezou.render.gpu.targets import Texture
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast, ShadowLook
 
 Rgb = tuple[float, float, float]

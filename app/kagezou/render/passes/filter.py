@@ -6,16 +6,13 @@ Simplification (paper 3.6.1), waves (3.6.2) and wide or moved edges all read thi
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import ceil
-from statistics import NormalDist
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.geometry.bands import FINEST_SIGMA_PX
 from kagezou.geometry.box import Box, around
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import canvas_from_plane
-from kagezou.geometry.polygon import bounding_box, seen_rectangle
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.mattes import PlacedMatte
@@ -27,9 +24,9 @@ from kagezou.render.prepare.area_level import Counted, area_preserving_level
 from kagezou.render.prepare.area_level import Floats as Texels
 from kagezou.render.prepare.band_atlas import Strip
 from kagezou.render.prepare.blur_tiles import busy_tiles
+from kagezou.render.prepare.filter_boxes import box_near_contact, box_seen, sure_values
 from kagezou.render.prepare.filter_charts import Receivers, charted, counted_texels
 from kagezou.render.prepare.filter_job import (
-    LARGEST_PLANE_PX,
     BlurView,
     FilterJob,
     blur_of,
@@ -38,16 +35,13 @@ from kagezou.render.prepare.filter_job import (
     stretched,
 )
 from kagezou.render.prepare.filter_uniforms import shape_uniforms, strength, width_uniforms
-from kagezou.render.prepare.outline_tiles import Reach, SeenChart, outline_tiles
+from kagezou.render.prepare.outline_tiles import SeenChart, outline_tiles
 from kagezou.render.prepare.shadow_tiles import Boxes as TileBoxes
 from kagezou.render.prepare.shadow_tiles import around_boxes
 from kagezou.scene.scene import ShadowCast
 
 _MARGIN_TEXELS = 2
 _LEAST_SIGMA_TEXELS = 0.3
-_FAINT = 1e-5
-_SAFELY, _SAFELY_BESIDES = 1.15, 0.05
-"""By how much an edge is taken for wider than it is, as the width of the blur changes over the receiver."""
 
 _REACHES = (5, 7, 10, 14, 20, 28, 40, 56, 80, 112, 160, 224, 320, 448, 640, 896, 1280, 2048)
 """Over how many texels either way a blur may be summed up; each is a program of its own."""
@@ -60,6 +54,7 @@ class Blurred:
     """A job that is done: the level of its shape, and what each of its strips holds."""
 
     job: FilterJob
+    matte: PlacedMatte
     level: float
     values: tuple[Texels, ...]
 
@@ -109,7 +104,7 @@ class ShapePass:
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
         shadow.clear(used)
         for chart in job.charts:
-            self._plane.fill(job, chart, shadow)
+            self._plane.fill(job, matte, chart, shadow)
         # All strips are read at once: each reading waits for everything drawn before it.
         before = shadow.read_floats(used)
         busy = [busy_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
@@ -123,21 +118,21 @@ class ShapePass:
             for chart in job.charts
             for strip in chart.strips
         ]
-        return Blurred(job, area_preserving_level(counted), tuple(each.blurred for each in counted))
+        return Blurred(job, matte, area_preserving_level(counted), tuple(each.blurred for each in counted))
 
     def show(self, blurred: "Blurred", view: BlurView, target: Target, sharp: Target | None = None) -> Box | None:
         """Draw what a receiver shows of a blurred shadow; return the box that may hold it.
 
         ``sharp`` is the shadow as it would be unfiltered, as large as the target; without it, it is cast.
         """
-        sharp_box = self._cast_sharp(view, target) if sharp is None else _box_near_contact(view)
-        box = _box_of(view, sharp_box)
+        sharp_box = self._cast_sharp(view, blurred.matte, target) if sharp is None else box_near_contact(view)
+        box = box_seen(view, sharp_box)
         if box is not None:
             looks = [SeenChart(blurred.pairs(view.chart), view.blurred_from_canvas)]
             for join in view.joins:
                 there = view.there_from_here(join) @ view.blurred_from_canvas
                 looks.append(SeenChart(blurred.pairs(join.chart), there, view.seam_of(join), view.reach_of(join)))
-            tiles = outline_tiles(looks, _reach(view.job, blurred.level), view.job.blur, box)
+            tiles = outline_tiles(looks, sure_values(view.job, blurred.level), view.job.blur, box)
             unfiltered = sharp or self._sharp
             assert unfiltered is not None
             self._show_tiles(view, (target, unfiltered), box, tiles, blurred.level)
@@ -166,7 +161,7 @@ class ShapePass:
             return None
         return FilterJob(cast, matte, plane, stretch, extent, blur_of(cast, float(stretch[1, 1])))
 
-    def _cast_sharp(self, view: BlurView, like: Target) -> Box | None:
+    def _cast_sharp(self, view: BlurView, matte: PlacedMatte, like: Target) -> Box | None:
         """Cast the shadow as it is, for where it stays so; return its box."""
         if self._sharp is not None and self._sharp.box != like.box:
             self._sharp.close()
@@ -177,11 +172,11 @@ class ShapePass:
             self._sharp.clear()
         if self._sharp_box is not None:
             self._sharp.clear(self._sharp_box)
-        self._sharp_box = _box_near_contact(view)
+        self._sharp_box = box_near_contact(view)
         if self._sharp_box is None:
             return None
         cast = replace(view.job.cast, receivers=(view.receiver,))
-        return self._caster.unite(cast, view.job.matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
+        return self._caster.unite(cast, matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
 
     def _blur_strips(
         self, job: FilterJob, way: tuple[Target, Target], direction: frozenset[str], busy: Sequence[TileBoxes]
@@ -258,45 +253,6 @@ class ShapePass:
 def _reach_of(strip: Strip) -> int:
     """Return over how many texels either way a strip's blur is summed up."""
     return next(each for each in _REACHES if each >= min(ceil(strip.band.reach_texels), _REACHES[-1]))
-
-
-def _reach(job: FilterJob, level: float) -> Reach:
-    """Return which values are surely no shadow and which surely nothing else.
-
-    No blurred shape changes faster than a straight edge does: counted by the inverse normal distribution, a value so
-    many standard deviations from the level is at least as far from the outline.
-    """
-    if job.cast.edge is None:
-        return Reach(level, level, job.moved_px)
-    normal, deviations = NormalDist(), job.edge_deviations * _SAFELY + _SAFELY_BESIDES
-    middle = normal.inv_cdf(min(max(level, _FAINT), 1 - _FAINT))
-    return Reach(normal.cdf(middle - deviations), normal.cdf(middle + deviations), job.moved_px)
-
-
-def _box_near_contact(view: BlurView) -> Box | None:
-    """Return where on the canvas the shadow is not wholly blurred."""
-    blur, extent = view.job.blur, view.job.charts[view.chart].extent
-    if blur.sigma_at(0.0) >= FINEST_SIGMA_PX:
-        return None
-    away = min(blur.distance_of(FINEST_SIGMA_PX), LARGEST_PLANE_PX)
-    ends = (extent.left, max(extent.low, -away)), (extent.right, min(extent.high, away))
-    seen = bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, *ends))
-    return None if seen is None else seen.grown(1).intersection(view.box)
-
-
-def _box_of(view: BlurView, sharp_box: Box | None) -> Box | None:
-    """Return the box of the canvas in which a receiver's part of the shadow can be seen."""
-    if any(join.most < 1 for join in view.joins):
-        return view.box
-    u, v = view.job.moved_px
-    box = sharp_box
-    charts = {view.chart, *(join.chart for join in view.joins)}
-    cores = [strip.band.core for chart in charts for strip in view.job.charts[chart].strips]
-    if cores:
-        low = (min(core.left for core in cores) - u, min(core.low for core in cores) - v)
-        high = (max(core.right for core in cores) + u, max(core.high for core in cores) + v)
-        box = around(box, bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, low, high)))
-    return None if box is None else box.intersection(view.box)
 
 
 def _counted(strip: Strip, before: Texels, after: Texels, counts: NDArray[np.bool_] | None) -> Counted:

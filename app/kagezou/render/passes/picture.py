@@ -3,18 +3,19 @@
 from dataclasses import dataclass
 from functools import partial
 
-from kagezou.document.model import PictureSource
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Cel
+from kagezou.picture_source import PictureSource
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.made_of_cache import MadeOfCache
-from kagezou.render.gpu.program import Program, Uniform, Variants
+from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.display import Display, SetPicture
 from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
 from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast, ShadowLook
 
 COLOR_BUDGET_BYTES = 256 << 20

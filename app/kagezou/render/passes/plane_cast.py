@@ -14,13 +14,14 @@ from kagezou.geometry.sets.laid_flat import lines_of, moved
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.mattes import PlacedMatte
-from kagezou.render.gpu.program import Program, Uniform, Variants
+from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.scratches import Scratches
-from kagezou.render.gpu.targets import LAST_LEVEL, Format, Target
+from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.prepare.area_level import Floats as Texels
 from kagezou.render.prepare.filter_job import BlurView, Chart, FilterJob, beyond_of, extent_of
 from kagezou.render.prepare.shadow_tiles import CELLS
+from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 from kagezou.scene.scene import ShadowCast
 
 _MOST_POLYGONS, _MOST_SIDES = 24, 120
@@ -57,7 +58,7 @@ class PlaneCast:
             if target is not None:
                 target.close()
 
-    def fill(self, job: FilterJob, chart: Chart, shadow: Target) -> None:
+    def fill(self, job: FilterJob, matte: PlacedMatte, chart: Chart, shadow: Target) -> None:
         """Cast the shadow once, at least as fine as any strip wants it, and fill a chart's strips with means of it.
 
         The first chart of a job, that of the ground alone, is asked for before the others, which have it under theirs.
@@ -77,11 +78,11 @@ class PlaneCast:
         # The shape alone is filtered; how strong it is under a low light is told where it is shown.
         window = Window(box, plane_from_whole, _cells_at(level), is_shape_only=True)
         if is_first:
-            self._cast(BlurView.of_ground(job, box), whole, window)
+            self._cast(BlurView.of_ground(job, box), matte, whole, window)
             self._ground_box = box
         else:
             self._lay_ground(whole, box, first)
-            self._cast_sheets(job, chart, whole, window)
+            self._cast_sheets(job, matte, chart, whole, window)
         for strip in chart.strips:
             corner = (round(strip.band.needed.left / texel) - first[0], round(strip.band.needed.low / texel) - first[1])
             shadow.bind(strip.box)
@@ -98,14 +99,14 @@ class PlaneCast:
             )
             self._boxes.draw_one(strip.box)
 
-    def _cast(self, view: BlurView, target: Target, window: Window) -> Box | None:
+    def _cast(self, view: BlurView, matte: PlacedMatte, target: Target, window: Window) -> Box | None:
         """Cast the shadow on one receiver into a picture of the blur's plane."""
         assert window.canvas_from_target is not None
         cast = replace(view.job.cast, receivers=(view.receiver,))
         on_canvas = replace(window, canvas_from_target=view.canvas_from_blurred @ window.canvas_from_target)
-        return self._caster.unite(cast, view.job.matte, target, on_canvas)
+        return self._caster.unite(cast, matte, target, on_canvas)
 
-    def _cast_sheets(self, job: FilterJob, chart: Chart, whole: Target, window: Window) -> None:
+    def _cast_sheets(self, job: FilterJob, matte: PlacedMatte, chart: Chart, whole: Target, window: Window) -> None:
         """Cast the shadow on each sheet of a chart, and lay what is uppermost over the ground."""
         assert window.canvas_from_target is not None
         alone = self._scratches.like("alone", whole)
@@ -120,7 +121,7 @@ class PlaneCast:
             if not around:
                 continue
             part = reduce(Box.union, around)
-            box = self._cast(BlurView.of_sheet(job, number, window.box), alone, replace(window, box=part))
+            box = self._cast(BlurView.of_sheet(job, number, window.box), matte, alone, replace(window, box=part))
             for polygons in parts:
                 self._lay(alone, polygons, part, whole)
             if box is not None:

@@ -46,13 +46,13 @@ class SilhouettePass:
         self._neighbours = Program("common/box.vert", "common/neighbours.frag")
         self._shape: Target | None = None
         self._sharp: Target | None = None
-        self._on_card: MatteTexture | None = None
+        self._on_gpu: MatteTexture | None = None
 
     def close(self) -> None:
         """Give the memory back."""
         self._placed.close()
         self._neighbours.close()
-        for each in (self._shape, self._sharp, self._on_card):
+        for each in (self._shape, self._sharp, self._on_gpu):
             if each is not None:
                 each.close()
 
@@ -68,7 +68,7 @@ class SilhouettePass:
             return None
         shape, sharp = self._targets(canvas)
         shape.clear()
-        self._place(job, sharp)
+        self._place(blurred.matte, sharp)
         for view in views:
             self._shaper.show(blurred, view, shape, sharp)
         # The outermost texels are what is found beyond.
@@ -80,18 +80,18 @@ class SilhouettePass:
             Box(size.right - _RIM_PX, 0, size.right, size.bottom),
         ):
             shape.clear(rim)
-        if self._on_card is not None:
-            self._on_card.close()
+        if self._on_gpu is not None:
+            self._on_gpu.close()
         texture = drawn_from(shape.texture, Format.RGBA16, self._boxes, self._neighbours, {})
-        self._on_card = MatteTexture(texture, Occupancy(shape.read(size), 0))
-        placed = PlacedMatte(self._on_card, size.moved(-_AROUND_PX, -_AROUND_PX))
+        self._on_gpu = MatteTexture(texture, Occupancy(shape.read(size), 0))
+        placed = PlacedMatte(self._on_gpu, size.moved(-_AROUND_PX, -_AROUND_PX))
         return Silhouette(_with_its_edge(job.cast), placed)
 
-    def _place(self, job: FilterJob, sharp: Target) -> None:
+    def _place(self, matte: PlacedMatte, sharp: Target) -> None:
         """Draw the drawing itself, for where the shadow is left as it is."""
         sharp.bind()
-        job.matte.texture.bind(0)
-        corner = (float(job.matte.box.left + _AROUND_PX), float(job.matte.box.top + _AROUND_PX))
+        matte.texture.bind(0)
+        corner = (float(matte.box.left + _AROUND_PX), float(matte.box.top + _AROUND_PX))
         self._placed.use({"u_target_size_px": sharp.size_px, "u_matte": 0, "u_corner_px": corner})
         self._boxes.draw_one(sharp.box)
 

@@ -10,9 +10,8 @@ from kagezou.geometry.ground import Plane
 from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG, foot_of, grazing_strength
 from kagezou.geometry.shadow import Cast, SpaceCast
 from kagezou.geometry.vectors import Matrix, Vector4, dot, height_over
-from kagezou.render.gpu.mattes import PlacedMatte
-from kagezou.render.gpu.program import Uniform
-from kagezou.render.gpu.targets import LAST_LEVEL
+from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
+from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 
 NO_SWITCHES: frozenset[str] = frozenset()
 LAMP_IS_LOW = frozenset({"LAMP_IS_LOW"})
@@ -86,7 +85,7 @@ class Edges:
     """What ``passes/cast.frag`` wants to know of a cast and a matte."""
 
     cast: Cast
-    matte: PlacedMatte
+    matte: MatteOnCanvas
     frame: Frame
 
     @property
@@ -115,7 +114,7 @@ class Edges:
         }
 
 
-def card_uniforms(cast: SpaceCast, matte: PlacedMatte, world_from_local: Matrix) -> dict[str, Uniform]:
+def card_uniforms(cast: SpaceCast, matte: MatteOnCanvas, world_from_local: Matrix) -> dict[str, Uniform]:
     """Return what ``common/card_in_space.glsl`` wants of a card piece, for a matte on unit 0 and a (4, 4) shift."""
     corner = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
     rows = corner @ cast.art_from_world @ world_from_local

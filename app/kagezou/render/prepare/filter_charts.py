@@ -14,10 +14,10 @@ from kagezou.geometry.sets.laid_flat import FlatFace, lines_of
 from kagezou.geometry.sets.regions import Group
 from kagezou.geometry.sets.unfolding import unfolded
 from kagezou.geometry.vectors import Matrix, height_over
-from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.prepare.band_atlas import Strip, laid_out
 from kagezou.render.prepare.filter_job import BlurView, Chart, FilterJob, beyond_of, extent_of
 from kagezou.render.prepare.filter_uniforms import MAX_BANDS, inverse
+from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
 from kagezou.scene.scene import ShadowCast
 
 _MOST_CHARTS = 6
@@ -140,7 +140,7 @@ def _is_reached(job: FilterJob, face: FlatFace) -> bool:
     return _cut(corners, _grown(shadow, _reach(job.blur, farthest))) is not None
 
 
-def _shadow_on(cast: ShadowCast, matte: PlacedMatte, face: FlatFace, plane_from_flat: Matrix) -> Extent | None:
+def _shadow_on(cast: ShadowCast, matte: MatteOnCanvas, face: FlatFace, plane_from_flat: Matrix) -> Extent | None:
     """Return where the shadow lies on a face's plane."""
     on_canvas = canvas_from_plane(cast.camera, face.plane) @ plane_from_flat
     return extent_of(replace(cast, receivers=(face.plane,)), matte, on_canvas)

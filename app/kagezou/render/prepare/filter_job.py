@@ -13,8 +13,8 @@ from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.sets.laid_flat import FLAT, GROUND, Development, Join, narrowest
 from kagezou.geometry.shadow import cast_card
 from kagezou.geometry.vectors import Matrix
-from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.prepare.band_atlas import Strip
+from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
 from kagezou.scene.scene import ShadowCast
 
 LARGEST_PLANE_PX = 8192
@@ -77,7 +77,7 @@ class FilterJob:
     """
 
     cast: ShadowCast
-    matte: PlacedMatte
+    matte: MatteOnCanvas
     plane: Plane
     ground_from_blurred: Matrix
     extent: Extent
@@ -248,7 +248,7 @@ def blur_of(cast: ShadowCast, away_scale: float) -> Blur:
     return Blur(amount, distance, max(needed, finest), slope if slope > 1e-6 else 0.0)
 
 
-def extent_of(cast: ShadowCast, matte: PlacedMatte, canvas_from_blurred: Matrix) -> Extent | None:
+def extent_of(cast: ShadowCast, matte: MatteOnCanvas, canvas_from_blurred: Matrix) -> Extent | None:
     """Return where on its receiver a cast's shadow lies, in (u, v) of the blur; None where there is none."""
     limit = Box(-LARGEST_PLANE_PX, -LARGEST_PLANE_PX, LARGEST_PLANE_PX, LARGEST_PLANE_PX)
     around: Box | None = None

@@ -10,10 +10,10 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, shifted
 from kagezou.geometry.vectors import Matrix
-from kagezou.render.gpu.program import Uniform
 from kagezou.render.prepare.band_atlas import Strip
 from kagezou.render.prepare.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.prepare.filter_job import BlurView, FilterJob
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import Edge, Water
 
 MAX_BANDS = 48

@@ -6,7 +6,8 @@ import numpy as np
 
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.vectors import Matrix, Vector4
-from kagezou.render.gpu.program import Uniform
+from kagezou.message import Message
+from kagezou.render.prepare.uniforms import Uniform
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,7 +51,9 @@ class LightView:
         axes = np.array([across, np.cross(away, across), away])
         seen = (points - position * light[3]) @ axes.T
         if light[3] and seen[:, 2].min() <= 1e-6:
-            raise GraphicsProblem("the lamp stands within the card: its depth map cannot hold what lies around it")
+            raise GraphicsProblem(
+                Message("the lamp stands within the card: its depth map cannot hold what lies around it")
+            )
         flat = seen[:, :2] / seen[:, 2:] if light[3] else seen[:, :2]
         low, high = flat.min(axis=0), flat.max(axis=0)
         reach = float(np.ptp(seen[:, 2])) + 1.0

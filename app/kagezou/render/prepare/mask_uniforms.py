@@ -6,8 +6,8 @@ import numpy as np
 
 from kagezou.geometry.sets.regions import Group
 from kagezou.geometry.vectors import Matrix
-from kagezou.render.gpu.program import Uniform
 from kagezou.render.prepare.mask_tiles import Mask
+from kagezou.render.prepare.uniforms import Uniform
 
 MAX_REGIONS, MAX_LINES, MAX_CONICS = 40, 120, 20
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from kagezou.geometry.box import Box
 from kagezou.geometry.shadow import Cast
 from kagezou.geometry.vectors import Matrix
-from kagezou.render.gpu.mattes import PlacedMatte
+from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
 from kagezou.render.prepare.occupancy import Flags
 
 TILE_PX = 8
@@ -124,7 +124,7 @@ def _tiling(boxes: Boxes, kinds: Codes) -> Tiling:
     return Tiling(boxes[kinds == _FULL], edges, around_boxes(boxes))
 
 
-def tile_grid(cast: Cast, region: Box, matte: PlacedMatte, fineness: Fineness) -> TileGrid:
+def tile_grid(cast: Cast, region: Box, matte: MatteOnCanvas, fineness: Fineness) -> TileGrid:
     """Sort the tiles of a region by what the shadow does in them.
 
     Parameters

@@ -8,7 +8,7 @@ import numpy as np
 from kagezou.geometry.box import Box, around
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
-from kagezou.render.gpu.program import Program, Uniform, Variants
+from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Target
 from kagezou.render.meshes.occlusion import Screen
 from kagezou.render.passes.cast import CastPass, Laying, Stroke
@@ -16,6 +16,7 @@ from kagezou.render.prepare.mask_tiles import Flags, Mask, MaskStates, mask_stat
 from kagezou.render.prepare.mask_uniforms import TABLE_SIZES, fits, mask_uniforms
 from kagezou.render.prepare.shadow_tiles import Boxes as TileBoxes
 from kagezou.render.prepare.shadow_tiles import Tiling, around_boxes, whole_grid
+from kagezou.render.prepare.uniforms import Uniform
 
 _MOST_ASIDES = 6
 """Targets of the canvas' size for tiles with edges."""

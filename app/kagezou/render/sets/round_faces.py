@@ -17,7 +17,7 @@ from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.cone_tables import ConeTables
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.mattes import PlacedMatte
-from kagezou.render.gpu.program import Uniform, Variants
+from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Target
 from kagezou.render.meshes.occlusion import Screen, light_uniforms
 from kagezou.render.prepare.cast_uniforms import card_uniforms
@@ -25,6 +25,7 @@ from kagezou.render.prepare.mask_tiles import Flags, region_states
 from kagezou.render.prepare.mask_uniforms import LIGHT
 from kagezou.render.prepare.set_as_seen import SetAsSeen
 from kagezou.render.prepare.shadow_tiles import TileGrid, Tiling, whole_grid
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast
 
 _PATCH_MARGIN = 0.5

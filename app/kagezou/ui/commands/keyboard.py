@@ -10,7 +10,7 @@ from kagezou.ui.commands.shortcut_editor import ShortcutEditor
 from kagezou.ui.commands.shortcut_scheme import Shortcuts, table_of
 from kagezou.ui.commands.shortcut_sheet import ShortcutSheet
 from kagezou.ui.system.settings import Settings
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import named
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
 _SET, _OWN = "shortcut_set", "own_shortcuts"
@@ -54,7 +54,7 @@ class Keyboard(QObject):
             sheet, self._sheet = self._sheet, None
             sheet.close()
             return sheet
-        self._sheet = ShortcutSheet(self._window, self._actions, said(self.shortcuts.key_set.name))
+        self._sheet = ShortcutSheet(self._window, self._actions, named(self.shortcuts.key_set.name))
         self._sheet.edit_asked.connect(self.edit)
         self._sheet.finished.connect(self._forget_sheet)
         self._sheet.show()

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 from kagezou.ui.commands.actions import Actions, shown_keys
 from kagezou.ui.commands.fuzzy import score
 from kagezou.ui.commands.table import plain
-from kagezou.ui.system.language import words_in
+from kagezou.ui.system.language import in_all_languages
 from kagezou.ui.system.theme import BRIGHT, CHOSEN, DIM, OFF, TEXT
 
 _LETTERS_WIDE = 74
@@ -42,7 +42,7 @@ class Entry:
     action
         What runs.
     words
-        What people read, and what it is called in the other language: each is searched.
+        What people read, and what it is called in every language: each is searched.
     place
         The heading or menu it stands under.
     keys
@@ -226,12 +226,11 @@ class _Row(QStyledItemDelegate):
 
 def _commands(actions: Actions) -> Iterator[Entry]:
     """Yield the commands of the table that someone answers."""
-    japanese = words_in("ja")
     for group in actions.groups:
         for command in group.commands:
             if actions.is_answered(command.name):
-                other = japanese("Commands", command.source)
-                words = (plain(actions[command.name].text()), plain(command.source), plain(other))
+                names = in_all_languages("Commands", command.source)
+                words = (plain(actions[command.name].text()), *map(plain, names))
                 yield Entry(actions[command.name], words, group.title, shown_keys(actions.keys(command.name)[:1]))
 
 

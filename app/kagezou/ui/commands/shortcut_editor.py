@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from kagezou.document.property import Words
+from kagezou.document.local_name import LocalName
 from kagezou.errors import Problem
 from kagezou.io.clips.shortcut_files import SUFFIX, KeySet, load_key_set, save_key_set
 from kagezou.ui.commands.actions import Actions, shown_keys
@@ -27,9 +27,8 @@ from kagezou.ui.commands.fuzzy import score
 from kagezou.ui.commands.shortcut_keys import KeysOfCommand
 from kagezou.ui.commands.shortcut_scheme import Shortcuts, normal
 from kagezou.ui.commands.table import Command, plain
-from kagezou.ui.system.language import words_in
-from kagezou.ui.system.sentences import sentence_of
-from kagezou.ui.system.words import said
+from kagezou.ui.system.language import in_all_languages
+from kagezou.ui.system.words import named, translated
 
 _NAME = Qt.ItemDataRole.UserRole
 
@@ -59,7 +58,7 @@ class ShortcutEditor(QDialog):
         self.sets = QComboBox()
         self.sets.setAccessibleName(self.tr("Set"))
         for each in sets:
-            self.sets.addItem(said(each.name))
+            self.sets.addItem(named(each.name))
         self.field = QLineEdit()
         self.field.setPlaceholderText(self.tr("Search by name or keys"))
         self.field.setAccessibleName(self.tr("Search by name or keys"))
@@ -91,7 +90,7 @@ class ShortcutEditor(QDialog):
         try:
             self.shortcuts = self.shortcuts.with_keys(load_key_set(path).keys)
         except Problem as problem:
-            self._say(sentence_of(problem))
+            self._say(translated(problem))
         else:
             self._say(self.tr("Shortcuts of %1").replace("%1", path.name))
             self._show()
@@ -100,9 +99,9 @@ class ShortcutEditor(QDialog):
         """Write all shortcuts into a file."""
         whole = path if path.suffix else path.with_suffix(SUFFIX)
         try:
-            save_key_set(whole, KeySet("", Words(whole.stem, whole.stem), self.shortcuts.keys))
+            save_key_set(whole, KeySet("", LocalName(whole.stem), self.shortcuts.keys))
         except Problem as problem:
-            self._say(sentence_of(problem))
+            self._say(translated(problem))
         else:
             self._say(self.tr("Written to %1").replace("%1", whole.name))
 
@@ -204,7 +203,7 @@ class ShortcutEditor(QDialog):
     def _show_fitting(self, typed: str) -> None:
         pressed = normal((typed.replace(" ", ""),)) if typed.strip() else ()
         for name, item in self._items.items():
-            words = [item.text(0), str(item.data(1, _NAME)), str(item.data(2, _NAME))]
+            words = [item.text(0), *item.data(1, _NAME)]
             by_name = any(score(typed, each) is not None for each in words)
             item.setHidden(not by_name and not set(pressed) & set(self.shortcuts.keys[name]))
         for heading, items in self._headings:
@@ -228,7 +227,6 @@ class ShortcutEditor(QDialog):
 def _item(heading: QTreeWidgetItem, command: Command) -> QTreeWidgetItem:
     item = QTreeWidgetItem(heading, [plain(command.text)])
     item.setData(0, _NAME, command.name)
-    # Kept for the search: the command is found by its name in either language.
-    item.setData(1, _NAME, plain(command.source))
-    item.setData(2, _NAME, plain(words_in("ja")("Commands", command.source)))
+    # Kept for the search: the command is found by its name in every language.
+    item.setData(1, _NAME, [plain(name) for name in in_all_languages("Commands", command.source)])
     return item

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from kagezou.ui.commands.actions import Actions
 from kagezou.ui.commands.fuzzy import score
 from kagezou.ui.commands.table import plain
-from kagezou.ui.system.language import words_in
+from kagezou.ui.system.language import in_all_languages
 
 _COLUMNS = 2
 
@@ -172,12 +172,12 @@ def _balanced(sections: Sequence[_Section]) -> list[list[_Section]]:
 
 def _rows(actions: Actions, names: Sequence[str]) -> list[SheetRow]:
     rows = []
-    native, japanese = QKeySequence.SequenceFormat.NativeText, words_in("ja")
+    native = QKeySequence.SequenceFormat.NativeText
     commands = {command.name: command for command in actions.commands}
     for name in names:
         if actions.is_answered(name) and actions.keys(name):
-            source = commands[name].source
-            words = (plain(commands[name].text), plain(source), plain(japanese("Commands", source)))
+            names_of_it = in_all_languages("Commands", commands[name].source)
+            words = (plain(commands[name].text), *map(plain, names_of_it))
             rows.append(SheetRow(words, [QKeySequence(key).toString(native) for key in actions.keys(name)]))
     return rows
 

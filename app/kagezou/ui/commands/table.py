@@ -11,6 +11,9 @@ from itertools import chain
 
 from PySide6.QtCore import QCoreApplication
 
+from kagezou.document.piece_kinds import BUILT_KINDS
+from kagezou.ui.system.kind_words import KIND_WORDS
+
 
 def translate(_context: str, text: str) -> str:
     """Mark a text for the translators and leave it English: a command is found by its English words in any language."""
@@ -225,12 +228,7 @@ def timeline_commands() -> tuple[Command, ...]:
 def set_commands() -> tuple[Command, ...]:
     """Return the commands about the set."""
     return (
-        Command("add_wall", translate("Commands", "Add &Wall"), (), "wall"),
-        Command("add_box", translate("Commands", "Add &Box"), (), "box"),
-        Command("add_steps", translate("Commands", "Add &Steps"), (), "steps"),
-        Command("add_ramp", translate("Commands", "Add &Ramp"), (), "ramp"),
-        Command("add_cylinder", translate("Commands", "Add &Cylinder"), (), "cylinder"),
-        Command("add_sphere", translate("Commands", "Add S&phere"), (), "sphere"),
+        *(Command(f"add_{kind}", KIND_WORDS[kind].command, (), KIND_WORDS[kind].icon) for kind in BUILT_KINDS),
         Command("draw_corner", translate("Commands", "Draw &Ground and Wall Line"), (), "corner"),
         Command("draw_wall", translate("Commands", "Draw Wall &Line"), (), ""),
         Command("duplicate_piece", translate("Commands", "&Duplicate Set Piece"), ("Ctrl+D",), "duplicate"),

@@ -32,7 +32,7 @@ from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 
 class CurveEditor(QWidget):
@@ -102,7 +102,7 @@ class CurveEditor(QWidget):
         try:
             other = load(path)
         except Problem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return
         self.choice.set(snapshot=other, shows_snapshot=True)
         self._ghost_button.setChecked(True)

@@ -55,7 +55,7 @@ def curves_of(
         The layers that are chosen beside it; a property that is linked has its curves once.
     """
     curves: list[Curve] = []
-    more = (Address(line, other) for other in others for line in OF_LAYER.values())
+    more = (Address(prop, other) for other in others for prop in OF_LAYER.values())
     apart = (address for address in more if not is_linked(document, address))
     for address in (*_addresses(layer_id, piece_id), *apart):
         track = track_of(document, address)
@@ -91,14 +91,14 @@ def _same(those: Iterable[Layer | Piece], known_id: str, name: str) -> str | Non
 
 
 def _addresses(layer_id: str | None, piece_id: str | None) -> Iterator[Address]:
-    for line in OF_DOCUMENT.values():
-        yield Address(line)
+    for prop in OF_DOCUMENT.values():
+        yield Address(prop)
     if layer_id is not None:
-        for line in OF_LAYER.values():
-            yield Address(line, layer_id)
+        for prop in OF_LAYER.values():
+            yield Address(prop, layer_id)
     if piece_id is not None:
-        for line in OF_PIECE.values():
-            yield Address(line, piece_id=piece_id)
+        for prop in OF_PIECE.values():
+            yield Address(prop, piece_id=piece_id)
 
 
 def _name(address: Address, component: int, count: int) -> str:

@@ -9,7 +9,7 @@ from kagezou.document.key_edits import all_keys
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_list import Curve
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import translated
 
 _CURVE = Qt.ItemDataRole.UserRole
 
@@ -47,7 +47,7 @@ class CurveTree(QTreeWidget):
 
     def _property(self, curve: Curve) -> QTreeWidgetItem:
         item = QTreeWidgetItem([self._name_of(curve.address)])
-        item.setToolTip(0, said(curve.address.property.help))
+        item.setToolTip(0, translated(curve.address.property.help))
         if curve.name:
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsAutoTristate | Qt.ItemFlag.ItemIsUserCheckable)
         else:
@@ -56,7 +56,7 @@ class CurveTree(QTreeWidget):
         return item
 
     def _name_of(self, address: Address) -> str:
-        words = said(address.property.label)
+        words = translated(address.property.label)
         if address.piece_id is not None:
             return f"{self._bridge.document.piece(address.piece_id).name} · {words}"
         if address.layer_id is None:

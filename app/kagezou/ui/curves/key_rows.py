@@ -8,6 +8,7 @@ from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 HEADINGS = ("frame", "component", "value", "goes on", "speed in", "influence in %", "speed out", "influence out %")
 
@@ -66,7 +67,7 @@ def with_cell(document: Document, address: Address, row: KeyRow, column: int, te
     cells[column] = text
     changed = parse_row(cells)
     if changed.component != row.component:
-        raise UsageProblem("a key's component cannot be changed")
+        raise UsageProblem(Message("a key's component cannot be changed"))
     track = track_of(document, address)
     key = track.key_at(row.frame)
     if key is None:
@@ -123,21 +124,33 @@ def parse_row(cells: list[str]) -> KeyRow:
     """
     defaults = ("", "1", "", Interpolation.LINEAR.value, "0", "33.333333", "0", "33.333333")
     whole = [cells[index].strip() if index < len(cells) else default for index, default in enumerate(defaults)]
-    frame, component = _number(whole[0], "a frame"), _number(whole[1], "a component")
+    frame, component = _number(whole[0], Message("a frame")), _number(whole[1], Message("a component"))
     if frame < 1 or frame != int(frame) or component < 1 or component != int(component):
-        raise UsageProblem(f"{whole[0]!r}, {whole[1]!r} are not a frame and a component, whole numbers from 1")
+        raise UsageProblem(
+            Message(
+                "{frame!r}, {component!r} are not a frame and a component, whole numbers from 1",
+                frame=whole[0],
+                component=whole[1],
+            )
+        )
     if whole[3] not in list(Interpolation):
-        raise UsageProblem(f"{whole[3][:30]!r} is not one of {', '.join(Interpolation)}")
-    into = Ease(_number(whole[4], "a speed"), _influence(whole[5]))
-    out = Ease(_number(whole[6], "a speed"), _influence(whole[7]))
-    return KeyRow(int(frame), int(component) - 1, _number(whole[2], "a value"), Interpolation(whole[3]), into, out)
+        raise UsageProblem(
+            Message("{text!r} is not one of {words}", text=whole[3][:30], words=", ".join(Interpolation))
+        )
+    into = Ease(_number(whole[4], Message("a speed")), _influence(whole[5]))
+    out = Ease(_number(whole[6], Message("a speed")), _influence(whole[7]))
+    return KeyRow(
+        int(frame), int(component) - 1, _number(whole[2], Message("a value")), Interpolation(whole[3]), into, out
+    )
 
 
 def _key(address: Address, track: Track, frame: int, parts: dict[int, KeyRow]) -> Key:
     like = track.value_at(frame)
     count = len(components_of(like) or ())
     if sorted(parts) != list(range(count)):
-        raise UsageProblem(f"frame {frame} needs {count} rows, one for each component")
+        raise UsageProblem(
+            Message("frame {frame} needs {count} rows, one for each component", frame=frame, count=count)
+        )
     ordered = [parts[component] for component in range(count)]
     value = address.property.canonical(rebuilt(like, tuple(row.value for row in ordered)))
     eases_in, eases_out = tuple(row.ease_in for row in ordered), tuple(row.ease_out for row in ordered)
@@ -169,15 +182,15 @@ def _at(eases: tuple[Ease, ...], component: int) -> Ease:
     return eases[component] if component < len(eases) else EASY
 
 
-def _number(text: str, what: str) -> float:
+def _number(text: str, what: Message) -> float:
     try:
         number = float(text)
     except ValueError:
         number = float("nan")
     if not abs(number) <= _MOST:
-        raise UsageProblem(f"{text[:30]!r} is not {what}")
+        raise UsageProblem(Message("{text!r} is not {what}", text=text[:30], what=what))
     return number
 
 
 def _influence(text: str) -> float:
-    return min(max(_number(text.rstrip("% "), "an influence") / 100, MIN_INFLUENCE), 1.0)
+    return min(max(_number(text.rstrip("% "), Message("an influence")) / 100, MIN_INFLUENCE), 1.0)

@@ -13,7 +13,7 @@ from kagezou.errors import UsageProblem
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.key_rows import KeyRow, pasted, rows_of, text_of, with_cell
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 _FIXED_COLUMNS = (1,)
 _INTERPOLATION_COLUMN = 3
@@ -113,7 +113,7 @@ class KeyTable(QTableWidget):
         try:
             document = make()
         except UsageProblem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
         else:
             self._bridge.session.edit(name, document)
         self._rows = ()

@@ -8,7 +8,7 @@ from kagezou.document.model import Document
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_list import same_in
 from kagezou.ui.curves.picture import CurvePicture, value_in
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import translated
 
 
 def readout(document: Document, choice: Choice, picture: CurvePicture | None, frame: int) -> str:
@@ -23,7 +23,7 @@ def readout(document: Document, choice: Choice, picture: CurvePicture | None, fr
         return where
     unit = curve.address.property.unit
     unit = f" {unit}" if unit and unit != "°" else unit
-    words = [where, f"{said(curve.address.property.label)} {curve.name}".strip(), f"{value:.4g}{unit}"]
+    words = [where, f"{translated(curve.address.property.label)} {curve.name}".strip(), f"{value:.4g}{unit}"]
     words.append(f"{value - before:+.4g}{unit}/f")
     earlier = [key for key in track.keys if key.frame <= frame]
     if earlier:

@@ -24,8 +24,7 @@ from kagezou.errors import UsageProblem
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.flags import Flag, FlagKind, flags_of
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import translated
 
 _WHAT = Qt.ItemDataRole.UserRole
 _JUMP_PX = 60.0
@@ -64,10 +63,10 @@ class NoteList(QWidget):
         """List the notes as they are."""
         self.list.clear()
         for note in sorted(self._bridge.document.notes, key=lambda each: each.frame):
-            line = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
+            prop = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
             layer = "" if note.layer_id is None else f"{self._bridge.document.layer(note.layer_id).name} · "
             author = f" — {note.author}" if note.author else ""
-            item = QListWidgetItem(f"{note.frame}   {layer}{said(line.label)}{author}\n{note.text}")
+            item = QListWidgetItem(f"{note.frame}   {layer}{translated(prop.label)}{author}\n{note.text}")
             item.setData(_WHAT, note)
             self.list.addItem(item)
         for button in self._buttons:
@@ -80,7 +79,9 @@ class NoteList(QWidget):
             self.refused.emit(self.tr("A note is pinned to a keyed property, and nothing is keyed yet."))
             return
         frame = self._bridge.frame
-        title = self.tr("Note on frame %1, %2").replace("%1", str(frame)).replace("%2", said(address.property.label))
+        title = (
+            self.tr("Note on frame %1, %2").replace("%1", str(frame)).replace("%2", translated(address.property.label))
+        )
         self._ask(title, "", lambda text: self.add(address, frame, text))
 
     def add(self, address: Address, frame: int, text: str) -> None:
@@ -88,7 +89,7 @@ class NoteList(QWidget):
         try:
             document = add_note(self._bridge.document, address, frame, text)
         except UsageProblem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
         else:
             self._bridge.session.edit(self.tr("Add note"), document)
 
@@ -159,7 +160,7 @@ class FlagList(QWidget):
         addresses = tuple(dict.fromkeys(curve.address for curve in self._choice.shown))
         self.list.clear()
         for flag in flags_of(self._bridge.document, addresses, self.limit.value()):
-            item = QListWidgetItem(f"{flag.frame}   {said(flag.address.property.label)}   {self._words(flag)}")
+            item = QListWidgetItem(f"{flag.frame}   {translated(flag.address.property.label)}   {self._words(flag)}")
             item.setData(_WHAT, flag)
             self.list.addItem(item)
         if not self.list.count():

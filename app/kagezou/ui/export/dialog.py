@@ -24,8 +24,7 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.table import EXPORTERS, depths_of, exporter_of, sound
 from kagezou.ui.export.options import GAP_PX, ExportOptions
 from kagezou.ui.export.preset_row import PresetRow
-from kagezou.ui.system.sentences import sentence_of
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import translated
 
 
 class ExportDialog(QDialog):
@@ -108,7 +107,7 @@ class ExportDialog(QDialog):
             exporter = exporter_of(self.choices)
             self.preview.addItems(list(exporter.preview(self._document, self.choices, self._place_now())))
         except UsageProblem as refused:
-            problem = sentence_of(refused)
+            problem = translated(refused)
         if not problem and not self.folder.text().strip():
             problem = self.tr("Choose a folder.")
         self._say(problem)
@@ -165,11 +164,11 @@ class ExportDialog(QDialog):
     def _kind_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         for exporter in EXPORTERS:
-            button = self._buttons[exporter.key] = QRadioButton(said(exporter.words))
+            button = self._buttons[exporter.key] = QRadioButton(translated(exporter.label))
             button.clicked.connect(lambda _on, each=exporter.key: self.change(kind=each))
             if lacking := exporter.lacks():
                 button.setEnabled(False)
-                button.setToolTip(said(lacking))
+                button.setToolTip(translated(lacking))
             self.kinds.addButton(button)
             row.addWidget(button)
         row.addStretch(1)

@@ -10,7 +10,7 @@ from kagezou.errors import Problem
 from kagezou.export.choices import ExportChoices
 from kagezou.export.presets import Preset, presets_in, remove_preset, rename_preset, save_preset
 from kagezou.ui.export.options import GAP_PX
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 
 class PresetRow(QWidget):
@@ -49,7 +49,7 @@ class PresetRow(QWidget):
         """Read the presets again."""
         self._presets, problems = presets_in(self._folder)
         for problem in problems:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         self._show()
 
     def show_choices(self, choices: ExportChoices) -> None:
@@ -126,5 +126,5 @@ class PresetRow(QWidget):
         try:
             act()
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         self.reload()

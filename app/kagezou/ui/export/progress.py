@@ -10,7 +10,7 @@ from kagezou.errors import Problem
 from kagezou.export.exporters.exporter import ExportOutcome, Work
 from kagezou.ui.system.icons import icon
 from kagezou.ui.system.offscreen_context import OffscreenSurface
-from kagezou.ui.system.sentences import sentence_of, spoken
+from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
 _KEY = "export"
@@ -44,7 +44,7 @@ class ExportJob(QThread):
         try:
             outcome = self._work(self._surface.open, self.progressed.emit, self._stop.is_set)
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         else:
             self.done.emit(outcome)
 
@@ -129,11 +129,11 @@ class Exporting(QWidget):
 
     def _say_done(self, outcome: ExportOutcome) -> None:
         if outcome.notes:
-            self._bar.say(_NOTES, "\n".join(map(spoken, outcome.notes)), Severity.WARNING)
+            self._bar.say(_NOTES, "\n".join(map(translated, outcome.notes)), Severity.WARNING)
         else:
             self._bar.withdraw(_NOTES)
         if outcome.problem:
-            self._bar.say(_KEY, spoken(outcome.problem))
+            self._bar.say(_KEY, translated(outcome.problem))
         elif outcome.cancelled:
             words = self.tr("Export stopped; %n file(s) are written and whole.", "", outcome.written)
             self._bar.say(_KEY, words, Severity.NOTE)

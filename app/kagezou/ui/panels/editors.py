@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from kagezou.animation.track import Value
-from kagezou.document.property import Kind, Property
-from kagezou.ui.system.words import choice_word, said
+from kagezou.document.property import AnyProperty, Kind
+from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.widgets.color_button import ColorField
 from kagezou.ui.widgets.range_slider import RangeSlider
 from kagezou.ui.widgets.scrub_field import MIXED, ScrubField
@@ -48,17 +48,17 @@ class Editor(QWidget):
 class NumbersEditor(Editor):
     """One field a number: a plain number, or the coordinates of a point or place."""
 
-    def __init__(self, line: Property) -> None:
+    def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
-        self._single = line.kind is Kind.NUMBER
-        step, decimals = _grain(line)
-        self.fields = [ScrubField(step, decimals, line.unit if self._single else "") for _ in line.components]
+        self._single = prop.kind is Kind.NUMBER
+        step, decimals = _grain(prop)
+        self.fields = [ScrubField(step, decimals, prop.unit if self._single else "") for _ in prop.components]
         self._values: list[float] = [0.0] * len(self.fields)
-        for index, (field, component) in enumerate(zip(self.fields, line.components, strict=True)):
-            field.set_range(line.low, line.high)
-            name = said(line.label)
+        for index, (field, component) in enumerate(zip(self.fields, prop.components, strict=True)):
+            field.set_range(prop.low, prop.high)
+            name = translated(prop.label)
             field.setAccessibleName(name if self._single else f"{name} {component}")
-            field.setToolTip(said(line.help) if self._single else f"{component.upper()}")
+            field.setToolTip(translated(prop.help) if self._single else f"{component.upper()}")
             field.drag_began.connect(self.began)
             field.drag_ended.connect(self.ended)
             field.dragged.connect(lambda number, at=index: self.tried.emit(self._with(at, number)))
@@ -66,10 +66,10 @@ class NumbersEditor(Editor):
             field.calculated.connect(self.calculated)
             field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-00000") + 12)
             self.row.addWidget(field, 1)
-        self.slider = RangeSlider(*line.slides) if line.slides else None
+        self.slider = RangeSlider(*prop.slides) if prop.slides else None
         if self.slider is not None:
-            self.slider.setAccessibleName(said(line.label))
-            self.slider.setToolTip(said(line.help))
+            self.slider.setAccessibleName(translated(prop.label))
+            self.slider.setToolTip(translated(prop.help))
             self.slider.began.connect(self.began)
             self.slider.tried.connect(self.tried)
             self.slider.ended.connect(self.ended)
@@ -101,13 +101,13 @@ class NumbersEditor(Editor):
 class ChoiceEditor(Editor):
     """A list of words to choose from."""
 
-    def __init__(self, line: Property) -> None:
+    def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self.combo = QComboBox()
-        self.combo.setAccessibleName(said(line.label))
-        self.combo.setToolTip(said(line.help))
-        for choice in line.choices:
-            self.combo.addItem(choice_word(choice), choice)
+        self.combo.setAccessibleName(translated(prop.label))
+        self.combo.setToolTip(translated(prop.help))
+        for choice in prop.choices:
+            self.combo.addItem(choice_name(choice), choice)
         self.combo.activated.connect(lambda _: self.entered.emit(self.combo.currentData()))
         self.row.addWidget(self.combo, 1)
 
@@ -122,11 +122,11 @@ class ChoiceEditor(Editor):
 class SwitchEditor(Editor):
     """On or off."""
 
-    def __init__(self, line: Property) -> None:
+    def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self.box = QCheckBox()
-        self.box.setAccessibleName(said(line.label))
-        self.box.setToolTip(said(line.help))
+        self.box.setAccessibleName(translated(prop.label))
+        self.box.setToolTip(translated(prop.help))
         self.box.clicked.connect(self._enter)
         self.row.addWidget(self.box, 1)
 
@@ -145,10 +145,10 @@ class SwitchEditor(Editor):
 class ColorEditor(Editor):
     """A colour."""
 
-    def __init__(self, line: Property) -> None:
+    def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self.field = ColorField()
-        self.field.setToolTip(said(line.help))
+        self.field.setToolTip(translated(prop.help))
         self.field.picking_began.connect(self.began)
         self.field.tried.connect(self.tried.emit)
         self.field.picking_ended.connect(self.ended)
@@ -165,13 +165,13 @@ class ColorEditor(Editor):
 class PointsEditor(Editor):
     """How many points there are, and a way to be rid of them; they are placed in the picture itself."""
 
-    def __init__(self, line: Property) -> None:
+    def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self._count = QLabel()
         self._count.setToolTip(self.tr("Double-click on the character in the picture to add a grounding point"))
         self._clear = QPushButton(self.tr("Clear"))
         self._clear.setObjectName("small_button")
-        self._clear.setAccessibleName(f"{said(line.label)}: {self._clear.text()}")
+        self._clear.setAccessibleName(f"{translated(prop.label)}: {self._clear.text()}")
         self._clear.clicked.connect(lambda: self.entered.emit(()))
         self.row.addWidget(self._count, 1)
         self.row.addWidget(self._clear)
@@ -186,26 +186,26 @@ class PointsEditor(Editor):
         self._clear.setEnabled(True)
 
 
-def editor_for(line: Property) -> Editor:
+def editor_for(prop: AnyProperty) -> Editor:
     """Return the editor of a property's kind."""
-    match line.kind:
+    match prop.kind:
         case Kind.NUMBER | Kind.POINT | Kind.PLACE:
-            return NumbersEditor(line)
+            return NumbersEditor(prop)
         case Kind.CHOICE:
-            return ChoiceEditor(line)
+            return ChoiceEditor(prop)
         case Kind.SWITCH:
-            return SwitchEditor(line)
+            return SwitchEditor(prop)
         case Kind.COLOR:
-            return ColorEditor(line)
+            return ColorEditor(prop)
         case Kind.POINTS:
-            return PointsEditor(line)
+            return PointsEditor(prop)
 
 
-def _grain(line: Property) -> tuple[float, int]:
+def _grain(prop: AnyProperty) -> tuple[float, int]:
     """Return how much a px of dragging changes, and the digits worth showing, by unit and range."""
-    if line.unit == "px":
+    if prop.unit == "px":
         return 1.0, 1
-    if line.unit == "°":
+    if prop.unit == "°":
         return 0.25, 2
-    span = line.high - line.low
+    span = prop.high - prop.low
     return (0.005, 3) if span <= 10 else (0.5, 2)

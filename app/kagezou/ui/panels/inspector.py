@@ -6,13 +6,14 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
+from kagezou.document.piece_kinds import kind_of, matters
 from kagezou.document.properties import TABLE
-from kagezou.document.property import Property, Scope
-from kagezou.document.set_pieces import kind_of
+from kagezou.document.property import AnyProperty, Scope
 from kagezou.document.set_properties import SET_BLEND, SET_COLOR, SET_OPACITY
+from kagezou.document.values import value_at
 from kagezou.scene.evaluate import camera_at, card_at, ground_at
-from kagezou.ui.panels.piece_sections import PieceName, matters, piece_sections
+from kagezou.ui.panels.piece_sections import PieceName, piece_sections
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
@@ -134,18 +135,18 @@ class Inspector(QScrollArea):
         # Behind the line that says how many layers are chosen.
         before_scene = 1 if scope is Scope.LAYER else self._column.count() - 1
         others = self._bridge.layer_ids[1:] if scope is Scope.LAYER else ()
-        for line in TABLE:
-            if line.scope is not scope:
+        for prop in TABLE:
+            if prop.scope is not scope:
                 continue
-            title = self._title(line)
+            title = self._title(prop)
             if title not in made:
                 made[title] = Section(title)
                 self._column.insertWidget(before_scene + len(made) - 1, made[title])
-            twins = tuple(Address(line, other) for other in others)
-            made[title].add(PropertyRow(self._bridge, Address(line, layer_id), twins))
+            twins = tuple(Address(prop, other) for other in others)
+            made[title].add(PropertyRow(self._bridge, Address(prop, layer_id), twins))
         return list(made.values())
 
-    def _title(self, line: Property) -> str:
+    def _title(self, prop: AnyProperty) -> str:
         titles: dict[str, Callable[[], str]] = {
             "camera": lambda: self.tr("Camera"),
             "ground": lambda: self.tr("Ground"),
@@ -157,7 +158,7 @@ class Inspector(QScrollArea):
             "set.shadow": lambda: self.tr("Shadow of the set"),
             "": lambda: self.tr("Character"),
         }
-        return titles[_group_of(line)]()
+        return titles[_group_of(prop)]()
 
     def _show_several(self) -> None:
         ids = self._bridge.layer_ids
@@ -167,11 +168,11 @@ class Inspector(QScrollArea):
 
     def _show_relevant(self) -> None:
         document, frame = self._bridge.document, self._bridge.frame
-        kind = value_of(document, Address(properties.LIGHT_KIND), frame)
+        kind = value_at(document.tracks, properties.LIGHT_KIND, frame)
         for row in self.rows:
-            line, piece_id = row.address.property, row.address.piece_id
-            needed = _ONLY_FOR_LIGHT.get(line.name, kind)
-            is_of_kind = piece_id is None or matters(line, kind_of(document.piece(piece_id), frame))
+            prop, piece_id = row.address.property, row.address.piece_id
+            needed = _ONLY_FOR_LIGHT.get(prop.name, kind)
+            is_of_kind = piece_id is None or matters(prop, kind_of(document.piece(piece_id), frame))
             row.set_visible(visible=needed == kind and is_of_kind)
 
     def _show_measured_tilt(self) -> None:
@@ -188,12 +189,12 @@ class Inspector(QScrollArea):
             row.editor.show_value(cards[0].tilt_deg)
 
 
-def _group_of(line: Property) -> str:
+def _group_of(prop: AnyProperty) -> str:
     """Return which section a property is shown in."""
-    group, _, last = line.name.rpartition(".")
-    if line in _SHAPE:
+    group, _, last = prop.name.rpartition(".")
+    if prop in _SHAPE:
         return "shape"
-    if line in _FADING:
+    if prop in _FADING:
         return "fading"
     return "waves" if last.startswith("wave") or group.startswith("shadow.wave") else group
 

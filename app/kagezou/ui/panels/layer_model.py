@@ -7,10 +7,11 @@ from PySide6.QtCore import QAbstractListModel, QMimeData, QModelIndex, QPersiste
 from PySide6.QtGui import QImage
 
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.common_edits import set_all
 from kagezou.document.edits import move_layer, rename_layer
 from kagezou.document.model import Layer
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.system.bridge import Bridge
@@ -60,8 +61,7 @@ class LayerModel(QAbstractListModel):
             case Role.LAYER_ID:
                 return layer.id
             case Role.IS_VISIBLE:
-                visible = Address(properties.VISIBLE, layer.id)
-                return bool(value_of(self._bridge.document, visible, self._bridge.frame))
+                return value_at(layer.tracks, properties.VISIBLE, self._bridge.frame)
             case Role.THUMBNAIL:
                 return self._thumbnail(layer)
             case Role.SUMMARY:

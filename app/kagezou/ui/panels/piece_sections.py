@@ -5,30 +5,15 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from kagezou.document import set_properties as lines
 from kagezou.document.address import Address
+from kagezou.document.piece_kinds import kind_of
 from kagezou.document.properties import OF_PIECE
-from kagezou.document.property import Property
-from kagezou.document.set_pieces import kind_of
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.section import Section
 from kagezou.ui.sets.list_delegate import kind_icon
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.words import choice_word
+from kagezou.ui.system.words import choice_name
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
-
-_DEEP = ("box", "steps", "ramp")
-_OF_FILES = (lines.PIECE_SCALE, lines.PIECE_UP, lines.PIECE_ANCHOR, lines.PIECE_DISPLAY, lines.PIECE_UNDER)
-_ONLY_FOR = {
-    lines.PIECE_LEAN: ("wall",),
-    lines.PIECE_WIDTH: lines.BUILT_KINDS,
-    lines.PIECE_HEIGHT: ("wall", *_DEEP, "cylinder"),
-    lines.PIECE_DEPTH: _DEEP,
-    lines.PIECE_COUNT: ("steps",),
-    **dict.fromkeys(_OF_FILES, (lines.MESH,)),
-}
-"""Properties that mean something for these kinds alone and are hidden for all others."""
-
-_NOT_FOR = {lines.PIECE_ANGLE: ("cylinder", "sphere")}
 
 
 class PieceName(QWidget):
@@ -60,18 +45,13 @@ class PieceName(QWidget):
         self._picture.setPixmap(kind_icon(kind).pixmap(QSize(16, 16)))
         self.name.setText(piece.name)
         words = QCoreApplication.translate("PieceName", "Set piece: %1")
-        self.kind.setText(words.replace("%1", choice_word(kind)))
+        self.kind.setText(words.replace("%1", choice_name(kind)))
 
 
 def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:
     """Return the sections of a piece: where it stands and how large it is, and what it does."""
     place = Section(QCoreApplication.translate("PieceSections", "Place and size"))
     does = Section(QCoreApplication.translate("PieceSections", "What it does"))
-    for line in OF_PIECE.values():
-        (does if line in _DOES else place).add(PropertyRow(bridge, Address(line, piece_id=piece_id)))
+    for prop in OF_PIECE.values():
+        (does if prop in _DOES else place).add(PropertyRow(bridge, Address(prop, piece_id=piece_id)))
     return [place, does]
-
-
-def matters(line: Property, kind: str) -> bool:
-    """Whether a property of a set piece means anything for its kind."""
-    return kind in _ONLY_FOR.get(line, (kind,)) and kind not in _NOT_FOR.get(line, ())

@@ -26,8 +26,7 @@ from kagezou.session.session import Gesture
 from kagezou.ui.panels.editors import Editor, editor_for
 from kagezou.ui.panels.row_menu import open_row_menu
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.key_button import KeyButton, KeyState
 from kagezou.ui.widgets.link_button import LinkButton
 from kagezou.ui.widgets.scrub_field import ScrubLabel
@@ -63,7 +62,7 @@ class PropertyRow(QObject):
         self.key = KeyButton()
         self.link = LinkButton()
         self.editor: Editor = editor_for(address.property)
-        self.label = ScrubLabel(said(address.property.label), self.editor.scrubbed_by_label)
+        self.label = ScrubLabel(translated(address.property.label), self.editor.scrubbed_by_label)
         for widget in self.widgets:
             widget.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
             widget.customContextMenuRequested.connect(partial(self._open_menu, widget))
@@ -172,7 +171,7 @@ class PropertyRow(QObject):
         return self._named(self.tr("Change %1"))
 
     def _named(self, words: str) -> str:
-        return words.replace("%1", said(self.address.property.label))
+        return words.replace("%1", translated(self.address.property.label))
 
     def _edit(self, words: str, document: Document) -> None:
         self.bridge.session.edit(self._named(words), document)
@@ -182,7 +181,7 @@ class PropertyRow(QObject):
         try:
             self.bridge.session.edit(self._step_name, make(self.bridge.document))
         except Problem as problem:
-            refused = sentence_of(problem)
+            refused = translated(problem)
         self._shown = None
         self.refresh()
         if refused:
@@ -215,7 +214,7 @@ class PropertyRow(QObject):
         if changed:
             # The words say it too: colour alone does not reach everyone.
             words = self.tr("Changed; double-click for the default, %1").replace("%1", dumps_value(line.default))
-        self.label.setToolTip(f"{said(line.help)}\n{self.path}\n{words}".strip())
+        self.label.setToolTip(f"{translated(line.help)}\n{self.path}\n{words}".strip())
         self.label.show_changed(changed=changed)
 
     def _open_menu(self, widget: QWidget, at: QPoint) -> None:

@@ -12,8 +12,7 @@ from kagezou.io.clips.style_files import StyleFile, bundled_styles, own_styles, 
 from kagezou.ui.panels.layer_list import tool_button
 from kagezou.ui.panels.style_pictures import StylePictures, Wanted
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import named, translated
 
 _PAUSE_MS = 500
 """Pictures are drawn anew when the hand has rested this long."""
@@ -61,14 +60,14 @@ class StyleList(QWidget):
         """Read the styles again."""
         own, problems = own_styles(self._folder)
         for problem in problems:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         self._files = (*bundled_styles(), *own)
         self.list.clear()
         blank = QPixmap(self.list.iconSize())
         blank.fill(Qt.GlobalColor.transparent)
         for each in self._files:
-            item = QListWidgetItem(said(each.style.name))
-            item.setToolTip(said(each.style.name))
+            item = QListWidgetItem(named(each.style.name))
+            item.setToolTip(named(each.style.name))
             item.setSizeHint(self.list.gridSize())
             item.setIcon(QIcon(blank))
             self.list.addItem(item)
@@ -82,7 +81,7 @@ class StyleList(QWidget):
         style, document = self._files[index].style, self._bridge.document
         for layer_id in self._bridge.layer_ids:
             document = apply_style(document, layer_id, style, self._bridge.frame)
-        self._bridge.session.edit(self.tr("Style: %1").replace("%1", said(style.name)), document)
+        self._bridge.session.edit(self.tr("Style: %1").replace("%1", named(style.name)), document)
 
     def save(self, name: str) -> None:
         """Keep the look of the layer worked on under a name."""
@@ -92,7 +91,7 @@ class StyleList(QWidget):
         try:
             save_style(self._folder, style_of(self._bridge.document, layer_id, self._bridge.frame, name))
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         self.reload()
 
     def remove_current(self) -> None:

@@ -4,9 +4,9 @@ import numpy as np
 from PySide6.QtCore import QObject, QRunnable, Qt, QThreadPool, Signal
 from PySide6.QtGui import QImage
 
-from kagezou.document.model import PictureSource
 from kagezou.errors import Problem
 from kagezou.io.images.reading import read_cel
+from kagezou.picture_source import PictureSource
 
 SIDE_PX = 96
 """Twice what is shown, for screens with small pixels."""

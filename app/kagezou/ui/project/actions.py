@@ -19,8 +19,8 @@ from kagezou.ui.project.load import AnyLoad
 from kagezou.ui.project.loading import Loading
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.project_lock import ProjectLock
-from kagezou.ui.system.sentences import sentence_of
 from kagezou.ui.system.settings import Settings
+from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
 _KEY = "project"
@@ -247,4 +247,4 @@ class ProjectActions(QObject):
         return True
 
     def _say(self, problem: Problem) -> None:
-        self._bar.say(_KEY, sentence_of(problem))
+        self._bar.say(_KEY, translated(problem))

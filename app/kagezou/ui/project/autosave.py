@@ -11,7 +11,7 @@ from kagezou.errors import Problem
 from kagezou.io.project import recovery_file
 from kagezou.io.project.recovery_file import SUFFIX, RecoveredWork
 from kagezou.ui.project.open_project import OpenProject
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 EVERY_MS = 120_000
 EVERY_STEPS = 20
@@ -119,7 +119,7 @@ class _Job(QRunnable):
         try:
             self._do()
         except Problem as problem:
-            self._owner.failed.emit(sentence_of(problem))
+            self._owner.failed.emit(translated(problem))
         else:
             self._owner.kept.emit()
 

@@ -8,7 +8,7 @@ from platformdirs import user_data_path
 from PySide6.QtCore import QObject, QThread, Signal
 
 from kagezou.errors import Problem
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
 MakeDemo: TypeAlias = Callable[[Path, Callable[[int, int], None]], Path]
@@ -47,7 +47,7 @@ class DemoJob(QThread):
         try:
             project = self._make(self._folder, self.progressed.emit)
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         else:
             self.made.emit(project)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.edits import set_background
-from kagezou.document.model import Canvas, Document, PictureSource
+from kagezou.document.model import Canvas, Document
 from kagezou.errors import Problem
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.importing.progress import LoadPhase, Progress
@@ -24,6 +24,8 @@ from kagezou.io.sets.cameras import cameras_of
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet, write_xdts
+from kagezou.message import Message
+from kagezou.picture_source import PictureSource
 from kagezou.session.session import Session
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
 from kagezou.ui.project.load import AnyLoad, Load
@@ -39,7 +41,7 @@ class OpenProject(QObject):
     """
 
     path_changed = Signal()
-    noted = Signal(str)
+    noted = Signal(Message)
     """Something the user should know about what came in, one sentence."""
 
     def __init__(self) -> None:
@@ -247,7 +249,7 @@ class OpenProject(QObject):
         self.bridge.open(session)
         self.path_changed.emit()
 
-    def _say(self, notes: tuple[str, ...]) -> None:
+    def _say(self, notes: tuple[Message, ...]) -> None:
         for note in notes:
             self.noted.emit(note)
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from kagezou.errors import Problem
 from kagezou.io.project.recovery_file import RecoveredWork, forget, read_recovery_file
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 _FILE = Qt.ItemDataRole.UserRole
 
@@ -92,7 +92,7 @@ class RecoveryDialog(QDialog):
         try:
             work = read_recovery_file(file)
         except Problem as problem:
-            item.setText(sentence_of(problem))
+            item.setText(translated(problem))
         else:
             self._work[file] = work
             when = QLocale().toString(QDateTime.fromSecsSinceEpoch(work.kept_at_s), QLocale.FormatType.ShortFormat)
@@ -123,7 +123,7 @@ class RecoveryDialog(QDialog):
         try:
             forget(file)
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
             return
         self.list.takeItem(self.list.currentRow())
         if not self.list.count():

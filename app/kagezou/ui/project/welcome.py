@@ -21,7 +21,7 @@ from kagezou.io.clips.style_files import StyleFile, bundled_styles
 from kagezou.ui.project.recent_pictures import ProjectPictures
 from kagezou.ui.project.welcome_cards import RecentCard, StyleCard
 from kagezou.ui.system.icons import application_icon, icon
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import named
 
 _LETTERS_WIDE = 118
 _MOST_RECENT = 5
@@ -174,7 +174,7 @@ class Welcome(QScrollArea):
         row = QHBoxLayout()
         row.setSpacing(6)
         for file in bundled_styles():
-            card = StyleCard(said(file.style.name), file.path.parent / "pictures" / f"{file.path.stem}.png")
+            card = StyleCard(named(file.style.name), file.path.parent / "pictures" / f"{file.path.stem}.png")
             card.clicked.connect(lambda on, chosen=card: self._choose(chosen if on else None))
             self.looks.append((card, file))
             row.addWidget(card)

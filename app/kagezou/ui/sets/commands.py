@@ -1,6 +1,6 @@
 """What the commands on the set do: pieces come, are copied and go; each is one step with a name."""
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal
+from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_constant
@@ -8,10 +8,11 @@ from kagezou.document.model import Document
 from kagezou.document.set_pieces import copy_piece, remove_piece
 from kagezou.document.set_properties import PIECE_POSITION
 from kagezou.errors import Problem
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.tools.placing import add_placed
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
-from kagezou.ui.system.words import choice_word
+from kagezou.ui.system.kind_words import words_for_adding
+from kagezou.ui.system.words import choice_name, translated
 
 _COPY_AWAY = 0.04
 """How far aside a copy stands, as a part of the canvas' width."""
@@ -33,14 +34,14 @@ class SetCommands(QObject):
         super().__init__()
         self._bridge = bridge
 
-    def add(self, kind: str) -> None:
+    def add(self, kind: PieceKind) -> None:
         """Put a piece where it is seen, and work on it."""
         bridge = self._bridge
         layer_id = bridge.layer_id
         try:
-            document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, kind, choice_word(kind))
+            document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, kind, choice_name(kind))
         except Problem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return
         self._edit(words_for_adding(kind), document, piece_id)
 
@@ -52,7 +53,7 @@ class SetCommands(QObject):
         try:
             document = copy_piece(self._bridge.document, piece_id)
         except Problem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return
         twin = document.pieces[-1].id
         self._edit(self.tr("Duplicate set piece"), _aside(document, twin), twin)
@@ -70,24 +71,11 @@ class SetCommands(QObject):
             self._bridge.session.select_piece(piece_id)
 
 
-def words_for_adding(kind: str) -> str:
-    """Return the name of the step that adds a piece."""
-    spoken = {
-        "wall": QCoreApplication.translate("SetCommands", "Add wall"),
-        "box": QCoreApplication.translate("SetCommands", "Add box"),
-        "steps": QCoreApplication.translate("SetCommands", "Add steps"),
-        "ramp": QCoreApplication.translate("SetCommands", "Add ramp"),
-        "cylinder": QCoreApplication.translate("SetCommands", "Add cylinder"),
-        "sphere": QCoreApplication.translate("SetCommands", "Add sphere"),
-    }
-    return spoken.get(kind, QCoreApplication.translate("SetCommands", "Add set piece"))
-
-
 def _aside(document: Document, piece_id: str) -> Document:
     address = Address(PIECE_POSITION, piece_id=piece_id)
     track = track_of(document, address)
-    if track.is_keyed or not isinstance(track.constant, tuple):
+    if track.is_keyed:
         # What moves keeps its way.
         return document
-    x, y = (part for part in track.constant if isinstance(part, float))
+    x, y = PIECE_POSITION.typed(track.constant)
     return set_constant(document, address, (x + round(_COPY_AWAY * document.canvas.width_px), y))

@@ -7,12 +7,13 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication, QPushButton
 
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_canvas, set_constant
 from kagezou.document.model import Document, Piece
 from kagezou.document.properties import GROUND_POSITION
 from kagezou.document.set_pieces import TAKEN_NAME
 from kagezou.document.set_properties import PIECE_UP
+from kagezou.document.values import value_at
 from kagezou.errors import Problem, UsageProblem
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Point2, Vector3
@@ -23,7 +24,7 @@ from kagezou.importing.set_sizing import FIGURE_METRES, sized
 from kagezou.io.sets.cameras import cameras_of
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.sets.import_bar import KEEP_VIEW, Measure, SetBar
-from kagezou.ui.system.sentences import sentence_of, spoken
+from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.picking import Picking
 
 _FOOT_OF_HEIGHT = 0.8
@@ -104,7 +105,7 @@ class SetImports(QObject):
             self.failed.emit(self.tr("There is no set from a file in this project"))
             return
         path, piece_id = piece.source, piece.id
-        up = str(value_of(self._open_project.bridge.document, of_piece(PIECE_UP, piece_id), 1))
+        up = value_at(self._open_project.bridge.document.piece(piece_id).tracks, PIECE_UP, 1)
 
         def read() -> None:
             self._settled = _Settled(piece_id, path, self._cameras(path), up=up)
@@ -134,7 +135,7 @@ class SetImports(QObject):
             if not cameras:
                 raise
             self._import(replace(wanted, camera=KEEP_VIEW))
-            self.noted.emit(sentence_of(problem))
+            self.noted.emit(translated(problem))
 
     def _import(self, wanted: _Settled) -> None:
         """Make the choices of an import the present document, as one step, whatever was chosen before."""
@@ -146,14 +147,14 @@ class SetImports(QObject):
         if before is not None and before.made is session.document and before.base is wanted.base:
             session.undo()
         # The bar's set is the new one before the document is: what listens to it looks whether it is still there.
-        up = str(value_of(imported.document, of_piece(PIECE_UP, imported.piece_id), 1))
+        up = value_at(imported.document.piece(imported.piece_id).tracks, PIECE_UP, 1)
         self._settled = replace(wanted, piece_id=imported.piece_id, up=up, made=imported.document)
         with session.gesture(self.tr("Import set")) as gesture:
             gesture.show(imported.document)
             # Chosen within the step, so that redo brings it back chosen.
             session.select_piece(imported.piece_id)
         for note in imported.notes:
-            self.noted.emit(spoken(note))
+            self.noted.emit(translated(note))
         self._show_bar()
 
     def _choose_camera(self, number: int) -> None:
@@ -256,7 +257,7 @@ class SetImports(QObject):
         try:
             do()
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
             self._show_bar()
         else:
             self.failed.emit("")

@@ -6,11 +6,12 @@ from PySide6.QtCore import QObject, QRect, QSize, Qt
 from PySide6.QtGui import QIcon, QPainter
 from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 
-from kagezou.locations import resource_folder
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.ui.sets.list_model import PieceRole
 from kagezou.ui.system.icons import icon
+from kagezou.ui.system.kind_words import KIND_WORDS
 from kagezou.ui.system.theme import BRIGHT, DIM, OFF, TEXT
-from kagezou.ui.system.words import choice_word
+from kagezou.ui.system.words import choice_name
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
 
 _KIND_WIDTH = 24
@@ -30,10 +31,10 @@ class SetDelegate(EyeDelegate):
         area = QRect(option.rect)
         painter.save()
         chosen, present = self.paint_start(painter, option, index)
-        kind = str(index.data(PieceRole.KIND))
+        kind = PieceKind(index.data(PieceRole.KIND))
         place = QRect(area.left() + EYE_WIDTH, area.center().y() - _ICON // 2, _ICON, _ICON)
         kind_icon(kind).paint(painter, place, mode=QIcon.Mode.Normal if present else QIcon.Mode.Disabled)
-        self._paint_words(painter, area, index, choice_word(kind), (BRIGHT if chosen else TEXT) if present else OFF)
+        self._paint_words(painter, area, index, choice_name(kind), (BRIGHT if chosen else TEXT) if present else OFF)
         painter.restore()
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
@@ -61,10 +62,9 @@ class SetDelegate(EyeDelegate):
 
 
 @cache
-def kind_icon(kind: str) -> QIcon:
+def kind_icon(kind: PieceKind) -> QIcon:
     """Return the picture of a kind of set piece."""
-    is_drawn = (resource_folder() / "icons" / f"{kind}.svg").is_file()
-    return icon(kind if is_drawn else "box")
+    return icon(KIND_WORDS[kind].icon)
 
 
 def _words_area(area: QRect) -> QRect:

@@ -4,14 +4,16 @@ from enum import IntEnum
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, Qt, Signal
 
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address
 from kagezou.document.edits import set_value
 from kagezou.document.model import Piece
-from kagezou.document.set_pieces import kind_of, rename_piece
+from kagezou.document.piece_kinds import kind_of
+from kagezou.document.set_pieces import rename_piece
 from kagezou.document.set_properties import PIECE_PRESENT
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -53,9 +55,9 @@ class SetModel(QAbstractListModel):
             case PieceRole.PIECE_ID:
                 return piece.id
             case PieceRole.IS_PRESENT:
-                return bool(value_of(self._bridge.document, _present(piece), self._bridge.frame))
+                return value_at(piece.tracks, PIECE_PRESENT, self._bridge.frame)
             case PieceRole.KIND:
-                return kind_of(piece, self._bridge.frame)
+                return kind_of(piece, self._bridge.frame).value
             case _:
                 return None
 
@@ -69,7 +71,7 @@ class SetModel(QAbstractListModel):
         try:
             session.edit(self.tr("Rename set piece"), rename_piece(document, piece.id, str(value).strip()))
         except UsageProblem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return False
         return True
 

@@ -6,6 +6,7 @@ from typing import Self
 from PySide6.QtGui import QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
 from kagezou.errors import GraphicsProblem
+from kagezou.message import Message
 from kagezou.render.gpu.info import GraphicsInfo, read_info
 
 
@@ -56,7 +57,7 @@ class OffscreenContext:
         context = QOpenGLContext()
         context.setFormat(surface_format())
         if not context.create() or not context.makeCurrent(self._surface):
-            raise GraphicsProblem("the graphics driver gives no OpenGL context beside the window")
+            raise GraphicsProblem(Message("the graphics driver gives no OpenGL context beside the window"))
         self._context = context
         return self
 

@@ -12,7 +12,7 @@ from platformdirs import user_log_path
 from PySide6.QtCore import QMessageLogContext, QObject, QtMsgType, Signal, qInstallMessageHandler
 
 from kagezou.errors import Problem
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 
 _LEVELS = {
     QtMsgType.QtDebugMsg: logging.DEBUG,
@@ -58,7 +58,7 @@ class UnforeseenErrors(QObject):
 
     def _sentence(self, error: BaseException) -> str:
         if isinstance(error, Problem):
-            return sentence_of(error)
+            return translated(error)
         words = self.tr("Something went wrong inside the program (%1). Save your project. Details: %2")
         where = str(self.log_file) if self.log_file else self.tr("no log could be written")
         return words.replace("%1", f"{type(error).__name__}: {error}"[:200]).replace("%2", where)

@@ -1,46 +1,29 @@
-"""The language of the window, and the table's own words in it.
-
-The interface's texts go through Qt's translations. The property table brings its words in both languages; which of
-them to say is itself a translated word, so that no part of the window has to be told the language.
-"""
+"""What the rooms below say, in the language of the window."""
 
 from PySide6.QtCore import QCoreApplication
 
-from kagezou.document.property import Words
+from kagezou.document.choice_labels import CHOICE_LABELS
+from kagezou.document.local_name import LocalName
+from kagezou.io.clips.catalogues import MESSAGES
+from kagezou.message import Translatable
+from kagezou.ui.system.language import language_code
 
 
-def said(words: Words) -> str:
-    """Return a text of the property table in the language of the window."""
-    return words.ja if is_japanese() else words.en
+def translated(said: Translatable) -> str:
+    """Return a message, or what a problem says, in the language of the window; it begins like a sentence."""
+    return said.sentence(_translate)
 
 
-def is_japanese() -> bool:
-    """Whether the window speaks Japanese."""
-    return QCoreApplication.translate("Language", "en", "the code of the language translated to") == "ja"
+def named(name: LocalName) -> str:
+    """Return a name that a file brings, in the language of the window."""
+    return name.in_language(language_code())
 
 
-def choice_word(choice: str) -> str:
-    """Return what the window calls a choice of the property table."""
-    spoken = {
-        "point": QCoreApplication.translate("Choice", "Lamp"),
-        "sun": QCoreApplication.translate("Choice", "Sun"),
-        "solid": QCoreApplication.translate("Choice", "Solid"),
-        "translucent": QCoreApplication.translate("Choice", "Translucent"),
-        "multiply": QCoreApplication.translate("Choice", "Multiply"),
-        "normal": QCoreApplication.translate("Choice", "Normal"),
-        "ones": QCoreApplication.translate("Choice", "On ones"),
-        "exposures": QCoreApplication.translate("Choice", "With the drawings"),
-        "wall": QCoreApplication.translate("Choice", "Wall"),
-        "box": QCoreApplication.translate("Choice", "Box"),
-        "steps": QCoreApplication.translate("Choice", "Steps"),
-        "ramp": QCoreApplication.translate("Choice", "Ramp"),
-        "cylinder": QCoreApplication.translate("Choice", "Cylinder"),
-        "sphere": QCoreApplication.translate("Choice", "Sphere"),
-        "mesh": QCoreApplication.translate("Choice", "3-D set"),
-        "none": QCoreApplication.translate("Choice", "Not at all"),
-        "wireframe": QCoreApplication.translate("Choice", "Wireframe"),
-        "clay": QCoreApplication.translate("Choice", "Clay"),
-        "y": "Y",
-        "z": "Z",
-    }
-    return spoken.get(choice, choice)
+def choice_name(choice: str) -> str:
+    """Return what a choice of a property is called; one that no property has is shown as it is."""
+    label = CHOICE_LABELS.get(choice)
+    return choice if label is None else translated(label)
+
+
+def _translate(text: str, about: str) -> str:
+    return QCoreApplication.translate(MESSAGES, text, about or None)

@@ -146,8 +146,8 @@ class KeyCommands(QObject):
 
     def _worked_on(self) -> list[Address]:
         piece_id = self._bridge.piece_id
-        found = [Address(line) for line in OF_DOCUMENT.values()]
-        found += [Address(line, each) for each in self._bridge.layer_ids for line in OF_LAYER.values()]
+        found = [Address(prop) for prop in OF_DOCUMENT.values()]
+        found += [Address(prop, each) for each in self._bridge.layer_ids for prop in OF_LAYER.values()]
         if piece_id is not None:
-            found += [Address(line, piece_id=piece_id) for line in OF_PIECE.values()]
+            found += [Address(prop, piece_id=piece_id) for prop in OF_PIECE.values()]
         return found

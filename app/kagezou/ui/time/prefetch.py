@@ -2,9 +2,10 @@
 
 from PySide6.QtCore import QObject, QRunnable, QThreadPool
 
-from kagezou.document.model import Document, PictureSource
+from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.io.images.cel_cache import CelCache
+from kagezou.picture_source import PictureSource
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.time.playback import Player
 

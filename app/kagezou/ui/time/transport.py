@@ -9,7 +9,7 @@ from kagezou.errors import UsageProblem
 from kagezou.ui.commands.table import plain
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.icons import icon_size
-from kagezou.ui.system.sentences import sentence_of
+from kagezou.ui.system.words import translated
 from kagezou.ui.time.playback import Player
 
 
@@ -40,7 +40,7 @@ class FrameField(QLineEdit):
         try:
             frame = parse_frame(self.text(), self._bridge.frame, rate)
         except UsageProblem as problem:
-            self.setToolTip(sentence_of(problem))
+            self.setToolTip(translated(problem))
             frame = self._bridge.frame
         self._bridge.session.go_to(frame)
         self._show()

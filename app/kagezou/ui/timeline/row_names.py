@@ -13,7 +13,7 @@ from kagezou.document.key_edits import all_keys
 from kagezou.document.linking import is_linked
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, CHROME, DIM, LINE, OFF, SELECTED, TEXT
-from kagezou.ui.system.words import choice_word, said
+from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of
 from kagezou.ui.widgets.link_sign import paint_chain
@@ -115,7 +115,7 @@ class RowNames(QWidget):
             return self._bridge.document.layer(row.layer_id).name
         if row.piece_id is not None and row.kind is RowKind.PIECE:
             return self._bridge.document.piece(row.piece_id).name
-        return said(row.addresses[0].property.label)
+        return translated(row.addresses[0].property.label)
 
     def _paint_row(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         height = self._rows.row_px
@@ -227,7 +227,7 @@ class RowNames(QWidget):
                 address = row.addresses[0]
                 linked = is_linked(self._bridge.document, address)
                 same = f"\n{self.tr('The same for all characters')}" if linked else ""
-                return f"{said(address.property.help)}\n{path_of(self._bridge.document, address)}{same}"
+                return f"{translated(address.property.help)}\n{path_of(self._bridge.document, address)}{same}"
             case Spot.NAME:
                 return self.name_of(row)
 
@@ -242,7 +242,7 @@ def _short(value: Value, unit: str) -> str:
         case bool():
             return "✓" if value else "–"
         case str():
-            return value if value.startswith("#") else choice_word(value)
+            return value if value.startswith("#") else choice_name(value)
         case float():
             return f"{value:.4g}{unit if unit == '°' else ''}"
         case tuple() if value and isinstance(value[0], tuple):

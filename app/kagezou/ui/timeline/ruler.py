@@ -8,8 +8,9 @@ from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from kagezou.animation.timecode import Count, counted, frames_per_second, sheet_text
-from kagezou.document.model import Document, Marker, PictureSource
+from kagezou.document.model import Document, Marker
 from kagezou.document.review import move_marker, set_work_area
+from kagezou.picture_source import PictureSource
 from kagezou.session.session import Gesture
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, TEXT, WELL

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent,
 
 from kagezou.document.model import Document
 from kagezou.errors import Problem
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Point2
 from kagezou.session.session import Gesture
 from kagezou.tools.corner import drawing, ground_line, is_on_ground, wall_line
@@ -18,9 +19,8 @@ from kagezou.tools.drag import Drag
 from kagezou.tools.handle import GuideKind
 from kagezou.tools.handles import handles_of
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
 from kagezou.ui.system.theme import SELECTED
-from kagezou.ui.system.words import choice_word
+from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.viewport.handle_paths import paint_guide
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
@@ -165,7 +165,7 @@ class CornerSheet(OverlaySheet):
         if self.stroke is CornerStroke.GROUND:
             name, lay = self.tr("Draw ground line"), ground_line(document, frame)
         elif is_on_ground(document, frame, pointer.canvas_px):
-            name, lay = self.tr("Draw wall"), wall_line(document, frame, bridge.layer_id, choice_word("wall"))
+            name, lay = self.tr("Draw wall"), wall_line(document, frame, bridge.layer_id, choice_name(PieceKind.WALL))
         else:
             self.refused.emit(self.tr("There is no ground here for a wall to stand on: begin below the horizon."))
             return
@@ -179,7 +179,7 @@ class CornerSheet(OverlaySheet):
             line.shown = line.drag.send(pointer)
         except Problem as problem:
             self._end(keep=False)
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return
         line.gesture.show(line.shown)
         line.end = pointer.canvas_px

@@ -15,8 +15,7 @@ from kagezou.tools.handles import drag_of, nudge
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
-from kagezou.ui.system.words import is_japanese, said
+from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.handle_source import HandleSource
 from kagezou.ui.viewport.piece_touch import PieceTouch
 from kagezou.ui.viewport.pointer_report import PointerReport
@@ -92,13 +91,13 @@ class HandleController(QObject):
         if self._held is not None:
             held = self._held
             if self.typed:
-                return f"{said(held.handle.label)}  {self.typed}"
-            language = "ja" if is_japanese() else "en"
+                return f"{translated(held.handle.label)}  {self.typed}"
             if self.handles.note is not None:
-                return said(self.handles.note)
-            return readout(held.handle, held.gesture.start, self._bridge.document, held.frame, language)
+                return translated(self.handles.note)
+            parts = readout(held.handle, held.gesture.start, self._bridge.document, held.frame)
+            return "  ".join(map(translated, parts))
         hovered = self.handles.find(self.hovered_id)
-        return self.pieces.name if hovered is None else said(hovered.label)
+        return self.pieces.name if hovered is None else translated(hovered.label)
 
     def hover(self, report: PointerReport | None) -> None:
         """Look what is under the pointer; None where it has left."""
@@ -120,7 +119,7 @@ class HandleController(QObject):
         if handle is not None:
             session, view = self._bridge.session, self._viewpoint.view
             gesture = session.begin(
-                QCoreApplication.translate("HandleController", "Move %1").replace("%1", said(handle.label))
+                QCoreApplication.translate("HandleController", "Move %1").replace("%1", translated(handle.label))
             )
             drag = drag_of(handle, gesture.start, self._bridge.frame, view)
             drag.send(report.pointer(view))
@@ -181,7 +180,7 @@ class HandleController(QObject):
             return False
         if self._nudging is None or self._nudging[0].id != handle.id:
             self.end_nudge()
-            name = QCoreApplication.translate("HandleController", "Nudge %1").replace("%1", said(handle.label))
+            name = QCoreApplication.translate("HandleController", "Nudge %1").replace("%1", translated(handle.label))
             self._nudging = (handle, self._bridge.session.begin(name))
         view, frame = self._viewpoint.view, self._bridge.frame
         self._nudging[1].show(nudge(handle, self._bridge.document, frame, dx, dy, view))
@@ -203,7 +202,7 @@ class HandleController(QObject):
         try:
             document = add_grounding(self._bridge.document, layer_id, self._bridge.frame, canvas_px)
         except Problem as problem:
-            self.refused.emit(sentence_of(problem))
+            self.refused.emit(translated(problem))
             return False
         self._edit(QCoreApplication.translate("HandleController", "Add grounding point"), document)
         points = [handle.id for handle in self.handles.handles if handle.index is not None]

@@ -1,7 +1,9 @@
 """The outlines of handles and guides on screen: constant in size, told apart by shape, readable on any picture."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from math import cos, pi, sin
+from types import MappingProxyType
+from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
@@ -10,6 +12,9 @@ from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape, OffView
 from kagezou.tools.view import CanvasView
 from kagezou.ui.system.theme import SELECTED
+
+_Outline = Callable[[float, Cursor], QPainterPath]
+"""From a radius in logical px and the cursor over the handle to its outline."""
 
 RADIUS_PX = 5.0
 HOVER_GROWS_PX = 2.0
@@ -73,36 +78,48 @@ def is_wanted(kind: GuideKind, active_ids: Iterable[str | None]) -> bool:
 
 def handle_path(shape: HandleShape, radius: float, cursor: Cursor) -> QPainterPath:
     """Return the outline of a handle around the origin; logical px."""
+    return _OUTLINES[shape](radius, cursor)
+
+
+def _round(wide: float, high: float, *, inner: float = 0.0) -> _Outline:
+    """Return what draws an ellipse, perhaps with another one in it, all as parts of the radius."""
+
+    def outline(radius: float, _cursor: Cursor) -> QPainterPath:
+        path = QPainterPath()
+        path.addEllipse(QPointF(0, 0), radius * wide, radius * high)
+        if inner:
+            path.addEllipse(QPointF(0, 0), radius * inner, radius * inner)
+        return path
+
+    return outline
+
+
+def _pointed(points: int, outer: float, inner: float) -> _Outline:
+    return lambda radius, _cursor: _closed(_star(points, radius * outer, radius * inner))
+
+
+def _square(radius: float, _cursor: Cursor) -> QPainterPath:
+    side = radius * 0.95
     path = QPainterPath()
-    match shape:
-        case HandleShape.SUN_DISC:
-            path.addEllipse(QPointF(0, 0), radius * 1.1, radius * 1.1)
-        case HandleShape.DIAL:
-            path.addPolygon(_star(8, radius * 1.5, radius * 0.95))
-            path.closeSubpath()
-        case HandleShape.FOOT:
-            path.addEllipse(QPointF(0, 0), radius * 1.25, radius * 0.75)
-        case HandleShape.CROSS:
-            path = _cross(radius * 1.3, radius * 0.42)
-        case HandleShape.SQUARE:
-            side = radius * 0.95
-            path.addRect(QRectF(-side, -side, 2 * side, 2 * side))
-        case HandleShape.LEVER:
-            wide, high = (radius * 1.5, radius * 0.85) if cursor is Cursor.HORIZONTAL else (radius * 0.85, radius * 1.5)
-            path.addRoundedRect(QRectF(-wide, -high, 2 * wide, 2 * high), radius * 0.8, radius * 0.8)
-        case HandleShape.DIAMOND:
-            path.addPolygon(QPolygonF([QPointF(x * radius * 1.3, y * radius * 1.3) for x, y in _COMPASS]))
-            path.closeSubpath()
-        case HandleShape.ARROW:
-            path.addPolygon(_star(3, radius * 1.5, radius * 0.75))
-            path.closeSubpath()
-        case HandleShape.PEG:
-            path.addEllipse(QPointF(0, 0), radius, radius)
-        case HandleShape.GRIP:
-            path = _two_arrows(radius, upright=cursor is Cursor.VERTICAL)
-        case HandleShape.RING:
-            path.addEllipse(QPointF(0, 0), radius * 1.2, radius * 1.2)
-            path.addEllipse(QPointF(0, 0), radius * 0.55, radius * 0.55)
+    path.addRect(QRectF(-side, -side, 2 * side, 2 * side))
+    return path
+
+
+def _lever(radius: float, cursor: Cursor) -> QPainterPath:
+    wide, high = (radius * 1.5, radius * 0.85) if cursor is Cursor.HORIZONTAL else (radius * 0.85, radius * 1.5)
+    path = QPainterPath()
+    path.addRoundedRect(QRectF(-wide, -high, 2 * wide, 2 * high), radius * 0.8, radius * 0.8)
+    return path
+
+
+def _diamond(radius: float, _cursor: Cursor) -> QPainterPath:
+    return _closed(QPolygonF([QPointF(x * radius * 1.3, y * radius * 1.3) for x, y in _COMPASS]))
+
+
+def _closed(polygon: QPolygonF) -> QPainterPath:
+    path = QPainterPath()
+    path.addPolygon(polygon)
+    path.closeSubpath()
     return path
 
 
@@ -201,3 +218,19 @@ def _paint_rays(painter: QPainter, radius: float, tone: QColor) -> None:
             x, y = sin(pi * step / 4), cos(pi * step / 4)
             inner, outer = radius * 1.75, radius * 2.35
             painter.drawLine(QPointF(x * inner, y * inner), QPointF(x * outer, y * outer))
+
+
+_OUTLINES: Final[Mapping[HandleShape, _Outline]] = MappingProxyType({
+    HandleShape.SUN_DISC: _round(1.1, 1.1),
+    HandleShape.DIAL: _pointed(8, 1.5, 0.95),
+    HandleShape.FOOT: _round(1.25, 0.75),
+    HandleShape.CROSS: lambda radius, _cursor: _cross(radius * 1.3, radius * 0.42),
+    HandleShape.SQUARE: _square,
+    HandleShape.LEVER: _lever,
+    HandleShape.DIAMOND: _diamond,
+    HandleShape.ARROW: _pointed(3, 1.5, 0.75),
+    HandleShape.PEG: _round(1.0, 1.0),
+    HandleShape.GRIP: lambda radius, cursor: _two_arrows(radius, upright=cursor is Cursor.VERTICAL),
+    HandleShape.RING: _round(1.2, 1.2, inner=0.55),
+})  # fmt: skip
+assert set(_OUTLINES) == set(HandleShape)

@@ -12,11 +12,12 @@ from kagezou.errors import GraphicsProblem, Problem
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Steps
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.message import Message
 from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.sentences import sentence_of
 from kagezou.ui.system.theme import SURROUND
+from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
 from kagezou.ui.viewport.reading import Reading
 from kagezou.ui.viewport.resolution import Pace, Resolution
@@ -150,7 +151,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             self._begin()
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         except Exception:
             # Qt would lose what leaves this method; a defect of ours must be heard of.
             sys.excepthook(*sys.exc_info())
@@ -161,7 +162,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             self._paint(self._stage)
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
         except Exception:
             sys.excepthook(*sys.exc_info())
 
@@ -173,7 +174,7 @@ class PictureWidget(QOpenGLWidget):
         try:
             return draw()
         except Problem as problem:
-            self.failed.emit(sentence_of(problem))
+            self.failed.emit(translated(problem))
             return None
         finally:
             self.doneCurrent()
@@ -183,8 +184,12 @@ class PictureWidget(QOpenGLWidget):
         context.aboutToBeDestroyed.connect(self._release, Qt.ConnectionType.DirectConnection)
         major, minor = context.format().majorVersion(), context.format().minorVersion()
         if (major, minor) < NEEDED_VERSION:
-            words = self.tr("The graphics driver offers OpenGL %1; Kagezou needs 3.3. Update the driver.")
-            raise GraphicsProblem(words.replace("%1", f"{major}.{minor}"))
+            raise GraphicsProblem(
+                Message(
+                    "the graphics driver offers OpenGL {version}; Kagezou needs 3.3: update the driver",
+                    version=f"{major}.{minor}",
+                )
+            )
         self._stage = FramePainter(self._cels, self._meshes)
         self.started.emit(self._stage.device, self._stage.is_software)
 

@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QObject, QRunnable, QThreadPool, Signal
 
-from kagezou.document.model import Document, PictureSource
+from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.io.images.cel_cache import CelCache
+from kagezou.picture_source import PictureSource
 
 PATIENCE_S = 0.04
 """So long a picture waits for its drawings: small ones are there by then, and nothing flickers."""

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from time import perf_counter
 
-from kagezou.document.model import Document, PictureSource, file_of
+from kagezou.document.model import Document
 from kagezou.document.scaling import scaled, usable_divisor
 from kagezou.errors import Problem
 from kagezou.geometry.box import Box
@@ -12,6 +12,7 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Steps
 from kagezou.io.images.smaller_cels import SmallerCels
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.picture_source import PictureSource, file_of
 from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer

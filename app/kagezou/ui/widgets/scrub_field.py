@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from kagezou.document.typed_number import evaluate, is_relative
 from kagezou.errors import UsageProblem
-from kagezou.ui.system.sentences import sentence_of
 from kagezou.ui.system.theme import CHANGED, TEXT
+from kagezou.ui.system.words import translated
 
 DRAG_BEGINS_PX = 3.0
 COARSE, FINE = 10.0, 0.1
@@ -199,7 +199,7 @@ class ScrubField(QLineEdit):
                 self.entered.emit(self._within(number))
         except UsageProblem as problem:
             # What was typed is no number: the old one stays, and the field says why when one asks.
-            self.setToolTip(sentence_of(problem))
+            self.setToolTip(translated(problem))
 
     def _stop_typing(self) -> None:
         self.setReadOnly(True)

@@ -8,11 +8,12 @@ from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolBar, QToolButton, QWidget
 
+from kagezou.document.piece_kinds import BUILT_KINDS
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.commands.actions import Actions
 from kagezou.ui.commands.table import plain, timeline_commands
 from kagezou.ui.system.icons import icon, icon_size
-from kagezou.ui.system.language import LANGUAGES
+from kagezou.ui.system.language import languages
 from kagezou.ui.viewport.resolution import Resolution
 
 _SEPARATOR = ""
@@ -24,7 +25,7 @@ _ON_DRAWINGS = (
     *("drawing_split", "drawing_empty", "drawing_remove", _SEPARATOR, "drawing_longer", "drawing_shorter", _SEPARATOR),
     *("on_ones", "on_twos", "on_threes", "on_fours", _SEPARATOR, "drawing_copy", "drawing_paste"),
 )
-_ADD_TO_SET = ("add_wall", "add_box", "add_steps", "add_ramp", "add_cylinder", "add_sphere")
+_ADD_TO_SET = tuple(f"add_{kind}" for kind in BUILT_KINDS)
 _DRAW = ("draw_corner", "draw_wall", "import_set")
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
@@ -85,7 +86,7 @@ class Menus(QObject):
     def add_languages(self, current: str, choose: Callable[[str], None]) -> None:
         """Fill the choice of languages; each is written in its own words."""
         menu = QMenu(self.tr("&Language"), self._window)
-        known = {"": self.tr("System Default"), **LANGUAGES}
+        known = {"": self.tr("System Default"), **languages()}
         choices = [(words, code == current, partial(choose, code)) for code, words in known.items()]
         self._exclusive(menu, choices)
         self.view.addSeparator()

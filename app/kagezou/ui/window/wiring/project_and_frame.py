@@ -12,8 +12,7 @@ from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.commands.search import CommandSearch
 from kagezou.ui.export.dialog import ExportDialog
-from kagezou.ui.system.sentences import sentence_of, spoken
-from kagezou.ui.system.words import said
+from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.stage import Broken
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.about import about_dialog
@@ -119,7 +118,7 @@ def connect_messages(window: "MainWindow") -> None:
     broken: set[str] = set()
 
     def show_broken(files: tuple[Broken, ...]) -> None:
-        now = {str(each.source): sentence_of(each.problem) for each in files}
+        now = {str(each.source): translated(each.problem) for each in files}
         for source in broken - now.keys():
             bar.withdraw(source)
         for source, sentence in now.items():
@@ -134,7 +133,7 @@ def connect_messages(window: "MainWindow") -> None:
     window.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(window.status.show_device, _QUEUED)
-    window.open_project.noted.connect(lambda sentence: bar.say(sentence, spoken(sentence), Severity.WARNING))
+    window.open_project.noted.connect(lambda note: bar.say(str(note), translated(note), Severity.WARNING))
 
 
 def _show_recent(window: "MainWindow") -> None:
@@ -155,7 +154,7 @@ def _begin_with_style(window: "MainWindow") -> None:
             document = apply_style(document, layer.id, style, bridge.frame)
         words = QCoreApplication.translate("StyleList", "Style: %1")
         # Within the gesture that brought the character, if there is one: then both are one step.
-        bridge.session.edit(words.replace("%1", said(style.name)), document)
+        bridge.session.edit(words.replace("%1", named(style.name)), document)
 
 
 def _export(window: "MainWindow") -> None:

@@ -3,7 +3,7 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
-from kagezou.document.set_properties import BUILT_KINDS
+from kagezou.document.piece_kinds import BUILT_KINDS
 from kagezou.ui.viewport.corner_sheet import CornerStroke
 from kagezou.ui.widgets.message_bar import Severity
 

@@ -13,6 +13,7 @@ from math import isfinite
 from typing import Final, Never
 
 from kagezou.errors import ProjectProblem
+from kagezou.message import Message
 
 _MAX_DIGITS: Final = 18
 _SHOWN_CHARACTERS: Final = 60
@@ -38,10 +39,12 @@ def parse(text: str) -> object:
         )
     except json.JSONDecodeError as error:
         if not text.strip("\ufeff \t\r\n"):
-            raise ProjectProblem("the file is empty") from error
-        raise ProjectProblem(f"it is not whole JSON text (line {error.lineno}, column {error.colno})") from error
+            raise ProjectProblem(Message("the file is empty")) from error
+        raise ProjectProblem(
+            Message("it is not whole JSON text (line {lineno}, column {colno})", lineno=error.lineno, colno=error.colno)
+        ) from error
     except RecursionError as error:
-        raise ProjectProblem("it is nested too deep") from error
+        raise ProjectProblem(Message("it is nested too deep")) from error
 
 
 def _members(pairs: list[tuple[str, object]]) -> dict[str, object]:
@@ -49,24 +52,24 @@ def _members(pairs: list[tuple[str, object]]) -> dict[str, object]:
     if len(members) != len(pairs):
         counts = Counter(name for name, _ in pairs)
         twice = counts.most_common(1)[0][0]
-        raise ProjectProblem(f"the key {brief(twice)} stands twice in one object")
+        raise ProjectProblem(Message("the key {twice} stands twice in one object", twice=brief(twice)))
     return members
 
 
 def _no_constant(name: str) -> Never:
-    raise ProjectProblem(f"{name} is not a number of a project")
+    raise ProjectProblem(Message("{name} is not a number of a project", name=name))
 
 
 def _finite(text: str) -> float:
     number = float(text)
     if not isfinite(number):
-        raise ProjectProblem(f"the number {brief(text)} is out of range")
+        raise ProjectProblem(Message("the number {text} is out of range", text=brief(text)))
     return number
 
 
 def _short(text: str) -> int:
     if len(text) > _MAX_DIGITS:
-        raise ProjectProblem(f"the number {brief(text)} is out of range")
+        raise ProjectProblem(Message("the number {text} is out of range", text=brief(text)))
     return int(text)
 
 
@@ -100,18 +103,18 @@ class Reader:
     value: object
     place: str = "$"
 
-    def problem(self, cause: str) -> ProjectProblem:
+    def problem(self, cause: Message) -> ProjectProblem:
         """Return the problem of this place."""
-        return ProjectProblem(f"{self.place}: {cause}")
+        return ProjectProblem(Message("{place}: {cause}", place=self.place, cause=cause))
 
-    def refused(self, wanted: str) -> ProjectProblem:
+    def refused(self, wanted: Message) -> ProjectProblem:
         """Return the problem that this value is not what is wanted."""
-        return self.problem(f"{brief(self.value)} is not {wanted}")
+        return self.problem(Message("{value} is not {wanted}", value=brief(self.value), wanted=wanted))
 
     def members(self) -> dict[str, "Reader"]:
         """Return the members of an object by name."""
         if not isinstance(self.value, dict):
-            raise self.refused("an object")
+            raise self.refused(Message("an object"))
         return {name: Reader(value, self.place + _step(name)) for name, value in self.value.items()}
 
     def record(self, required: Sequence[str], optional: Sequence[str] = ()) -> dict[str, "Reader"]:
@@ -119,44 +122,49 @@ class Reader:
         members = self.members()
         for name in required:
             if name not in members:
-                raise self.problem(f"the key {name!r} is missing")
+                raise self.problem(Message("the key {name!r} is missing", name=name))
         for name in members:
             if name not in required and name not in optional:
-                raise self.problem(f"the key {brief(name)} is not known")
+                raise self.problem(Message("the key {name} is not known", name=brief(name)))
         return members
 
     def items(self, most: int, least: int = 0) -> Iterator["Reader"]:
         """Yield the items of a list of ``least`` to ``most``."""
         if not isinstance(self.value, list):
-            raise self.refused("a list")
+            raise self.refused(Message("a list"))
         if not least <= len(self.value) <= most:
-            count = f"{least}" if least == most else f"{least} to {most}"
-            raise self.problem(f"it has {len(self.value)} items, not {count}")
+            raise self.problem(_miscounted(len(self.value), least, most))
         return (Reader(value, f"{self.place}[{index}]") for index, value in enumerate(self.value))
 
     def whole(self, low: int, high: int) -> int:
         """Return a whole number from ``low`` to ``high``; true and 1.0 are none."""
         if isinstance(self.value, bool) or not isinstance(self.value, int) or not low <= self.value <= high:
-            raise self.refused(f"a whole number from {low} to {high}")
+            raise self.refused(Message("a whole number from {low} to {high}", low=low, high=high))
         return self.value
 
     def number(self, low: float, high: float) -> float:
         """Return a number from ``low`` to ``high``."""
         if isinstance(self.value, bool) or not isinstance(self.value, (int, float)) or not low <= self.value <= high:
-            raise self.refused(f"a number from {low:g} to {high:g}")
+            raise self.refused(Message("a number from {low:g} to {high:g}", low=low, high=high))
         return float(self.value)
 
     def text(self, most: int, least: int = 1) -> str:
         """Return a text of ``least`` to ``most`` characters."""
         if not isinstance(self.value, str) or not least <= len(self.value) <= most:
-            raise self.refused(f"a text of {least} to {most} characters")
+            raise self.refused(Message("a text of {least} to {most} characters", least=least, most=most))
         return self.value
 
     def word(self, words: Sequence[str]) -> str:
         """Return one of some words."""
         if not isinstance(self.value, str) or self.value not in words:
-            raise self.refused("one of " + ", ".join(words))
+            raise self.refused(Message("one of {words}", words=", ".join(words)))
         return self.value
+
+
+def _miscounted(count: int, least: int, most: int) -> Message:
+    if least == most:
+        return Message("it has {count} items, not {most}", count=count, most=most)
+    return Message("it has {count} items, not {least} to {most}", count=count, least=least, most=most)
 
 
 def _step(name: str) -> str:

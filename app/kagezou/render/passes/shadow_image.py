@@ -1,0 +1,110 @@
+"""A shadow as an image of its own: covered parts times opacity, in the shadow's colour, read back."""
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from kagezou.geometry.box import Box
+from kagezou.io.images.reading import Steps
+from kagezou.io.images.writing import ShadowImage
+from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.gl import check
+from kagezou.render.gpu.program import Variants
+from kagezou.render.gpu.targets import Format, Target, Texture
+from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
+from kagezou.scene.scene import ShadowCast, ShadowLook
+
+_DEPTHS = {8: np.uint8, 16: np.uint16}
+_MOST_COVERED = 65535
+
+Drawn: TypeAlias = tuple[Target, Box]
+"""Covered parts, 16 bit, and the box outside of which there are none."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shade:
+    """How covered parts are coloured.
+
+    Attributes
+    ----------
+    look
+        Colour, opacity and how they change over the shadow.
+    cast
+        What the distance over which they change is counted from; None where they do not.
+    measured
+        That distance, where it was measured for every pixel.
+    """
+
+    look: ShadowLook
+    cast: ShadowCast | None = None
+    measured: Texture | None = None
+
+
+class ShadowImages:
+    """Makes images of shadows, with targets of its own."""
+
+    def __init__(self, boxes: Boxes) -> None:
+        self._boxes = boxes
+        self._programs = Variants("common/box.vert", "common/shade.frag")
+        self._targets: dict[Format, Target] = {}
+
+    def image(self, canvas: Box, drawn: Drawn | None, shade: Shade, depth: int) -> ShadowImage:
+        """Return a shadow as straight alpha of one colour, or with colours of its own where it has a tip.
+
+        Parameters
+        ----------
+        canvas
+            Its size, canvas px.
+        drawn
+            What is covered; None for an empty shadow.
+        shade
+            How it is coloured.
+        depth
+            Bits of alpha, 8 or 16.
+        """
+        width, height, look = canvas.width, canvas.height, shade.look
+        if drawn is None:
+            return ShadowImage(width, height, look.color, np.zeros((0, 0), _DEPTHS[depth]), Box(0, 0, 0, 0))
+        coverage, box = drawn
+        switches, uniforms = look_uniforms(shade.cast, look, box, shade.measured)
+        if not switches:
+            covered = coverage.read(box)
+            check("drawing a shadow")
+            return ShadowImage(width, height, look.color, _alpha_of(covered, look.opacity, depth), box)
+        forms = (Format.RGBA8, Format.RGBA16) if look.tip else (Format.ALPHA8, Format.ALPHA16)
+        target = self._target_of(canvas, forms[depth != 8])
+        if look.tip:
+            uniforms["u_color"] = unit_rgb(look.color)
+        target.bind(box)
+        coverage.texture.bind(0)
+        self._programs[switches].use({"u_target_size_px": target.size_px, "u_coverage": 0, **uniforms})
+        self._boxes.draw_one(box)
+        shown = target.read(box)
+        check("drawing a shadow")
+        if look.tip:
+            return ShadowImage(width, height, look.color, shown[..., 3], box, shown[..., :3])
+        return ShadowImage(width, height, look.color, shown, box)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        for target in self._targets.values():
+            target.close()
+        self._programs.close()
+
+    def _target_of(self, canvas: Box, form: Format) -> Target:
+        target = self._targets.get(form)
+        if target is not None and target.box != canvas:
+            target.close()
+            target = None
+        if target is None:
+            target = self._targets[form] = Target(canvas.width, canvas.height, form)
+        return target
+
+
+def _alpha_of(covered: Steps, opacity: float, depth: int) -> Steps:
+    """Return covered parts (h, w) 16 bit times an opacity that is the same everywhere, in a depth."""
+    most = (1 << depth) - 1
+    scaled = covered * np.float32(opacity * most / _MOST_COVERED)
+    alpha: Steps = np.rint(scaled, out=scaled).astype(_DEPTHS[depth])
+    return alpha
