@@ -14,7 +14,7 @@ from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.window.main_window import MainWindow
 
 
-class Clipboard:
+class OwnClipboard:
     """Text that is copied and pasted; the screen's own clipboard belongs to every program that runs there."""
 
     def __init__(self) -> None:
@@ -23,7 +23,7 @@ class Clipboard:
     def text(self) -> str:
         return self._text
 
-    def setText(self, text: str) -> None:
+    def put(self, text: str) -> None:
         self._text = text
 
 
@@ -78,7 +78,7 @@ def drag(qtbot: QtBot, viewport: Viewport, handle_id: str, way: QPoint, *, let_g
 
 def shadow_is_on_canvas(window: MainWindow) -> bool:
     """Whether something darker than the paper is seen, and none of it touches the canvas' edge but the ground."""
-    grey = picture(window.viewport)[..., :3].min(axis=2)
+    grey = picture(window.parts.viewport)[..., :3].min(axis=2)
     dark = grey < 200
     edges = np.concatenate([dark[0], dark[:, 0], dark[:, -1], dark[-1]])
     return bool(dark.any() and not edges.any())

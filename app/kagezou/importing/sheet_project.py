@@ -121,7 +121,7 @@ def _psd_files(path: Path, listed: list[Path], missing: set[str]) -> Iterator[Ch
         try:
             cast = characters_in(psd_tree(file), file.stem)
         except InputProblem:
-            continue  # it may be anything; who needs it is told by its missing column
+            continue  # it may be anything; a missing column reports it
         names = {character.name.strip().casefold() for character in cast.characters}
         if names & missing:
             missing -= names

@@ -13,8 +13,9 @@ from kagezou.document.model import Canvas, Document
 from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
+from kagezou.importing.cel_notes import notes_on
 from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
-from kagezou.importing.figures import Figure, MeasuredFigure, look_at
+from kagezou.importing.figures import MeasuredFigure, look_at
 from kagezou.importing.first_light import first_light
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.timesheet_on_document import timed
@@ -190,7 +191,7 @@ def _read(sources: Sequence[CharacterSource], watch: Progress) -> Brought:
 
 
 def _with_background(document: Document, found: Sequence[PicturePart], notes: list[Message]) -> Document:
-    """Put the first of what was found under everything, unless there is a background; the others are told."""
+    """Put the first of what was found under everything, unless there is a background; the others are reported."""
     taken = found[:1] if document.background is None else ()
     notes += [
         Message(
@@ -247,7 +248,7 @@ def put_in(document: Document, read: Brought) -> Imported:
         layer = document.layers[-1]
         looks[layer.id] = look
         told = (note for note in look.notes if note not in arrival.notes)
-        notes += [*arrival.notes, *told, *_notes_on(layer.name, arrival, look.figure, stage)]
+        notes += [*arrival.notes, *told, *notes_on(layer.name, arrival, look.figure, stage)]
     if is_first and read.arrivals:
         document = _with_length(document, read.arrivals)
         document = _with_ground_and_lamp(document, looks)
@@ -259,37 +260,6 @@ def _with_length(document: Document, arrivals: Sequence[NewCels]) -> Document:
     length = STILL_LENGTH_FRAMES if longest == 1 else longest
     canvas = document.canvas
     return set_canvas(document, replace(canvas, length_frames=max(length, canvas.length_frames)))
-
-
-def _notes_on(name: str, arrival: NewCels, figure: Figure | None, stage: Box) -> list[Message]:
-    width, height = arrival.size_px
-    notes = []
-    if width > stage.width or height > stage.height:
-        canvas = f"{stage.width} × {stage.height}"
-        notes.append(
-            Message(
-                "{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px",
-                name=name,
-                width=width,
-                height=height,
-                canvas=canvas,
-            )
-        )
-    if figure is None:
-        notes.append(
-            Message(
-                "{name}: there is nothing solid in its drawings; the whole canvas was taken as the figure", name=name
-            )
-        )
-    elif figure.is_cut_off:
-        notes.append(
-            Message(
-                "{name}: the figure reaches the lower edge of its drawing, where the ground was put; "
-                "if its feet are cut off, move the ground to where they would stand",
-                name=name,
-            )
-        )
-    return notes
 
 
 def _with_ground_and_lamp(document: Document, looks: Mapping[str, MeasuredFigure]) -> Document:

@@ -19,7 +19,7 @@ from kagezou.render.meshes.display import Display
 from kagezou.render.passes.depth_map import DepthMapPass
 from kagezou.render.passes.picture import PicturePass
 from kagezou.render.passes.received import ReceivedCoverage
-from kagezou.render.passes.shadow_image import Drawn, Shade, ShadowImages
+from kagezou.render.passes.shadow_image import Coloring, Drawn, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.mixing import mixed
 from kagezou.scene.pieces import SetCast
@@ -91,27 +91,27 @@ class Renderer:
         """
         coverage = self._shadows.coverage(scene, layer)
         measured = None if coverage is None else coverage.measured
-        return self._images.image(scene.canvas, drawn(coverage), Shade(layer.look, layer.cast, measured), depth)
+        return self._images.image(scene.canvas, drawn(coverage), Coloring(layer.look, layer.cast, measured), depth)
 
     def received(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are."""
         shades = self._shadows.received(scene, layer)
         if not shades:
             looks = [shade.look for shade in layer.received.shades] if layer.received else []
-            return self._images.image(scene.canvas, None, Shade(looks[0] if looks else layer.look), depth)
-        images = [self._images.image(scene.canvas, drawn(shade), Shade(shade.look), depth) for shade in shades]
+            return self._images.image(scene.canvas, None, Coloring(looks[0] if looks else layer.look), depth)
+        images = [self._images.image(scene.canvas, drawn(shade), Coloring(shade.look), depth) for shade in shades]
         return mixed(images, multiply=shades[0].look.multiply)
 
     def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
         """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""
-        return self._images.image(scene.canvas, drawn(self._shadows.set_coverage(scene)), Shade(shadow.look), depth)
+        return self._images.image(scene.canvas, drawn(self._shadows.set_coverage(scene)), Coloring(shadow.look), depth)
 
     def receiver_matte(self, canvas: Box, cast: SetCast, depth: int = 8) -> ShadowImage:
         """Return where the pieces that cast are seen, or, where none does, the ground: white, straight alpha.
 
         ``cast`` needs no lights.
         """
-        return self._images.image(canvas, drawn(self._shadows.seen_of_set(canvas, cast)), Shade(_WHITE_MATTE), depth)
+        return self._images.image(canvas, drawn(self._shadows.seen_of_set(canvas, cast)), Coloring(_WHITE_MATTE), depth)
 
     def depth_map_coverage(self, scene: Scene, layer: LayerScene, map_px: int = 4096) -> Steps:
         """Return a layer's covered parts, (H, W) 16 bit, found by a literal depth map: a cross-check, not a picture."""

@@ -2,8 +2,10 @@
 
 import pytest
 
+from kagezou.geometry.ground import ground_plane
+from kagezou.geometry.sets.bodies import Ball, Body, Drum, Solid
 from kagezou.geometry.sets.measures import Measures, PieceKind, by_kind
-from kagezou.geometry.sets.shapes import SHAPES
+from kagezou.geometry.sets.shapes import SHAPES, bodies_of
 
 
 def test_a_table_that_lacks_a_kind_is_refused() -> None:
@@ -21,3 +23,21 @@ def test_sizes_are_scaled_and_angles_and_counts_are_not() -> None:
 
 def test_all_kinds_but_those_of_files_have_a_shape() -> None:
     assert [kind for kind in PieceKind if SHAPES[kind] is None] == [PieceKind.MESH]
+
+
+@pytest.mark.parametrize(
+    ("kind", "bodies"),
+    [
+        (PieceKind.WALL, (Solid,)),
+        (PieceKind.BOX, (Solid,)),
+        (PieceKind.STEPS, (Solid,) * 3),
+        (PieceKind.RAMP, (Solid,)),
+        (PieceKind.CYLINDER, (Drum,)),
+        (PieceKind.SPHERE, (Ball,)),
+        (PieceKind.MESH, ()),
+    ],
+)
+def test_what_each_kind_is_made_of(kind: PieceKind, bodies: tuple[type[Body], ...]) -> None:
+    stand = ground_plane((500, 800), 0.0, 60.0)
+    made = bodies_of(stand, Measures(kind, 200.0, 100.0, 50.0, count=3))
+    assert tuple(type(body) for body in made) == bodies

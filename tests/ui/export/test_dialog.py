@@ -307,34 +307,34 @@ def test_choices_are_made_sound() -> None:
 def test_the_window_exports_each_kind_beside_itself(
     qtbot: QtBot, walking: MainWindow, tmp_path: Path, kind: str, made: str
 ) -> None:
-    walking.open_project.save(tmp_path / "walk.kage")
-    walking.settings.set_word("export_plan", dumps_choices(ExportChoices(kind)))
-    walking.settings.remember_folder("export", tmp_path)
-    walking.actions_of["export"].trigger()
+    walking.parts.open_project.save(tmp_path / "walk.kage")
+    walking.parts.settings.set_word("export_plan", dumps_choices(ExportChoices(kind)))
+    walking.parts.settings.remember_folder("export", tmp_path)
+    walking.parts.actions["export"].trigger()
     dialog = walking.findChild(ExportDialog)
     assert dialog is not None
     assert dialog.choices.kind == kind
     dialog.go.click()
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=20000)
     assert (tmp_path / "walk_export" / made).exists()
-    assert "Exported" in walking.bar.text
-    assert json.loads(walking.settings.word("export_plan", ""))["kind"] == kind
+    assert "Exported" in walking.parts.bar.text
+    assert json.loads(walking.parts.settings.word("export_plan", ""))["kind"] == kind
     assert not list((tmp_path / "walk_export").rglob("*.part*"))
 
 
 def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot: QtBot, place: Place) -> None:
     choices = ExportChoices("after effects", copies=False)
-    shown = walking.open_project.bridge.document.layers[0].cels.drawings
+    shown = walking.parts.open_project.bridge.document.layers[0].cels.drawings
     middle = shown[2].path
     middle.rename(middle.with_name("aside.png"))
-    document = walking.open_project.bridge.document
+    document = walking.parts.open_project.bridge.document
     layer = document.layers[0]
     kept = tuple(each for each in layer.cels.exposures if each.drawing != 2)
-    walking.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
-    walking.exporting.start(HAND_OFF.work(walking.open_project.bridge.document, choices, place))
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
-    assert walking.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
+    walking.parts.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
+    walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=20000)
+    assert walking.parts.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
     middle.with_name("aside.png").rename(middle)
-    walking.exporting.start(HAND_OFF.work(walking.open_project.bridge.document, choices, place))
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
-    assert "Exported" in walking.bar.text
+    walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=20000)
+    assert "Exported" in walking.parts.bar.text

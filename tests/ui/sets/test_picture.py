@@ -20,10 +20,10 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def furnished(walking: MainWindow) -> MainWindow:
     """The window with a wall and a box; the layer is worked on."""
-    document = walking.open_project.bridge.document
+    document = walking.parts.open_project.bridge.document
     document = add_piece(document, "Back", "wall", {"position": [120, 130], "width": 200, "height": 150})
     document = add_piece(document, "Crate", "box", {"position": [200, 165], "width": 40, "height": 40, "depth": 30})
-    walking.open_project.bridge.session.edit("Furnish", document)
+    walking.parts.open_project.bridge.session.edit("Furnish", document)
     return walking
 
 
@@ -32,14 +32,14 @@ def value(document: Document, prop: AnyProperty, piece_id: str = "piece-2") -> o
 
 
 def at(window: MainWindow, x: float, y: float) -> QPoint:
-    seen = window.viewport.viewpoint.view.view_from_canvas((x, y))
+    seen = window.parts.viewport.viewpoint.view.view_from_canvas((x, y))
     return QPoint(round(seen[0]), round(seen[1]))
 
 
 def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
     qtbot: QtBot, furnished: MainWindow
 ) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     edge = at(furnished, 20, 80)
     move(viewport, edge)
     assert viewport.hand.words == "Back"
@@ -54,7 +54,7 @@ def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
 
 
 def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     start = at(furnished, 20, 80)
     qtbot.mousePress(viewport, LEFT, pos=start)
     for x in (10, 25, 40):
@@ -66,7 +66,7 @@ def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished
 
 
 def test_a_double_click_on_an_outline_still_adds_a_grounding_point(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     edge = at(furnished, 20, 80)
     qtbot.mouseClick(viewport, LEFT, pos=edge)
     qtbot.mouseDClick(viewport, LEFT, pos=edge)
@@ -77,7 +77,7 @@ def test_a_double_click_on_an_outline_still_adds_a_grounding_point(qtbot: QtBot,
 
 
 def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     bridge.session.select_piece("piece-2")
     drag(qtbot, viewport, "piece.width", QPoint(30, 0))
     zoom = viewport.viewpoint.view.zoom
@@ -95,22 +95,22 @@ def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindo
 
 
 def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     furnished.activateWindow()
     viewport.setFocus()
     qtbot.waitUntil(viewport.hasFocus)
     bridge.session.select_piece("piece-2")
     viewport.hand.selected_id = "light.lamp"
-    furnished.actions_of["delete"].trigger()
+    furnished.parts.actions["delete"].trigger()
     assert len(bridge.document.pieces) == 2
     qtbot.mouseClick(viewport, LEFT, pos=place_of(viewport, "piece.depth"))
-    furnished.actions_of["delete"].trigger()
+    furnished.parts.actions["delete"].trigger()
     assert [piece.name for piece in bridge.document.pieces] == ["Back"]
     assert bridge.layer_id == "layer-1"
 
 
 def test_the_handles_of_a_piece_go_with_it(furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     bridge.session.select_piece("piece-1")
     assert viewport.hand.handles.find("piece.lean") is not None
     hidden = set_constant(bridge.document, Address(s.PIECE_PRESENT, piece_id="piece-1"), False)

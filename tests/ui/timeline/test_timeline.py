@@ -24,16 +24,16 @@ from kagezou.document.set_properties import PIECE_ANGLE
 from kagezou.geometry.box import Box
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.images.cel_cache import CelCache
+from kagezou.tools.timeline.snapping import snap_frames, snapped
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.time.key_commands import KeyCommands
 from kagezou.ui.time.playback import Player, bounced
 from kagezou.ui.timeline.revealing import ANIMATED, CHANGED, REVEALED, added, animated_or_changed, toggled
 from kagezou.ui.timeline.row_names import Spot
 from kagezou.ui.timeline.rows import Reveal, RowKind
-from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.window.main_window import MainWindow
-from tests.ui.viewing import move
+from tests.ui.viewing import OwnClipboard, move
 
 LIGHT, DECLINATION = Address(LIGHT_POSITION), Address(GROUND_DECLINATION)
 NO_KEYS: Refs = frozenset()
@@ -55,7 +55,7 @@ def keyed(open_project: OpenProject, cels: Path) -> OpenProject:
 
 @pytest.fixture
 def timeline(qtbot: QtBot, keyed: OpenProject) -> Timeline:
-    made = Timeline(keyed.bridge, keyed.cels.kept_sources)
+    made = Timeline(keyed.bridge, OwnClipboard(), keyed.cels.kept_sources)
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()
@@ -234,14 +234,13 @@ def test_the_line_of_what_caught_is_shown(timeline: Timeline, keyed: OpenProject
     timeline.lanes.hand.cancel()
 
 
-@pytest.mark.usefixtures("clipboard")
-def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path) -> None:
+def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path, clipboard: OwnClipboard) -> None:
     session = keyed.bridge.session
     opacity = Address(OPACITY, session.document.layers[0].id)
     session.select_keys(frozenset({KeyRef(LIGHT, 10), KeyRef(LIGHT, 20), KeyRef(opacity, 8)}))
-    KeyCommands(keyed.bridge).copy()
+    KeyCommands(keyed.bridge, clipboard).copy()
     other = OpenProject()
-    commands, refused = KeyCommands(other.bridge), list[str]()
+    commands, refused = KeyCommands(other.bridge, clipboard), list[str]()
     commands.refused.connect(refused.append)
     other.bring((CharacterSource("Stranger", cels),)).at_once()
     other.bridge.session.go_to(3)
@@ -256,16 +255,15 @@ def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path) -
     second = edits.set_key(second, Address(OPACITY, second.layers[1].id), 4, 0.5)
     session.edit("Second", second)
     session.select_keys(frozenset({KeyRef(opacity, 8), KeyRef(Address(OPACITY, second.layers[1].id), 4)}))
-    KeyCommands(keyed.bridge).copy()
+    KeyCommands(keyed.bridge, clipboard).copy()
     before = other.bridge.document
     commands.paste()
     assert other.bridge.document is before
     assert refused == ["The copied keys belong to layers that are not in this project."]
 
 
-@pytest.mark.usefixtures("clipboard")
-def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: OpenProject) -> None:
-    commands, session = KeyCommands(keyed.bridge), keyed.bridge.session
+def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: OpenProject, clipboard: OwnClipboard) -> None:
+    commands, session = KeyCommands(keyed.bridge, clipboard), keyed.bridge.session
     refused: list[str] = []
     commands.refused.connect(refused.append)
     commands.paste()
@@ -288,7 +286,7 @@ def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: OpenProje
 
 
 def test_easing_holding_and_setting_keys(keyed: OpenProject) -> None:
-    commands, session = KeyCommands(keyed.bridge), keyed.bridge.session
+    commands, session = KeyCommands(keyed.bridge, OwnClipboard()), keyed.bridge.session
     commands.select_all()
     assert len(session.state.keys) == 5
     session.select_keys(frozenset({KeyRef(LIGHT, 10)}))
@@ -330,7 +328,7 @@ def test_the_navigator_of_a_row(
 
 
 def test_the_work_area_is_set_dragged_played_and_cleared(timeline: Timeline, keyed: OpenProject) -> None:
-    commands, session = KeyCommands(keyed.bridge), keyed.bridge.session
+    commands, session = KeyCommands(keyed.bridge, OwnClipboard()), keyed.bridge.session
     session.go_to(10)
     commands.begin_work_area()
     session.go_to(13)
@@ -402,13 +400,13 @@ def test_with_shift_a_letter_adds_what_it_reveals(qtbot: QtBot, walking: MainWin
     assert both == Reveal(REVEALED["reveal_light"] | REVEALED["reveal_tilt"])
     assert added(ANIMATED, "reveal_tilt") == Reveal(REVEALED["reveal_tilt"])
     walking.activateWindow()
-    walking.timeline.lanes.setFocus()
-    qtbot.waitUntil(walking.timeline.lanes.hasFocus)
-    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_P)
-    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
-    assert walking.timeline.rows.reveal == both
-    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R)
-    assert walking.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
+    walking.parts.time.timeline.lanes.setFocus()
+    qtbot.waitUntil(walking.parts.time.timeline.lanes.hasFocus)
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_P)
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    assert walking.parts.time.timeline.rows.reveal == both
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_R)
+    assert walking.parts.time.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
 
 
 def test_revealed_properties_have_rows_whether_keyed_or_not(timeline: Timeline, keyed: OpenProject) -> None:
@@ -479,7 +477,7 @@ def test_arrows_step_while_the_lanes_have_the_keyboard(timeline: Timeline, keyed
 
 def test_an_empty_sheet_says_how_to_begin(qtbot: QtBot, open_project: OpenProject, cels: Path) -> None:
     open_project.bring((CharacterSource("Walker", cels),)).at_once()
-    made = Timeline(open_project.bridge)
+    made = Timeline(open_project.bridge, OwnClipboard())
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()

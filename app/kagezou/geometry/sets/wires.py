@@ -15,7 +15,7 @@ import numpy as np
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.sets.bodies import Ball, Body, Drum, Solid, vector
 from kagezou.geometry.sets.measures import Measures
-from kagezou.geometry.sets.shapes import SHAPES, DrawnOut, Profile, Round, Sheet
+from kagezou.geometry.sets.shapes import SHAPES, DrawnOut, Profile, Sheet
 from kagezou.geometry.vectors import Matrix, Vector3, Vector4
 
 RIM_PARTS = 48
@@ -52,29 +52,27 @@ def wires_of(stand: Plane, measures: Measures, eye: Vector4) -> tuple[Wire, ...]
         The eye in world px, homogeneous; w = 0 for a direction.
     """
     w, h, d = measures.width_px, measures.height_px, measures.depth_px
-    match SHAPES[measures.kind]:
-        case DrawnOut(bodies=build, profile=profile):
-            return _split(_drawn_out(stand, w, profile(measures)), build(stand, measures), eye, w + h + d)
-        case Sheet(bodies=build):
-            rims = (sheet.facets[0].corners for sheet in build(stand, measures))
-            return tuple(Wire((*corners, corners[0]), is_hidden=False) for corners in rims)
-        case Round(bodies=build):
-            return tuple(wire for body in build(stand, measures) for wire in _of_round(body, stand, eye))
-        case None:
-            return ()
+    shape = SHAPES[measures.kind]
+    if shape is None:
+        return ()
+    if isinstance(shape, DrawnOut):
+        edges = _drawn_out(stand, w, shape.profile(measures))
+        return _split(edges, shape.bodies(stand, measures), eye, w + h + d)
+    if isinstance(shape, Sheet):
+        rims = (sheet.facets[0].corners for sheet in shape.bodies(stand, measures))
+        return tuple(Wire((*corners, corners[0]), is_hidden=False) for corners in rims)
+    return tuple(wire for body in shape.bodies(stand, measures) for wire in _of_round(body, stand, eye))
 
 
 def _of_round(body: Drum | Ball, stand: Plane, eye: Vector4) -> tuple[Wire, ...]:
     """Return the rims of a drum or the girth of a ball, and the outline that the eye sees of it."""
     width = 2 * body.radius_px
-    match body:
-        case Drum():
-            rims = [_circle(middle, stand.u, stand.v, body.radius_px) for middle in (body.foot, body.head)]
-            return _split([*rims, *_sides(body, eye)], (body,), eye, width + body.height_px)
-        case Ball():
-            girth = _circle(body.centre, stand.u, stand.v, body.radius_px)
-            rim = Wire(_points(_contour(body, eye).points), is_hidden=False)
-            return (rim, *_split([girth], (body,), eye, width))
+    if isinstance(body, Drum):
+        rims = [_circle(middle, stand.u, stand.v, body.radius_px) for middle in (body.foot, body.head)]
+        return _split([*rims, *_sides(body, eye)], (body,), eye, width + body.height_px)
+    girth = _circle(body.centre, stand.u, stand.v, body.radius_px)
+    rim = Wire(_points(_contour(body, eye).points), is_hidden=False)
+    return (rim, *_split([girth], (body,), eye, width))
 
 
 def _drawn_out(stand: Plane, width: float, profile: Profile) -> list[_Edge]:

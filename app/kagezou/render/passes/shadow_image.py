@@ -23,7 +23,7 @@ Drawn: TypeAlias = tuple[Target, Box]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Shade:
+class Coloring:
     """How covered parts are coloured.
 
     Attributes
@@ -46,10 +46,10 @@ class ShadowImages:
 
     def __init__(self, boxes: Boxes) -> None:
         self._boxes = boxes
-        self._programs = Variants("common/box.vert", "common/shade.frag")
+        self._programs = Variants("common/box.vert", "common/coloring.frag")
         self._targets: dict[Format, Target] = {}
 
-    def image(self, canvas: Box, drawn: Drawn | None, shade: Shade, depth: int) -> ShadowImage:
+    def image(self, canvas: Box, drawn: Drawn | None, coloring: Coloring, depth: int) -> ShadowImage:
         """Return a shadow as straight alpha of one colour, or with colours of its own where it has a tip.
 
         Parameters
@@ -58,16 +58,16 @@ class ShadowImages:
             Its size, canvas px.
         drawn
             What is covered; None for an empty shadow.
-        shade
+        coloring
             How it is coloured.
         depth
             Bits of alpha, 8 or 16.
         """
-        width, height, look = canvas.width, canvas.height, shade.look
+        width, height, look = canvas.width, canvas.height, coloring.look
         if drawn is None:
             return ShadowImage(width, height, look.color, np.zeros((0, 0), _DEPTHS[depth]), Box(0, 0, 0, 0))
         coverage, box = drawn
-        switches, uniforms = look_uniforms(shade.cast, look, box, shade.measured)
+        switches, uniforms = look_uniforms(coloring.cast, look, box, coloring.measured)
         if not switches:
             covered = coverage.read(box)
             check("drawing a shadow")

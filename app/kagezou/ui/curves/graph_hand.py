@@ -1,137 +1,155 @@
 """The hand on the graph: choosing and dragging keys and handles, adding keys, and reading values off."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from math import hypot
-from typing import TYPE_CHECKING, TypeVar
 
-import numpy as np
-from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 
-from kagezou.document.address import Address
-from kagezou.document.key_edits import Refs, move_keys
+from kagezou.document.key_edits import Refs
+from kagezou.document.model import Document
+from kagezou.geometry.vectors import Point2
 from kagezou.session.session import Gesture
-from kagezou.ui.curves.box_hand import BoxController
-from kagezou.ui.curves.choice import Choice, GraphKind
-from kagezou.ui.curves.graph_edits import with_handle, with_key, with_speed
-from kagezou.ui.curves.picture import CurvePicture, HandleMark, KeyMark
+from kagezou.tools.curves.box_drag import BoxDrag, DraggedBox, dragging_box
+from kagezou.tools.curves.curve_drag import CurveDrag, CurveGrip, dragging_curve
+from kagezou.tools.curves.graph_edits import with_key
+from kagezou.tools.curves.graph_model import KEY_REACH_PX, GraphModel
+from kagezou.tools.curves.graph_pointer import GraphPlace, GraphPointer
+from kagezou.tools.curves.key_box import BoxGrip, KeyBox
+from kagezou.tools.curves.picture import CurvePicture, GraphKind, HandleMark, KeyMark, Pictures
+from kagezou.ui.curves.box_items import cursor_on
+from kagezou.ui.curves.box_words import step_name, words_of
+from kagezou.ui.curves.choice import Choice
 from kagezou.ui.system.bridge import Bridge
 
-if TYPE_CHECKING:
-    from kagezou.ui.curves.graph import Graph
-
-KEY_REACH_PX = 10.0
-CURVE_REACH_PX = 7.0
 _DRAG_PX = 4.0
 
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
 _CONTROL = Qt.KeyboardModifier.ControlModifier
 _ALT = Qt.KeyboardModifier.AltModifier
 
-Mark = TypeVar("Mark", KeyMark, HandleMark)
+
+@dataclass(frozen=True, slots=True)
+class HandShown:
+    """What the hand lets be seen: a box around keys, two corners in graph coordinates, and words beside a widget px."""
+
+    box: tuple[GraphPlace, GraphPlace] | None = None
+    words: str = ""
+    beside_px: Point2 = (0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
-class CurveGrip:
-    """What the hand has taken hold of, and where, in graph coordinates."""
+class _BoxHeld:
+    """The frame around keys, taken hold of by a part, and the curves as they were."""
 
-    picture: CurvePicture
-    mark: KeyMark | HandleMark
-    start: tuple[float, float]
-    refs: Refs
+    box: KeyBox
+    part: BoxGrip
+    pictures: Pictures
 
 
 class GraphController(QObject):
-    """What mouse and keyboard do on the graph; a drag is one step of history, and Esc takes it back."""
+    """What mouse and keyboard do on the graph; a drag is one step of history, and Esc takes it back.
+
+    Parameters
+    ----------
+    bridge
+        The session.
+    choice
+        What the graph shows.
+    model
+        Tells how it is seen now.
+    """
 
     read = Signal(float, float)
     """The pointer is at this frame and ordinate."""
     left = Signal()
     exact_asked = Signal()
     """The selected key's speeds and influences shall be typed."""
+    shown = Signal(object)
+    """What is to be seen of the hand: a :class:`HandShown`."""
+    drag_ended = Signal()
+    """What was held while the hand moved fits anew."""
 
-    def __init__(self, bridge: Bridge, choice: Choice, graph: "Graph") -> None:
+    def __init__(self, bridge: Bridge, choice: Choice, model: Callable[[], GraphModel]) -> None:
         super().__init__()
-        self._bridge, self._choice, self._graph = bridge, choice, graph
-        self.is_down = False
-        self._pressed = QPointF()
-        self._grip: CurveGrip | None = None
-        self._box: BoxController | None = None
+        self._bridge, self._choice, self._model = bridge, choice, model
+        self._pressed: GraphPointer | None = None
+        self._held: CurveGrip | _BoxHeld | None = None
         self._gesture: Gesture | None = None
+        self._drag: CurveDrag | BoxDrag | None = None
         self._before: Refs = frozenset()
         self._adds = False
         self._scrubs = False
+
+    @property
+    def is_down(self) -> bool:
+        """Whether the left button is down."""
+        return self._pressed is not None
 
     @property
     def is_busy(self) -> bool:
         """Whether a drag goes on."""
         return self._gesture is not None
 
-    def press(self, event: QMouseEvent) -> None:
+    def press(self, pointer: GraphPointer, modifiers: Qt.KeyboardModifier) -> None:
         """Take the left button going down."""
-        self.is_down, self._pressed = True, event.position()
-        place = self._graph.place_of(event.position())
-        self._adds = bool(event.modifiers() & _SHIFT)
+        self._pressed, place, model = pointer, pointer.place, self._model()
+        self._adds = bool(modifiers & _SHIFT)
         self._before = self._bridge.session.state.keys
-        if (handle := self._handle_at(place)) is not None:
-            self._grip = CurveGrip(*handle, place, self._before)
-        elif (key := self._key_at(place)) is not None:
+        if (handle := model.handle_at(place)) is not None:
+            self._held = CurveGrip(*handle, self._before)
+        elif (key := model.key_at(place)) is not None:
             self._choose(key[1])
-            self._grip = CurveGrip(*key, place, self._bridge.session.state.keys)
-        elif self._takes_box(place, event):
-            pass
-        elif (picture := self._curve_at(place)) is not None:
-            if event.modifiers() & _CONTROL:
+            self._held = CurveGrip(*key, self._bridge.session.state.keys)
+        elif (box := _box_under(model, place, modifiers)) is not None:
+            self._held = box
+        elif (picture := model.curve_at(place)) is not None:
+            if modifiers & _CONTROL:
                 self._add_key(picture, place)
             else:
                 self._bridge.session.select_keys(frozenset(mark.ref for mark in picture.keys))
         else:
-            across, _ = self._graph.pixels()
-            self._scrubs = abs(place[0] - self._bridge.frame) <= KEY_REACH_PX / 2 * across
+            self._scrubs = abs(place[0] - self._bridge.frame) <= KEY_REACH_PX / 2 * model.pixels[0]
 
-    def move(self, event: QMouseEvent) -> None:
+    def move(self, pointer: GraphPointer) -> None:
         """Take a move with the left button down."""
-        place = self._graph.place_of(event.position())
-        self.read.emit(*place)
+        self.read.emit(*pointer.place)
+        if self._pressed is None:
+            return
         if self._scrubs:
-            self._bridge.session.go_to(round(place[0]))
-            return
-        if not self.is_busy and (event.position() - self._pressed).manhattanLength() < _DRAG_PX:
-            return
-        if self._box is not None:
-            self._drag_box(self._box, place, event)
-        elif self._grip is None:
-            self._draw_box(place)
-        elif not self._choice.is_locked:
-            self._drag(self._grip, place, event)
+            self._bridge.session.go_to(round(pointer.place[0]))
+        elif self.is_busy or _is_far(self._pressed, pointer):
+            self._go_on(self._pressed, pointer)
 
-    def release(self, event: QMouseEvent) -> None:
+    def release(self, pointer: GraphPointer, modifiers: Qt.KeyboardModifier) -> None:
         """Take the left button coming up."""
+        held, model = self._held, self._model()
         if self._gesture is not None:
             self._gesture.commit()
-        elif self._box is not None and self._box.part.is_inside:
-            self._click_inside(self._graph.place_of(event.position()))
-        elif self._grip is None and not self._scrubs and not self._moved(event) and self._is_empty(event):
+        elif isinstance(held, _BoxHeld) and held.part.is_inside:
+            # A click within the frame is what it is without one.
+            picture = model.curve_at(pointer.place)
+            found = () if picture is None else picture.keys
+            self._bridge.session.select_keys(frozenset(mark.ref for mark in found))
+        elif not isinstance(held, CurveGrip) and not modifiers and self._is_on_nothing(pointer, model):
             self._bridge.session.select_keys(frozenset())
         self._let_go()
 
-    def double_click(self, event: QMouseEvent) -> None:
+    def double_click(self, pointer: GraphPointer) -> None:
         """Ask for numbers on a key; elsewhere go to the frame."""
-        place = self._graph.place_of(event.position())
-        if self._key_at(place) is not None:
+        if self._model().key_at(pointer.place) is not None:
             self.exact_asked.emit()
         else:
-            self._bridge.session.go_to(round(place[0]))
+            self._bridge.session.go_to(round(pointer.place[0]))
 
-    def hover(self, point: QPointF) -> None:
-        """Take note of the pointer."""
-        place = self._graph.place_of(point)
-        near = self._handle_at(place) is not None or self._key_at(place) is not None
-        box = self._graph.key_box
-        part = None if near or box is None else box.part_at(place)
-        elsewhere = Qt.CursorShape.CrossCursor if part is None else part.cursor
-        self._graph.setCursor(Qt.CursorShape.PointingHandCursor if near else elsewhere)
-        self.read.emit(*place)
+    def hover(self, pointer: GraphPointer) -> Qt.CursorShape:
+        """Take note of the pointer, and return what it looks like there."""
+        self.read.emit(*pointer.place)
+        model = self._model()
+        if model.handle_at(pointer.place) is not None or model.key_at(pointer.place) is not None:
+            return Qt.CursorShape.PointingHandCursor
+        part = None if model.key_box is None else model.key_box.part_at(pointer.place)
+        return Qt.CursorShape.CrossCursor if part is None else cursor_on(part)
 
     def leave(self) -> None:
         """Take note that the pointer is elsewhere."""
@@ -163,42 +181,46 @@ class GraphController(QObject):
             self._bridge.session.select_keys(self._before if self.is_down else frozenset())
         self._let_go()
 
-    def _is_empty(self, event: QMouseEvent) -> bool:
-        return not event.modifiers() and self._curve_at(self._graph.place_of(event.position())) is None
+    def _go_on(self, pressed: GraphPointer, pointer: GraphPointer) -> None:
+        held = self._held
+        if held is None:
+            self._draw_box(pressed.place, pointer.place)
+            return
+        if isinstance(held, CurveGrip) and self._choice.is_locked:
+            return
+        if self._gesture is None or self._drag is None:
+            self._gesture = self._bridge.session.begin(self._step_name(held))
+            self._drag = self._begun(held, self._gesture.start)
+            self._drag.send(pressed)
+        shown = self._drag.send(pointer)
+        self._gesture.show(shown.document, shown.refs)
+        if isinstance(shown, DraggedBox):
+            self.shown.emit(HandShown(words=words_of(shown.change), beside_px=pointer.view_px))
 
-    def _moved(self, event: QMouseEvent) -> bool:
-        return (event.position() - self._pressed).manhattanLength() >= _DRAG_PX
+    def _begun(self, held: CurveGrip | _BoxHeld, start: Document) -> CurveDrag | BoxDrag:
+        if isinstance(held, CurveGrip):
+            return dragging_curve(start, held, self._choice.kind)
+        return dragging_box(start, held.box, held.part, held.pictures)
+
+    def _step_name(self, held: CurveGrip | _BoxHeld) -> str:
+        if isinstance(held, _BoxHeld):
+            return step_name(held.part)
+        return self.tr("Move handle") if isinstance(held.mark, HandleMark) else self.tr("Move keys")
+
+    def _is_on_nothing(self, pointer: GraphPointer, model: GraphModel) -> bool:
+        """Whether the hand is where it was pressed, and neither the playhead nor a curve is there."""
+        has_moved = self._pressed is not None and _is_far(self._pressed, pointer)
+        return not self._scrubs and not has_moved and model.curve_at(pointer.place) is None
 
     def _let_go(self) -> None:
         was_busy = self.is_busy
-        self.is_down = self._scrubs = False
-        self._grip = self._gesture = self._box = None
-        self._graph.show_box(None)
-        self._graph.show_words("", QPointF())
+        if self._drag is not None:
+            self._drag.close()
+        self._pressed = self._held = self._gesture = self._drag = None
+        self._scrubs = False
+        self.shown.emit(HandShown())
         if was_busy:
-            # What was held while the hand moved fits anew.
-            self._graph.refresh()
-
-    def _takes_box(self, place: tuple[float, float], event: QMouseEvent) -> bool:
-        box = self._graph.key_box
-        part = None if box is None else box.part_at(place)
-        if box is None or part is None or (part.is_inside and event.modifiers()):
-            return False
-        self._box = BoxController(box, part, self._graph.pictures, place)
-        return True
-
-    def _drag_box(self, box: BoxController, place: tuple[float, float], event: QMouseEvent) -> None:
-        if self._gesture is None:
-            self._gesture = self._bridge.session.begin(box.name)
-        centred, one_axis = bool(event.modifiers() & _CONTROL), bool(event.modifiers() & _SHIFT)
-        self._gesture.show(*box.dragged(self._gesture.start, place, about_centre=centred, one_axis=one_axis))
-        self._graph.show_words(box.said, event.position())
-
-    def _click_inside(self, place: tuple[float, float]) -> None:
-        """Take a click within the frame for what it is without one."""
-        picture = self._curve_at(place)
-        found = () if picture is None else picture.keys
-        self._bridge.session.select_keys(frozenset(mark.ref for mark in found))
+            self.drag_ended.emit()
 
     def _choose(self, mark: KeyMark) -> None:
         chosen = self._before
@@ -207,77 +229,28 @@ class GraphController(QObject):
         elif mark.ref not in chosen:
             self._bridge.session.select_keys(frozenset({mark.ref}))
 
-    def _draw_box(self, place: tuple[float, float]) -> None:
-        start = self._graph.place_of(self._pressed)
-        box = QRectF(QPointF(*start), QPointF(*place)).normalized()
-        self._graph.show_box(box)
-        inside = {
-            mark.ref
-            for picture in self._graph.pictures
-            for mark in picture.keys
-            if box.left() <= mark.frame <= box.right() and box.top() <= mark.ordinate <= box.bottom()
-        }
-        self._bridge.session.select_keys(frozenset(inside) | (self._before if self._adds else frozenset()))
+    def _draw_box(self, start: GraphPlace, place: GraphPlace) -> None:
+        self.shown.emit(HandShown(box=(start, place)))
+        inside = self._model().keys_between(start, place)
+        self._bridge.session.select_keys(inside | (self._before if self._adds else frozenset()))
 
-    def _drag(self, grip: CurveGrip, place: tuple[float, float], event: QMouseEvent) -> None:
-        if self._gesture is None:
-            is_handle = isinstance(grip.mark, HandleMark)
-            self._gesture = self._bridge.session.begin(self.tr("Move handle") if is_handle else self.tr("Move keys"))
-        if isinstance(grip.mark, HandleMark):
-            joined = not event.modifiers() & _ALT
-            self._gesture.show(with_handle(self._gesture.start, grip.picture, grip.mark, place, joined=joined))
-        elif self._choice.kind is GraphKind.SPEED:
-            self._gesture.show(with_speed(self._gesture.start, grip.picture, grip.mark, place[1]))
-        else:
-            along = event.position() - self._pressed
-            frames, ordinates = round(place[0] - grip.start[0]), place[1] - grip.start[1]
-            if event.modifiers() & _SHIFT:
-                # One axis alone, the one along which the hand goes farther.
-                frames, ordinates = (frames, 0.0) if abs(along.x()) >= abs(along.y()) else (0, ordinates)
-            amounts = self._amounts(grip, ordinates)
-            self._gesture.show(*move_keys(self._gesture.start, grip.refs, frames, amounts))
-
-    def _amounts(self, grip: CurveGrip, ordinates: float) -> dict[Address, tuple[float, ...]]:
-        curve = grip.picture.curve
-        amount = ordinates / grip.picture.fitting.factor
-        return {curve.address: (0.0,) * curve.component + (amount,)}
-
-    def _add_key(self, picture: CurvePicture, place: tuple[float, float]) -> None:
+    def _add_key(self, picture: CurvePicture, place: GraphPlace) -> None:
         if not self._choice.is_locked:
             level = place[1] if self._choice.kind is GraphKind.VALUE else None
             added = with_key(self._bridge.document, picture, max(round(place[0]), 1), level)
             self._bridge.session.edit(self.tr("Add key"), added)
 
-    def _key_at(self, place: tuple[float, float]) -> tuple[CurvePicture, KeyMark] | None:
-        found = [(picture, mark) for picture in self._graph.pictures for mark in picture.keys]
-        return self._nearest(place, found)
 
-    def _handle_at(self, place: tuple[float, float]) -> tuple[CurvePicture, HandleMark] | None:
-        if self._choice.is_locked:
-            return None
-        found = [(picture, mark) for picture in self._graph.pictures for mark in picture.handles]
-        return self._nearest(place, found)
+def _box_under(model: GraphModel, place: GraphPlace, modifiers: Qt.KeyboardModifier) -> _BoxHeld | None:
+    """Return the frame around keys, where a part of it is under the pointer; its inside only without modifiers."""
+    box = model.key_box
+    part = None if box is None else box.part_at(place)
+    if box is None or part is None or (part.is_inside and modifiers):
+        return None
+    return _BoxHeld(box, part, model.pictures)
 
-    def _nearest(
-        self, place: tuple[float, float], found: list[tuple[CurvePicture, Mark]]
-    ) -> tuple[CurvePicture, Mark] | None:
-        across, up = self._graph.pixels()
 
-        def away(each: tuple[CurvePicture, Mark]) -> float:
-            return hypot((each[1].frame - place[0]) / across, (each[1].ordinate - place[1]) / up)
-
-        near = min(found, key=away, default=None)
-        return near if near is not None and away(near) <= KEY_REACH_PX else None
-
-    def _curve_at(self, place: tuple[float, float]) -> CurvePicture | None:
-        across, up = self._graph.pixels()
-
-        def away(picture: CurvePicture) -> float:
-            line = picture.line
-            # The curve near the pointer, a pixel's width to both sides.
-            frames = place[0] + np.array([-2.0, 0.0, 2.0]) * across
-            levels = np.interp(frames, line.frames, line.values)
-            return float(np.min(np.abs(levels - place[1])) / up)
-
-        near = min(self._graph.pictures, key=away, default=None)
-        return near if near is not None and away(near) <= CURVE_REACH_PX else None
+def _is_far(pressed: GraphPointer, pointer: GraphPointer) -> bool:
+    """Whether the hand has gone so far that it drags."""
+    ways = zip(pointer.view_px, pressed.view_px, strict=True)
+    return sum(abs(now - then) for now, then in ways) >= _DRAG_PX

@@ -60,7 +60,7 @@ class OpenProject(QObject):
     @property
     def is_blank(self) -> bool:
         """Whether there is nothing to see."""
-        return _is_blank(self.bridge.document)
+        return self.bridge.document.is_blank
 
     @property
     def is_saved(self) -> bool:
@@ -85,7 +85,7 @@ class OpenProject(QObject):
         def read(watch: Progress) -> tuple[Document, str]:
             watch(LoadPhase.FINDING, 0, 0)
             seen, document = project_file.fingerprint(path), project_file.load(path)
-            self._read_first(document, watch)
+            _read_first(document, self.cels, self.meshes, watch)
             return document, seen
 
         def put(found: tuple[Document, str]) -> None:
@@ -121,7 +121,7 @@ class OpenProject(QObject):
 
         def read(watch: Progress) -> Imported | Brought:
             over = self.bridge.document
-            if _is_blank(over):
+            if over.is_blank:
                 return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
             return brought(sources, over.canvas.box, watch)
 
@@ -179,8 +179,8 @@ class OpenProject(QObject):
 
         def read(watch: Progress) -> Document:
             over = self.bridge.document
-            document = new_document((), background=path, watch=watch).document if _is_blank(over) else over
-            self._read_first(set_background(document, path), watch)
+            document = new_document((), background=path, watch=watch).document if over.is_blank else over
+            _read_first(set_background(document, path), self.cels, self.meshes, watch)
             return document
 
         def put(found: Document) -> None:
@@ -193,15 +193,7 @@ class OpenProject(QObject):
         """Decode the drawings of the work area, as many as memory is meant to hold, so that they play smoothly."""
 
         def read(watch: Progress) -> None:
-            sources = played_drawings(self.bridge.document)
-            for index, source in enumerate(sources):
-                watch(LoadPhase.READING, index, len(sources))
-                try:
-                    size = self.cels.cel(source).nbytes
-                except Problem:
-                    continue
-                if self.cels.nbytes + size > self.cels.limit_bytes:
-                    break
+            _read_ahead(played_drawings(self.bridge.document), self.cels, watch)
 
         return Load(self.tr("the work area"), read, lambda _nothing: None, gives_way=True)
 
@@ -218,24 +210,8 @@ class OpenProject(QObject):
         self._say(staged.notes)
 
     def _first_seen(self, staged: Imported, watch: Progress) -> Imported:
-        self._read_first(staged.document, watch)
+        _read_first(staged.document, self.cels, self.meshes, watch)
         return staged
-
-    def _read_first(self, document: Document, watch: Progress) -> None:
-        """Read what the first frame shows, so that the viewport finds it there."""
-        wanted: list[Callable[[], object]] = []
-        if document.background is not None:
-            wanted.append(partial(self.cels.background, document.background))
-        first = (layer.cels.drawing_at(1) for layer in document.layers)
-        wanted += [partial(self.cels.cel, drawing.source) for drawing in first if drawing is not None]
-        wanted += [partial(self.meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
-        for index, read in enumerate(wanted):
-            watch(LoadPhase.READING, index, len(wanted))
-            try:
-                read()
-            except Problem:
-                # The viewport meets the same file, and says what is wrong with it.
-                continue
 
     def _edit(self, step: str, staged: Imported) -> None:
         session = self.bridge.session
@@ -254,8 +230,33 @@ class OpenProject(QObject):
             self.noted.emit(note)
 
 
-def _is_blank(document: Document) -> bool:
-    return not document.layers and not document.pieces and document.background is None
+def _read_first(document: Document, cels: CelCache, meshes: MeshCache, watch: Progress) -> None:
+    """Read what the first frame shows, so that the viewport finds it there."""
+    wanted: list[Callable[[], object]] = []
+    if document.background is not None:
+        wanted.append(partial(cels.background, document.background))
+    first = (layer.cels.drawing_at(1) for layer in document.layers)
+    wanted += [partial(cels.cel, drawing.source) for drawing in first if drawing is not None]
+    wanted += [partial(meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
+    for index, read in enumerate(wanted):
+        watch(LoadPhase.READING, index, len(wanted))
+        try:
+            read()
+        except Problem:
+            # The viewport meets the same file, and says what is wrong with it.
+            continue
+
+
+def _read_ahead(sources: tuple[PictureSource, ...], cels: CelCache, watch: Progress) -> None:
+    """Decode pictures until memory holds as many as it is meant to."""
+    for index, source in enumerate(sources):
+        watch(LoadPhase.READING, index, len(sources))
+        try:
+            size = cels.cel(source).nbytes
+        except Problem:
+            continue
+        if cels.nbytes + size > cels.limit_bytes:
+            break
 
 
 def _names(sources: tuple[CharacterSource, ...]) -> str:

@@ -54,7 +54,7 @@ class Lanes(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        if self.hand.keys_at(event.position()) or not self.drawings.press(event):
+        if self.hand.finder.keys_at(event.position()) or not self.drawings.press(event):
             self.hand.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -63,8 +63,8 @@ class Lanes(QWidget):
             return
         self.hand.move(event)
         place = event.position()
-        on_bar = None if self.hand.is_busy or self.hand.keys_at(place) else self.drawings.cursor_at(place)
-        self.setToolTip(self.hand.words_at(place) if on_bar is None else self.drawings.words_at(place))
+        on_bar = None if self.hand.is_busy or self.hand.finder.keys_at(place) else self.drawings.cursor_at(place)
+        self.setToolTip(self.hand.finder.words_at(place) if on_bar is None else self.drawings.words_at(place))
         self.setCursor(self.hand.cursor if on_bar is None else on_bar)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -214,17 +214,17 @@ class Lanes(QWidget):
                 painter.setPen(QPen(WARNING, 1.5))
                 painter.drawLine(QLineF(x, 0, x, self.height()))
             if hand.said:
-                self._paint_said(painter, hand.said, hand.place)
+                _paint_words(painter, hand.said, hand.place, self.width())
 
-    def _paint_said(self, painter: QPainter, words: str, beside: QPointF) -> None:
-        metrics = self.fontMetrics()
-        width, height = metrics.horizontalAdvance(words) + 16, metrics.height() + 6
-        place = beside + QPointF(14, -height - 8)
-        pill = QRectF(
-            min(max(place.x(), 2.0), self.width() - width - 2.0), max(place.y(), 2.0), float(width), float(height)
-        )
-        painter.setPen(QPen(DIM, 1))
-        painter.setBrush(QColor("#101010"))
-        painter.drawRoundedRect(pill, 4, 4)
-        painter.setPen(BRIGHT)
-        painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, words)
+
+def _paint_words(painter: QPainter, words: str, beside: QPointF, width_px: int) -> None:
+    """Paint words on a dark pill above a place, within the width there is."""
+    metrics = painter.fontMetrics()
+    width, height = metrics.horizontalAdvance(words) + 16, metrics.height() + 6
+    place = beside + QPointF(14, -height - 8)
+    pill = QRectF(min(max(place.x(), 2.0), width_px - width - 2.0), max(place.y(), 2.0), float(width), float(height))
+    painter.setPen(QPen(DIM, 1))
+    painter.setBrush(QColor("#101010"))
+    painter.drawRoundedRect(pill, 4, 4)
+    painter.setPen(BRIGHT)
+    painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, words)

@@ -13,8 +13,8 @@ from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import place_in_view
 from kagezou.ui.viewport.hand import HandleController
 from kagezou.ui.viewport.handle_paths import is_wanted, paint_guide, paint_handle, paint_off_view_arrow
-from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.picking import Picking
 
 _EDGE = QColor(0, 0, 0, 150)
 _MARK = QColor("#f0e442")

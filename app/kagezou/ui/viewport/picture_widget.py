@@ -15,6 +15,7 @@ from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
 from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.tools.view import CanvasView
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import SURROUND
 from kagezou.ui.system.words import translated
@@ -197,14 +198,15 @@ class PictureWidget(QOpenGLWidget):
         document, view = self._bridge.document, self._view
         self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
         if not self._is_current and stage.pictures_drawn:
-            stage.present(self._window_view())
+            stage.present(_window_view(self, self.viewpoint.view))
             return
         backdrop = behind(view, self._backdrop, has_background=document.background is not None)
         line = line_px(view, self.viewpoint.view.zoom)
-        at, before = self.pace.next(moving=self._is_moving), stage.divisor
+        is_moving = self._rest.isActive() and self._bridge.session.is_in_gesture
+        at, before = self.pace.next(moving=is_moving), stage.divisor
         if stage.draw(document, self._bridge.frame, backdrop, view, line, at):
             self.pace.took(stage.divisor, stage.took_s)
-        stage.present(self._window_view())
+        stage.present(_window_view(self, self.viewpoint.view))
         if stage.divisor != before:
             self.divisor_changed.emit(stage.divisor)
         if stage.broken != self._broken:
@@ -218,29 +220,10 @@ class PictureWidget(QOpenGLWidget):
         self.viewpoint.set_canvas((float(canvas.width_px), float(canvas.height_px)))
         self.update()
 
-    @property
-    def _is_moving(self) -> bool:
-        return self._rest.isActive() and self._bridge.session.is_in_gesture
-
     def _refine(self) -> None:
         """Draw what was drawn in haste again, now that the hand rests."""
         if self._stage is not None and self._stage.divisor != self.pace.next(moving=False).divisor:
             self.update()
-
-    def _window_view(self) -> WindowView:
-        ratio = self.devicePixelRatioF()
-        view = self.viewpoint.view
-        x, y = view.origin_view_px
-        return WindowView(
-            framebuffer=self.defaultFramebufferObject(),
-            # Halves go up, as Qt makes its framebuffer.
-            width_px=int(self.width() * ratio + 0.5),
-            height_px=int(self.height() * ratio + 0.5),
-            zoom=view.zoom * ratio,
-            # On whole device pixels, so that at 100 % nothing is blurred by half a pixel.
-            origin_px=(float(round(x * ratio)), float(round(y * ratio))),
-            surround=(SURROUND.redF(), SURROUND.greenF(), SURROUND.blueF()),
-        )
 
     def _release(self) -> None:
         """Give the renderer up before its context goes; Qt makes another and calls initializeGL again."""
@@ -249,3 +232,19 @@ class PictureWidget(QOpenGLWidget):
             self._stage.close()
             self._stage = None
             self.doneCurrent()
+
+
+def _window_view(widget: QOpenGLWidget, view: CanvasView) -> WindowView:
+    """Return how the picture lies in the framebuffer of a widget."""
+    ratio = widget.devicePixelRatioF()
+    x, y = view.origin_view_px
+    return WindowView(
+        framebuffer=widget.defaultFramebufferObject(),
+        # Halves go up, as Qt makes its framebuffer.
+        width_px=int(widget.width() * ratio + 0.5),
+        height_px=int(widget.height() * ratio + 0.5),
+        zoom=view.zoom * ratio,
+        # On whole device pixels, so that at 100 % nothing is blurred by half a pixel.
+        origin_px=(float(round(x * ratio)), float(round(y * ratio))),
+        surround=(SURROUND.redF(), SURROUND.greenF(), SURROUND.blueF()),
+    )

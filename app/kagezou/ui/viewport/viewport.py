@@ -10,11 +10,11 @@ from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.hand import HandleController
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
-from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
 from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.picking import Picking
 from kagezou.ui.widgets.space_bar import SpaceBar
 
 _CURSORS = {
@@ -86,7 +86,7 @@ class Viewport(PictureWidget):
         if (
             isinstance(event, QKeyEvent)
             and event.type() is QEvent.Type.ShortcutOverride
-            and self._is_for_the_hand(event)
+            and _is_for_the_hand(event, is_busy=self.hand.is_busy)
         ):
             event.accept()
             return True
@@ -101,12 +101,12 @@ class Viewport(PictureWidget):
         report = report_of(event)
         match event.button():
             case Qt.MouseButton.MiddleButton:
-                self._begin_pan(event.position())
+                self._panned_from = event.position()
             case Qt.MouseButton.RightButton:
                 self._cancel()
             case Qt.MouseButton.LeftButton if self._space.is_held:
                 self._space.use()
-                self._begin_pan(event.position())
+                self._panned_from = event.position()
             case Qt.MouseButton.LeftButton if self.picking.is_on:
                 self._pick(report)
             case Qt.MouseButton.LeftButton if self.overlay.shows_handles:
@@ -146,7 +146,7 @@ class Viewport(PictureWidget):
                 self._cancel()
             case QEvent.Type.TabletPress if self._space.is_held:
                 self._space.use()
-                self._begin_pan(event.position())
+                self._panned_from = event.position()
             case QEvent.Type.TabletPress if self.picking.is_on:
                 self._pick(report)
             case QEvent.Type.TabletPress:
@@ -199,9 +199,6 @@ class Viewport(PictureWidget):
     def _pick(self, report: PointerReport) -> None:
         self.picking.picked.emit(self.viewpoint.view.canvas_from_view(report.view_px))
 
-    def _begin_pan(self, at: QPointF) -> None:
-        self._panned_from = at
-
     def _pinch(self, event: QNativeGestureEvent) -> bool:
         if event.gestureType() is not Qt.NativeGestureType.ZoomNativeGesture:
             return False
@@ -223,13 +220,6 @@ class Viewport(PictureWidget):
         else:
             self.hand.type(self.hand.typed + event.text())
 
-    def _is_for_the_hand(self, event: QKeyEvent) -> bool:
-        """Whether a key nudges, steps or types here, though it may lie on a command of the window."""
-        if self.hand.is_busy:
-            return _is_typing(event)
-        others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
-        return event.key() in _ARROWS and not others
-
     def _show_cursor(self) -> None:
         over = self.hand.held or self.hand.handles.find(self.hand.hovered_id)
         if self._panned_from is not None:
@@ -245,3 +235,11 @@ class Viewport(PictureWidget):
 
 def _is_typing(event: QKeyEvent) -> bool:
     return event.key() in _TYPING or (len(event.text()) == 1 and event.text() in LETTERS)
+
+
+def _is_for_the_hand(event: QKeyEvent, *, is_busy: bool) -> bool:
+    """Whether a key nudges, steps or types here, though it may lie on a command of the window."""
+    if is_busy:
+        return _is_typing(event)
+    others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
+    return event.key() in _ARROWS and not others
