@@ -1036,30 +1036,6 @@
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Shadow layers</source>
-        <translation>影レイヤー</translation>
-    </message>
-    <message>
-        <source>Layered frames</source>
-        <translation>レイヤー付きフレーム</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>動画</translation>
-    </message>
-    <message>
-        <source>After Effects</source>
-        <translation>After Effects</translation>
-    </message>
-    <message>
-        <source>Render farm job</source>
-        <translation>レンダーファームのジョブ</translation>
-    </message>
-    <message>
-        <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
-        <translation>動画の書き出しには PyAV が必要です: pip install &apos;kagezou[video]&apos;</translation>
-    </message>
-    <message>
         <source>Browse…</source>
         <translation>参照…</translation>
     </message>
@@ -3401,6 +3377,30 @@ Drop a folder of cels here.</source>
     <message>
         <source>there is no layer {name!r} in this project, only none at all</source>
         <translation>このプロジェクトにレイヤー {name!r} はありません（レイヤーがひとつもありません）</translation>
+    </message>
+    <message>
+        <source>After Effects</source>
+        <translation>After Effects</translation>
+    </message>
+    <message>
+        <source>Layered frames</source>
+        <translation>レイヤー付きフレーム</translation>
+    </message>
+    <message>
+        <source>Render farm job</source>
+        <translation>レンダーファームのジョブ</translation>
+    </message>
+    <message>
+        <source>Shadow layers</source>
+        <translation>影レイヤー</translation>
+    </message>
+    <message>
+        <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
+        <translation>動画の書き出しには PyAV が必要です: pip install &apos;kagezou[video]&apos;</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>動画</translation>
     </message>
     <message>
         <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>

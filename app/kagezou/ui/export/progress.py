@@ -6,7 +6,7 @@ from time import monotonic
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from kagezou.errors import Problem
-from kagezou.export.work import ExportOutcome, Work
+from kagezou.export.exporters.exporter import ExportOutcome, Work
 from kagezou.ui.system.background import Queue
 from kagezou.ui.system.icons import icon
 from kagezou.ui.system.offscreen_context import OffscreenSurface

@@ -5,8 +5,9 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, Qt
 
 from kagezou.document.style import apply_style
-from kagezou.export.plan import ExportPlan, Place, dumps_plan, loads_plan
-from kagezou.export.work import work_of
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.table import exporter_of
+from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.system.words import named, translated
@@ -165,14 +166,14 @@ def _export(parts: Parts) -> None:
     folder = Path(settings.folder("export")) if settings.folder("export") else beside
     place = Place(folder / f"{name}_export", path, name)
     document = parts.bridge.document
-    plan = loads_plan(settings.word("export_plan", ""))
-    dialog = ExportDialog(document, plan, place, settings.preset_folder, parts.viewport.window())
+    remembered = loads_choices(settings.word("export_plan", ""))
+    dialog = ExportDialog(document, remembered, place, settings.preset_folder, parts.viewport.window())
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
 
-    def start(plan: ExportPlan, chosen: Place) -> None:
-        settings.set_word("export_plan", dumps_plan(plan))
+    def start(choices: ExportChoices, chosen: Place) -> None:
+        settings.set_word("export_plan", dumps_choices(choices))
         settings.remember_folder("export", chosen.folder.parent)
-        parts.exporting.start(work_of(document, plan, chosen))
+        parts.exporting.start(exporter_of(choices).work(document, choices, chosen))
 
     dialog.chosen.connect(start)
     dialog.open()
