@@ -185,12 +185,7 @@ class PictureWidget(QOpenGLWidget):
         context.aboutToBeDestroyed.connect(self._release, Qt.ConnectionType.DirectConnection)
         major, minor = context.format().majorVersion(), context.format().minorVersion()
         if (major, minor) < NEEDED_VERSION:
-            raise GraphicsProblem(
-                Message(
-                    "the graphics driver offers OpenGL {version}; Kagezou needs 3.3: update the driver",
-                    version=f"{major}.{minor}",
-                )
-            )
+            raise _too_old(f"{major}.{minor}")
         self._stage = FramePainter(self._cels, self._meshes)
         self.started.emit(self._stage.device, self._stage.is_software)
 
@@ -248,3 +243,10 @@ def _window_view(widget: QOpenGLWidget, view: CanvasView) -> WindowView:
         origin_px=(float(round(x * ratio)), float(round(y * ratio))),
         surround=(SURROUND.redF(), SURROUND.greenF(), SURROUND.blueF()),
     )
+
+
+def _too_old(version: str) -> GraphicsProblem:
+    words = Message(
+        "the graphics driver offers OpenGL {version}; Kagezou needs 3.3: update the driver", version=version
+    )
+    return GraphicsProblem(words)
