@@ -144,7 +144,11 @@ def walking(qtbot: QtBot, window: MainWindow, cels: Path) -> MainWindow:
     """The window with one character, its first picture on screen."""
     window.parts.project.bring([cels])
     window.parts.open_project.bridge.session.mark_saved()
-    qtbot.waitUntil(lambda: window.parts.viewport.stage is not None and window.parts.viewport.stage.pictures_drawn > 0)
+    qtbot.waitUntil(
+        lambda: (
+            window.parts.viewport.frame_painter is not None and window.parts.viewport.frame_painter.pictures_drawn > 0
+        )
+    )
     return window
 
 

@@ -443,5 +443,5 @@ def test_curves_share_the_selection_with_the_timeline_in_the_window(qtbot: QtBot
 
 
 def _read(editor: CurveEditor, frame: int) -> str:
-    editor.graph.hand.read.emit(float(frame), 0.0)
+    editor.graph.controller.read.emit(float(frame), 0.0)
     return editor._read.text()

@@ -239,10 +239,10 @@ def test_the_bar_counts_and_tells_what_is_left(qtbot: QtBot, monkeypatch: pytest
     go_on = threading.Event()
     put: list[int] = []
 
-    def read(watch: Progress) -> int:
-        watch(LoadPhase.READING, 0, 8)
+    def read(progress: Progress) -> int:
+        progress(LoadPhase.READING, 0, 8)
         sleep(0.05)
-        watch(LoadPhase.READING, 2, 8)
+        progress(LoadPhase.READING, 2, 8)
         assert go_on.wait(30)
         return 3
 
@@ -258,8 +258,8 @@ def test_the_bar_counts_and_tells_what_is_left(qtbot: QtBot, monkeypatch: pytest
     qtbot.waitUntil(lambda: put == [3])
 
 
-def _staged(watch: Progress, cels: Path) -> object:
-    return new_document((CharacterSource(None, cels),), watch=watch)
+def _staged(progress: Progress, cels: Path) -> object:
+    return new_document((CharacterSource(None, cels),), progress=progress)
 
 
 def test_staging_tells_each_part_and_can_be_stopped_in_each(cels: Path) -> None:
@@ -273,11 +273,11 @@ def test_staging_tells_each_part_and_can_be_stopped_in_each(cels: Path) -> None:
     assert list(dict.fromkeys(parts)) == [LoadPhase.FINDING, LoadPhase.OPENING, LoadPhase.MEASURING, LoadPhase.LIGHTING]
 
     def stop_at(wanted: LoadPhase) -> Callable[[LoadPhase, int, int], None]:
-        def watch(part: LoadPhase, _done: int, _whole: int) -> None:
+        def progress(part: LoadPhase, _done: int, _whole: int) -> None:
             if part is wanted:
                 raise Cancelled
 
-        return watch
+        return progress
 
     for wanted in dict.fromkeys(parts):
         with pytest.raises(Cancelled):

@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.io.sheets.xdts import read_timesheet, write_xdts
 from kagezou.ui.project.dialogs import Answer
-from kagezou.ui.project.dropped_files import arrivals_of
+from kagezou.ui.project.dropped_files import dropped_files_of
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
@@ -92,8 +92,8 @@ def test_the_window_asks_for_sheets_and_writes_them(
 
 @pytest.mark.parametrize("name", ["a.xdts", "a.TDTS", "a.sts"])
 def test_sheets_are_known_by_their_names(tmp_path: Path, name: str) -> None:
-    assert arrivals_of([tmp_path / name]).timesheet == tmp_path / name
-    assert not arrivals_of([tmp_path / name]).is_empty
+    assert dropped_files_of([tmp_path / name]).timesheet == tmp_path / name
+    assert not dropped_files_of([tmp_path / name]).is_empty
 
 
 def test_a_name_that_gets_its_suffix_replaces_nothing_unasked(

@@ -169,7 +169,11 @@ def test_a_set_may_come_first(qtbot: QtBot, window: MainWindow, dungeon: Path, c
     assert window.pages.currentWidget() is window.parts.viewport
     stairs = seen(window, (2.0, 1.0, -3.0))
     drop(window, cels)
-    qtbot.waitUntil(lambda: window.parts.viewport.stage is not None and window.parts.viewport.stage.pictures_drawn > 0)
+    qtbot.waitUntil(
+        lambda: (
+            window.parts.viewport.frame_painter is not None and window.parts.viewport.frame_painter.pictures_drawn > 0
+        )
+    )
     assert seen(window, (2.0, 1.0, -3.0)) == pytest.approx(stairs, abs=1e-6)
 
 

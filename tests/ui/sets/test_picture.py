@@ -42,15 +42,15 @@ def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
     viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     edge = at(furnished, 20, 80)
     move(viewport, edge)
-    assert viewport.hand.words == "Back"
-    assert viewport.hand.pieces.guides
+    assert viewport.controller.words == "Back"
+    assert viewport.controller.pieces.guides
     move(viewport, at(furnished, 60, 40))
-    assert viewport.hand.words == ""
+    assert viewport.controller.words == ""
     history = bridge.session.undo_name
     qtbot.mouseClick(viewport, LEFT, pos=edge)
     assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)
     assert bridge.session.undo_name == history, "choosing is no step"
-    assert viewport.hand.selected_id == "piece.position"
+    assert viewport.controller.selected_id == "piece.position"
 
 
 def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished: MainWindow) -> None:
@@ -87,7 +87,7 @@ def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindo
     qtbot.keyClicks(viewport, "66")
     qtbot.keyClick(viewport, Qt.Key.Key_Return)
     assert value(bridge.document, s.PIECE_HEIGHT) == 66
-    viewport.hand.selected_id = "piece.position"
+    viewport.controller.selected_id = "piece.position"
     viewport.setFocus()
     qtbot.keyClick(viewport, Qt.Key.Key_Left)
     assert value(bridge.document, s.PIECE_POSITION) == (199, 165)
@@ -100,7 +100,7 @@ def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(qtbot
     viewport.setFocus()
     qtbot.waitUntil(viewport.hasFocus)
     bridge.session.select_piece("piece-2")
-    viewport.hand.selected_id = "light.lamp"
+    viewport.controller.selected_id = "light.lamp"
     furnished.parts.actions["delete"].trigger()
     assert len(bridge.document.pieces) == 2
     qtbot.mouseClick(viewport, LEFT, pos=place_of(viewport, "piece.depth"))
@@ -112,11 +112,11 @@ def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(qtbot
 def test_the_handles_of_a_piece_go_with_it(furnished: MainWindow) -> None:
     viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     bridge.session.select_piece("piece-1")
-    assert viewport.hand.handles.find("piece.lean") is not None
+    assert viewport.controller.handles.find("piece.lean") is not None
     hidden = set_constant(bridge.document, Address(s.PIECE_PRESENT, piece_id="piece-1"), False)
     bridge.session.edit("Hide", hidden)
-    assert viewport.hand.handles.find("piece.lean") is None
+    assert viewport.controller.handles.find("piece.lean") is None
     bridge.session.undo()
     bridge.session.undo()
-    assert viewport.hand.handles.find("piece.position") is None
+    assert viewport.controller.handles.find("piece.position") is None
     viewport.grab()

@@ -176,7 +176,7 @@ def test_a_box_chooses_what_lies_in_it(timeline: Timeline, keyed: OpenProject) -
     QTest.mousePress(lanes, button, pos=start)
     end = QPoint(round(timeline.scale.x_of(22)), row_y(timeline, LIGHT))
     move(timeline.lanes, end, Qt.MouseButton.LeftButton)
-    assert lanes.hand.box is not None
+    assert lanes.controller.box is not None
     QTest.mouseRelease(lanes, button, pos=end)
     assert keyed.bridge.session.state.keys == {KeyRef(DECLINATION, 10), KeyRef(LIGHT, 10), KeyRef(LIGHT, 20)}
 
@@ -225,13 +225,13 @@ def test_dragged_keys_catch_on_others_and_ctrl_lets_them_pass(timeline: Timeline
 def test_the_line_of_what_caught_is_shown(timeline: Timeline, keyed: OpenProject) -> None:
     keyed.bridge.session.go_to(30)
     drag(timeline, key_point(timeline, LIGHT, 20), -12, let_go=False)
-    assert timeline.lanes.hand.caught_by == 8
-    assert timeline.lanes.hand.said == "8  (-12)   0+08"
+    assert timeline.lanes.controller.caught_by == 8
+    assert timeline.lanes.controller.said == "8  (-12)   0+08"
     image = timeline.lanes.grab().toImage()
     middle = round(timeline.scale.middle_of(8))
     colors = [image.pixelColor(x, image.height() - 4) for x in range(middle - 2, middle + 3)]
     assert any(color.red() > 150 and color.blue() < 90 for color in colors), "an orange line"
-    timeline.lanes.hand.cancel()
+    timeline.lanes.controller.cancel()
 
 
 def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path, clipboard: OwnClipboard) -> None:

@@ -18,12 +18,12 @@ def test_lines_take_the_place_of_the_handles_and_find_the_camera(qtbot: QtBot, w
     viewport, action = walking.parts.viewport, walking.parts.actions["match_camera"]
     action.trigger()
     assert "orange" in walking.parts.bar.text
-    ids = {handle.id for handle in viewport.hand.handles.handles}
+    ids = {handle.id for handle in viewport.controller.handles.handles}
     assert "match.horizon" in ids
     assert "light.lamp" not in ids
     session, before = walking.parts.open_project.bridge.session, walking.parts.open_project.bridge.document
     drag(qtbot, viewport, "match.end.1", QPoint(20, 12), let_go=False)
-    assert "Field of view" in viewport.hand.words
+    assert "Field of view" in viewport.controller.words
     qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton)
     assert number(walking, properties.FOV) != properties.FOV.default
     assert walking.parts.open_project.bridge.document.vanishing is not None
@@ -40,7 +40,7 @@ def test_escape_lets_go_of_the_handle_and_then_of_the_lines(qtbot: QtBot, walkin
     qtbot.keyClick(viewport, Qt.Key.Key_Escape)
     assert not action.isChecked()
     assert walking.parts.bar.text == ""
-    assert viewport.hand.handles.find("light.lamp") is not None
+    assert viewport.controller.handles.find("light.lamp") is not None
 
 
 def test_lines_that_are_no_floor_say_so_beside_the_pointer(qtbot: QtBot, walking: MainWindow) -> None:
@@ -49,6 +49,6 @@ def test_lines_that_are_no_floor_say_so_beside_the_pointer(qtbot: QtBot, walking
     start, end = (place_of(viewport, f"match.end.{index}") for index in (0, 1))
     before = walking.parts.open_project.bridge.document
     drag(qtbot, viewport, "match.end.1", start - end, let_go=False)
-    assert "lies on the other" in viewport.hand.words
+    assert "lies on the other" in viewport.controller.words
     assert walking.parts.open_project.bridge.document.tracks == before.tracks
     qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton)

@@ -15,8 +15,8 @@ from tests.ui.viewing import drag, move, picture, place_of
 
 
 def divisor_of(viewport: Viewport) -> int:
-    assert viewport.stage is not None
-    return viewport.stage.divisor
+    assert viewport.frame_painter is not None
+    return viewport.frame_painter.divisor
 
 
 def test_it_goes_down_only_where_the_last_frames_were_late_and_only_while_moving() -> None:

@@ -98,7 +98,7 @@ def test_a_double_click_adds_a_grounding_point_and_delete_removes_it(qtbot: QtBo
     assert isinstance(points, tuple)
     assert len(points) == 1
     assert points[0] == pytest.approx((112.0, 150.0), abs=1.0)
-    assert viewport.hand.selected_id == "grounding.0"
+    assert viewport.controller.selected_id == "grounding.0"
     walking.parts.actions["delete"].trigger()
     assert value_of(bridge.document, grounding, 1) == ()
 
@@ -106,13 +106,13 @@ def test_a_double_click_adds_a_grounding_point_and_delete_removes_it(qtbot: QtBo
 def test_tab_reaches_every_handle_and_arrows_nudge_it(qtbot: QtBot, walking: MainWindow) -> None:
     viewport, bridge = walking.parts.viewport, walking.parts.open_project.bridge
     viewport.setFocus()
-    ids = [handle.id for handle in viewport.hand.handles.handles]
+    ids = [handle.id for handle in viewport.controller.handles.handles]
     reached = []
     for _ in ids:
         qtbot.keyClick(viewport, Qt.Key.Key_Tab)
-        reached.append(viewport.hand.selected_id)
+        reached.append(viewport.controller.selected_id)
     assert sorted(map(str, reached)) == sorted(ids)
-    viewport.hand.selected_id = "ground.position"
+    viewport.controller.selected_id = "ground.position"
     assert value_of(bridge.document, Address(properties.GROUND_POSITION), 1) == (120.0, 170.0)
     qtbot.keyClick(viewport, Qt.Key.Key_Right)
     qtbot.keyClick(viewport, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
@@ -199,20 +199,20 @@ def test_the_space_bar_plays_without_handles_and_stops(qtbot: QtBot, walking: Ma
 
 
 def test_following_the_pointer_never_draws_the_picture(walking: MainWindow) -> None:
-    stage = walking.parts.viewport.stage
-    assert stage is not None
+    frame_painter = walking.parts.viewport.frame_painter
+    assert frame_painter is not None
     picture(walking.parts.viewport)
-    drawn = stage.pictures_drawn
+    drawn = frame_painter.pictures_drawn
     lamp = place_of(walking.parts.viewport, "light.lamp")
     for offset in range(0, 40, 4):
         move(walking.parts.viewport, lamp + QPoint(offset, 0))
         QApplication.processEvents()
     wheel(walking, QPointF(100, 100), 1)
     QApplication.processEvents()
-    assert stage.pictures_drawn == drawn
+    assert frame_painter.pictures_drawn == drawn
     walking.parts.open_project.bridge.session.select(None)
     picture(walking.parts.viewport)
-    assert stage.pictures_drawn == drawn
+    assert frame_painter.pictures_drawn == drawn
 
 
 def test_the_pen_drags_as_the_mouse_does(walking: MainWindow) -> None:
@@ -238,17 +238,17 @@ def test_the_pen_drags_as_the_mouse_does(walking: MainWindow) -> None:
 
     near = lamp + QPointF(12, 0)
     send(QEvent.Type.TabletPress, near, Qt.MouseButton.LeftButton)
-    assert viewport.hand.held is not None, "a pen may miss by more than a mouse"
+    assert viewport.controller.held is not None, "a pen may miss by more than a mouse"
     send(QEvent.Type.TabletMove, near + QPointF(30, 10), Qt.MouseButton.LeftButton)
     send(QEvent.Type.TabletRelease, near + QPointF(30, 10), Qt.MouseButton.NoButton)
     assert walking.parts.open_project.bridge.document is not before
 
 
 def test_another_context_draws_the_same_picture(qtbot: QtBot, walking: MainWindow) -> None:
-    before, first = picture(walking.parts.viewport), walking.parts.viewport.stage
+    before, first = picture(walking.parts.viewport), walking.parts.viewport.frame_painter
     walking.parts.viewport.setParent(None)
     walking.parts.viewport.show()
-    qtbot.waitUntil(lambda: walking.parts.viewport.stage not in (None, first))
+    qtbot.waitUntil(lambda: walking.parts.viewport.frame_painter not in (None, first))
     assert np.array_equal(picture(walking.parts.viewport), before)
     walking.pages.addWidget(walking.parts.viewport)
     walking.pages.setCurrentWidget(walking.parts.viewport)

@@ -197,12 +197,12 @@ class TestTyping:
         QTest.keyClick(viewport, Qt.Key.Key_Backspace)
         QTest.keyClicks(viewport, "2.")
         QTest.keyClicks(viewport, "5")
-        assert "42.5" in viewport.hand.words
+        assert "42.5" in viewport.controller.words
         move(viewport, QPoint(20, 20))
         assert value_of(session.document, declination, 1) == 42.5
         assert walking.parts.open_project.bridge.frame == 1, "the full stop is no command while a handle is held"
         QTest.keyClick(viewport, Qt.Key.Key_Return)
-        assert not viewport.hand.is_busy
+        assert not viewport.controller.is_busy
         assert value_of(session.document, declination, 1) == 42.5
         session.undo()
         assert value_of(session.document, declination, 1) != 42.5
@@ -224,7 +224,7 @@ class TestTyping:
         self, walking: MainWindow, text: str, place: tuple[float | None, float | None] | None
     ) -> None:
         document = walking.parts.open_project.bridge.document
-        handle = walking.parts.viewport.hand.handles.find("ground.position")
+        handle = walking.parts.viewport.controller.handles.find("ground.position")
         assert handle is not None
         position = Address(properties.GROUND_POSITION)
         x, y = np.asarray(value_of(document, position, 1), float)
@@ -238,6 +238,6 @@ class TestTyping:
 
     @pytest.mark.parametrize("text", ["", "-", "4+", "x", "1,2,3,4,5"])
     def test_half_a_number_changes_nothing(self, walking: MainWindow, text: str) -> None:
-        handle = walking.parts.viewport.hand.handles.find("ground.declination")
+        handle = walking.parts.viewport.controller.handles.find("ground.declination")
         assert handle is not None
         assert with_typed(handle, walking.parts.open_project.bridge.document, 1, text) is None

@@ -294,7 +294,7 @@ class TestPanels:
         active.parts.viewport.setFocus()
         QTest.keyClick(active.parts.viewport, Qt.Key.Key_Tab)
         assert shown_docks(active), "over the picture Tab goes from handle to handle"
-        assert active.parts.viewport.hand.selected_id is not None
+        assert active.parts.viewport.controller.selected_id is not None
         active.parts.viewport.clearFocus()
         QTest.keyClick(active, Qt.Key.Key_Tab)
         qtbot.waitUntil(lambda: not shown_docks(active))

@@ -82,7 +82,7 @@ class Person:
 
     def see_picture(self) -> None:
         viewport = self.window.parts.viewport
-        self.qtbot.waitUntil(lambda: viewport.stage is not None and viewport.stage.pictures_drawn > 0)
+        self.qtbot.waitUntil(lambda: viewport.frame_painter is not None and viewport.frame_painter.pictures_drawn > 0)
         QApplication.processEvents()
 
     def go_to(self, frame: int) -> None:

@@ -67,7 +67,7 @@ def test_an_empty_window_says_where_to_begin(window: MainWindow) -> None:
 
 def test_a_folder_dropped_on_the_window_becomes_a_layer(qtbot: QtBot, window: MainWindow, cels: Path) -> None:
     drop(window, cels)
-    qtbot.waitUntil(lambda: window.parts.viewport.stage is not None)
+    qtbot.waitUntil(lambda: window.parts.viewport.frame_painter is not None)
     assert [layer.name for layer in window.parts.open_project.bridge.document.layers] == ["walker"]
     assert window.parts.open_project.bridge.document.canvas.length_frames == 6
     assert shadow_is_on_canvas(window)
@@ -249,7 +249,7 @@ def test_another_language_makes_another_window_over_the_same_project(
     assert program.open_project.bridge.document is document
     assert program.window.parts.actions["save"].text() == "保存(&S)"
     assert program.window.parts.panels.inspector.row("tilt").label.text() == "体の傾き"
-    qtbot.waitUntil(lambda: program.window.parts.viewport.stage is not None)
+    qtbot.waitUntil(lambda: program.window.parts.viewport.frame_painter is not None)
     assert shadow_is_on_canvas(program.window)
     program.put_away()
 

@@ -49,7 +49,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Hand off what is asked for."""
     from kagezou.export.after_effects.export import HandOffRequest
     from kagezou.export.exporters.hand_off import HAND_OFF
@@ -75,7 +75,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:
     )
     document = load(options.project)
     with stopping_gently() as interruption, ProgressLine("rendering") as line:
-        done = HAND_OFF.export(document, request, doors.open_context, line.update, interruption.is_set)
+        done = HAND_OFF.export(document, request, entry_points.open_context, line.update, interruption.is_set)
     _report(done, as_json=options.json)
     return max(verdict(each, interruption) for each in done.exports)
 

@@ -36,7 +36,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the bundle."""
     from kagezou.animation.frames import parse_frames
     from kagezou.export.exporters.farm_job import FARM_JOB, BundleRequest
@@ -61,6 +61,6 @@ def run(options: Namespace, doors: EntryPoints) -> int:
     document = load(project)
     job = FarmRequest(project, export, options.chunk, options.program)
     request = BundleRequest(job, options.bundle)
-    FARM_JOB.export(document, request, doors.open_context, lambda _done, _all: None, lambda: False)
+    FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
     give(shown(options.bundle / TEMPLATE))
     return 0

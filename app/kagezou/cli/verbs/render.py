@@ -59,7 +59,7 @@ def add_arguments(parser: Parser) -> None:
     )
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
     from kagezou.animation.frames import parse_frames
     from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
@@ -88,7 +88,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:
         document = load(options.project)
         if options.path_mapping is not None:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
-        summary = exporter.export(document, request, doors.open_context, line.update, interruption.is_set)
+        summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
         if isinstance(lines, JobLines) and summary.failures:
             lines.fail(summary.failures[0].message)
     if not options.openjd:

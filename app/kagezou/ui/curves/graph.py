@@ -14,7 +14,7 @@ from kagezou.ui.curves.box_items import BoxItems
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_items import CurveItems
 from kagezou.ui.curves.frame_axis import FrameAxis
-from kagezou.ui.curves.graph_hand import GraphController, HandShown
+from kagezou.ui.curves.graph_controller import GraphController, HandShown
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, DIM, WELL
 
@@ -36,9 +36,9 @@ class Graph(pg.PlotWidget):
         super().__init__(background=WELL, axisItems={"bottom": FrameAxis(bridge)})
         self._bridge, self._choice = bridge, choice
         self.pictures: tuple[CurvePicture, ...] = ()
-        self.hand = GraphController(bridge, choice, lambda: self.model)
-        self.hand.shown.connect(self._show_hand)
-        self.hand.drag_ended.connect(self.refresh)
+        self.controller = GraphController(bridge, choice, lambda: self.model)
+        self.controller.shown.connect(self._show_hand)
+        self.controller.drag_ended.connect(self.refresh)
         self._items = CurveItems(self.getPlotItem())
         self._playhead = pg.InfiniteLine(angle=90, movable=False, pen=pg.mkPen(BRIGHT, width=1))
         self._box = pg.QtWidgets.QGraphicsRectItem()
@@ -80,7 +80,7 @@ class Graph(pg.PlotWidget):
         state = self._bridge.session.state
         held = {(each.curve.address, each.curve.component): each.fitting for each in self.pictures}
         shown = self._choice.now
-        self.pictures = pictures_of(state.document, shown, state.keys, held if self.hand.is_busy else {})
+        self.pictures = pictures_of(state.document, shown, state.keys, held if self.controller.is_busy else {})
         self._items.draw(state.document, shown.ghost, self.pictures)
         self._draw_key_box()
         self.move_playhead()
@@ -106,45 +106,49 @@ class Graph(pg.PlotWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         if event.button() is Qt.MouseButton.LeftButton and self._is_inside(event.position()):
-            self.hand.press(self._pointer(event), event.modifiers())
+            self.controller.press(self._pointer(event), event.modifiers())
         elif event.button() is Qt.MouseButton.RightButton:
             self.menu_asked.emit(event.globalPosition().toPoint())
         else:
             super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self.hand.is_down:
-            self.hand.move(self._pointer(event))
+        if self.controller.is_down:
+            self.controller.move(self._pointer(event))
         else:
             super().mouseMoveEvent(event)
-            self.setCursor(self.hand.hover(self._pointer(event)))
+            self.setCursor(self.controller.hover(self._pointer(event)))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if event.button() is Qt.MouseButton.LeftButton and self.hand.is_down:
-            self.hand.release(self._pointer(event), event.modifiers())
+        if event.button() is Qt.MouseButton.LeftButton and self.controller.is_down:
+            self.controller.release(self._pointer(event), event.modifiers())
         else:
             super().mouseReleaseEvent(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:
-            self.hand.double_click(self._pointer(event))
+            self.controller.double_click(self._pointer(event))
         else:
             super().mouseDoubleClickEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not self.hand.key(event):
+        if not self.controller.key(event):
             # pyqtgraph takes arrows and letters for itself; the window's commands want them.
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
         # The window's commands on these keys are for other parts; here they belong to the hand.
-        if event.type() is QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and self.hand.wants(event):
+        if (
+            event.type() is QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and self.controller.wants(event)
+        ):
             event.accept()
             return True
         return bool(super().event(event))
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        self.hand.leave()
+        self.controller.leave()
         super().focusOutEvent(event)
 
     def _pointer(self, event: QMouseEvent) -> GraphPointer:

@@ -16,7 +16,7 @@ from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import next_version
 from kagezou.io.project.recovery_file import RecoveredWork, forget
 from kagezou.ui.project.dialogs import Answer, Dialogs
-from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, Arrivals, arrivals_of, whole_sequence
+from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, DroppedFiles, dropped_files_of, whole_sequence
 from kagezou.ui.project.load import AnyLoad
 from kagezou.ui.project.loading import Loading
 from kagezou.ui.project.open_project import OpenProject
@@ -171,10 +171,10 @@ class ProjectActions(QObject):
     def bring(self, paths: Iterable[Path]) -> None:
         """Take what was dropped: a project is opened, cels become layers, a lone opaque picture the background."""
         given = list(paths)
-        arrivals = arrivals_of(given)
-        if arrivals.project is not None:
-            self.open_recent(arrivals.project)
-        elif (load := _load_of(arrivals, self._open_project, self.set_read.emit)) is not None:
+        dropped = dropped_files_of(given)
+        if dropped.project is not None:
+            self.open_recent(dropped.project)
+        elif (load := _load_of(dropped, self._open_project, self.set_read.emit)) is not None:
             self._load(load)
         elif given:
             names = ", ".join(path.name for path in given[:3])
@@ -243,16 +243,16 @@ def _bring_back(open_project: OpenProject, work: RecoveredWork, file: Path) -> N
 
 
 def _load_of(
-    arrivals: Arrivals, open_project: OpenProject, put_set: Callable[[Path, tuple[SetCamera, ...]], None]
+    dropped: DroppedFiles, open_project: OpenProject, put_set: Callable[[Path, tuple[SetCamera, ...]], None]
 ) -> AnyLoad | None:
     """Return what brings dropped files into the open project, None if they are nothing that can be brought."""
-    if arrivals.timesheet is not None:
-        return open_project.time_by(arrivals.timesheet)
-    if arrivals.set_file is not None:
-        return open_project.read_set(arrivals.set_file, put_set)
-    if arrivals.background is not None:
-        return open_project.put_background(arrivals.background)
-    return open_project.bring(arrivals.characters) if arrivals.characters else None
+    if dropped.timesheet is not None:
+        return open_project.time_by(dropped.timesheet)
+    if dropped.set_file is not None:
+        return open_project.read_set(dropped.set_file, put_set)
+    if dropped.background is not None:
+        return open_project.put_background(dropped.background)
+    return open_project.bring(dropped.characters) if dropped.characters else None
 
 
 def _is_free(open_project: OpenProject, window: QWidget) -> bool:

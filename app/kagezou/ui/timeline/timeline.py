@@ -56,7 +56,7 @@ class Timeline(QWidget):
         self.ruler.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.ruler.customContextMenuRequested.connect(self._open_ruler_menu)
         self.ruler.marker_asked.connect(self.rename_marker)
-        self.lanes.hand.menu_asked.connect(self.key_menu.popup)
+        self.lanes.controller.menu_asked.connect(self.key_menu.popup)
         self.lanes.drawings.menu_asked.connect(self.drawing_menu_asked)
         self._across.valueChanged.connect(self.scale.scroll_to)
         self._down.valueChanged.connect(self.rows.scroll_to)
@@ -161,7 +161,7 @@ class Timeline(QWidget):
                 bar.setValue(round(value))
 
     def _follow(self, frame: int) -> None:
-        if not (self.lanes.hand.is_busy or self.lanes.drawings.is_busy):
+        if not (self.lanes.controller.is_busy or self.lanes.drawings.is_busy):
             self.scale.reveal(frame)
 
     def _open_ruler_menu(self, place: QPoint) -> None:

@@ -124,7 +124,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.parts.time.player.stop()
-        self.parts.viewport.hand.cancel()
+        self.parts.viewport.controller.cancel()
         if not self._may_close_unasked and not self.parts.project.may_leave():
             event.ignore()
             return

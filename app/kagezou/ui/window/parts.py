@@ -164,7 +164,7 @@ def make_parts(
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
         keyboard=Keyboard(window, actions, settings, bar),
         search=CommandSearch(window, actions),
-        sheets=_sheets(viewport, bridge, lambda: not (player.is_playing or viewport.hand.is_busy)),
+        sheets=_sheets(viewport, bridge, lambda: not (player.is_playing or viewport.controller.is_busy)),
     )
 
 

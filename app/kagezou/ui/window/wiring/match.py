@@ -10,7 +10,7 @@ _TOPIC = "match-camera"
 
 def connect_match(parts: Parts) -> None:
     """Connect the switch that puts floor edges and horizon in the place of all other handles."""
-    actions, hand, bar = parts.actions, parts.viewport.hand, parts.bar
+    actions, hand, bar = parts.actions, parts.viewport.controller, parts.bar
 
     def switch(on: bool) -> None:
         hand.match_camera(on=on)

@@ -11,7 +11,7 @@ from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.system.words import named, translated
-from kagezou.ui.viewport.stage import Broken
+from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.about import about_dialog
 from kagezou.ui.window.panel_layout import PanelLayout
@@ -122,7 +122,7 @@ def connect_messages(parts: Parts) -> None:
     viewport.broken_changed.connect(show_broken, _QUEUED)
     parts.panels.layers.looks.refused.connect(lambda sentence: bar.say("look", sentence, Severity.NOTE))
     parts.panels.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
-    viewport.hand.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
+    viewport.controller.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(parts.status.show_device, _QUEUED)
     parts.open_project.noted.connect(lambda sentence: bar.say(sentence, translated(sentence), Severity.WARNING))
 
@@ -188,5 +188,7 @@ def _delete(parts: Parts) -> None:
         parts.panels.layers.remove_current()
     elif parts.time.timeline.lanes.hasFocus() and parts.time.timeline.drawings.are_chosen:
         parts.time.timeline.drawings.empty()
-    elif (parts.viewport.hasFocus() or not parts.time.keys.delete()) and not parts.viewport.hand.delete_selected():
+    elif (
+        parts.viewport.hasFocus() or not parts.time.keys.delete()
+    ) and not parts.viewport.controller.delete_selected():
         remove_touched(parts)

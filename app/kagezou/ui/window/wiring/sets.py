@@ -43,13 +43,13 @@ def connect_set(parts: Parts, verbs: WindowVerbs) -> None:
 def _draw(parts: Parts, stroke: CornerStroke) -> None:
     parts.time.player.stop()
     parts.actions["match_camera"].setChecked(False)
-    parts.viewport.hand.cancel()
-    parts.viewport.hand.hover(None)
+    parts.viewport.controller.cancel()
+    parts.viewport.controller.hover(None)
     parts.sets.corner_sheet.begin(stroke)
 
 
 def remove_touched(parts: Parts) -> None:
     """Take the set piece away of which something is selected in the picture."""
-    selected = parts.viewport.hand.handles.find(parts.viewport.hand.selected_id)
+    selected = parts.viewport.controller.handles.find(parts.viewport.controller.selected_id)
     if parts.viewport.hasFocus() and selected is not None and selected.piece_id is not None:
         parts.sets.commands.remove()

@@ -172,7 +172,7 @@ def _reveal(parts: Parts, name: str) -> None:
 
 
 def _play(parts: Parts) -> None:
-    if not parts.viewport.hand.is_busy and not parts.open_project.is_blank:
+    if not parts.viewport.controller.is_busy and not parts.open_project.is_blank:
         parts.time.player.toggle()
 
 
