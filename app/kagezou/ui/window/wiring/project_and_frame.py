@@ -124,7 +124,7 @@ def connect_messages(parts: Parts) -> None:
     parts.panels.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
     viewport.controller.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(parts.status.show_device, _QUEUED)
-    parts.open_project.noted.connect(lambda sentence: bar.say(sentence, translated(sentence), Severity.WARNING))
+    parts.open_project.noted.connect(lambda note: bar.say(str(note), translated(note), Severity.WARNING))
 
 
 def _connect_welcome(parts: Parts) -> None:
