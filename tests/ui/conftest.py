@@ -33,6 +33,22 @@ if os.name == "posix" and not (os.environ.get("DISPLAY") or os.environ.get("WAYL
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 
+WAIT_MS = 60_000
+"""How long something may take that is waited for: a busy machine is slow, which says nothing about the program."""
+
+
+class PatientBot(QtBot):
+    """Waits as long as a slow machine may need."""
+
+    def waitUntil(self, callback: Callable[[], bool | None], *, timeout: int = WAIT_MS) -> None:
+        super().waitUntil(callback, timeout=timeout)
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:  # noqa: ARG001 - widgets need the application
+    return PatientBot(request)
+
+
 @pytest.fixture(scope="session")
 def qapp() -> QApplication:
     """The application with the program's own surface format, palette and style."""

@@ -315,7 +315,7 @@ def test_the_window_exports_each_kind_beside_itself(
     assert dialog is not None
     assert dialog.choices.kind == kind
     dialog.go.click()
-    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=20000)
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     assert (tmp_path / "walk_export" / made).exists()
     assert "Exported" in walking.parts.bar.text
     assert json.loads(walking.parts.settings.word("export_plan", ""))["kind"] == kind
@@ -332,9 +332,9 @@ def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot:
     kept = tuple(each for each in layer.cels.exposures if each.drawing != 2)
     walking.parts.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
     walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
-    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=20000)
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     assert walking.parts.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
     middle.with_name("aside.png").rename(middle)
     walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
-    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=20000)
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     assert "Exported" in walking.parts.bar.text

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtGui import QImage
+from PySide6.QtTest import QSignalSpy
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
@@ -73,7 +74,9 @@ def test_no_pictures_are_drawn_behind_another_panel(
     asked: list[object] = []
     monkeypatch.setattr(walking.parts.panels.styles.pictures, "ask", asked.append)
     walking.parts.open_project.bridge.session.go_to(3)
-    qtbot.wait(700)
+    styles = walking.parts.panels.styles
+    rested = QSignalSpy(styles._rest.timeout)
+    qtbot.waitUntil(lambda: rested.count() > 0)
     assert asked == [], "the layers lie before the styles"
     walking.docks.layout.show("styles")
     qtbot.waitUntil(lambda: len(asked) == 1)

@@ -68,6 +68,21 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
     made.opened.set()
 
 
+def end_of_loading_threads() -> None:
+    """Wait until no load reads any more, and let the window look at what came of it."""
+    for thread in threading.enumerate():
+        if thread.name == "load":
+            thread.join(30)
+            assert not thread.is_alive()
+    QApplication.processEvents()
+
+
+def end_of_reading(gate: Gate) -> None:
+    """Let the reader through, and wait until all of it has been read."""
+    gate.opened.set()
+    end_of_loading_threads()
+
+
 class Heart:
     """Beats in the event loop."""
 
@@ -113,7 +128,7 @@ def test_events_are_handled_while_hundreds_of_slow_files_are_read(
         seen.append(heart.beats)
         return not window.parts.project.loading.is_running
 
-    qtbot.waitUntil(is_there, timeout=30_000)
+    qtbot.waitUntil(is_there)
     assert len(window.parts.open_project.bridge.document.layers[0].cels.drawings) == 306
     # Reading on the window's own thread would be one long silence.
     assert seen[-1] > 30
@@ -128,8 +143,7 @@ def test_a_load_given_up_leaves_everything_as_it_was(qtbot: QtBot, walking: Main
     walking.parts.project.loading.cancel_button.click()
 
     assert not walking.parts.project.loading.isVisible()
-    gate.opened.set()
-    qtbot.wait(100)
+    end_of_reading(gate)
     assert walking.parts.open_project.bridge.document is document
     assert session.steps_made == steps
     assert walking.parts.bar.text == ""
@@ -171,7 +185,7 @@ def test_another_project_takes_the_place_of_what_still_loads(
     gate.opened.set()
 
     qtbot.waitUntil(lambda: not window.parts.project.loading.is_running)
-    qtbot.wait(100)
+    end_of_reading(gate)
     assert window.parts.open_project.path == project
     assert window.parts.open_project.is_blank
 
@@ -193,8 +207,9 @@ def test_nothing_is_put_into_the_middle_of_a_drag(qtbot: QtBot, walking: MainWin
     walking.parts.project.bring([cels])
     bridge = walking.parts.open_project.bridge
     drag = bridge.session.begin("Drag")
-    gate.opened.set()
-    qtbot.wait(200)
+    end_of_reading(gate)
+    # Looked at once more, it still may not be put.
+    walking.parts.project.loading._look()
     assert len(bridge.document.layers) == 1
 
     drag.cancel()
@@ -317,7 +332,7 @@ def test_the_work_area_is_read_into_memory_and_that_can_be_stopped(
     qtbot.waitUntil(reached.is_set)
     walking.parts.project.loading.cancel_button.click()
     go_on.set()
-    qtbot.wait(50)
+    end_of_loading_threads()
     assert not set(played_drawings(bridge.document)) <= open_project.cels.kept_sources()
 
     walking.parts.actions["read_ahead"].trigger()

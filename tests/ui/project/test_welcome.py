@@ -53,7 +53,7 @@ class TestRecent:
         assert [card.path for card in window.parts.welcome.cards] == [project]
         card = window.parts.welcome.cards[0]
         assert str(project) in card.toolTip()
-        qtbot.waitUntil(lambda: not card.picture.is_empty, timeout=60000)
+        qtbot.waitUntil(lambda: not card.picture.is_empty)
         QTest.mouseClick(card, Qt.MouseButton.LeftButton)
         qtbot.waitUntil(lambda: window.parts.open_project.path == project)
 
@@ -67,7 +67,7 @@ class TestRecent:
         made: list[QImage] = []
         pictures.made.connect(lambda _path, image: made.append(image))
         pictures.ask([project, tmp_path / "gone.kage"])
-        qtbot.waitUntil(lambda: not pictures.is_busy, timeout=60000)
+        qtbot.waitUntil(lambda: not pictures.is_busy)
         assert [image.size() for image in made] == [SIZE]
         middle = made[0].copy(SIZE.width() // 2 - 40, 20, 80, 100)
         assert len({middle.pixel(x, y) for x in range(0, 80, 4) for y in range(0, 100, 4)}) > 3, "the figure is seen"
@@ -87,7 +87,7 @@ class TestRecent:
         made: list[QImage] = []
         pictures.made.connect(lambda _path, image: made.append(image))
         pictures.ask([tmp_path / "broken.kage"])
-        qtbot.waitUntil(lambda: not pictures.is_busy, timeout=60000)
+        qtbot.waitUntil(lambda: not pictures.is_busy)
         assert made == []
 
 

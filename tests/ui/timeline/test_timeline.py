@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QInputDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QInputDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.animation.timecode import Count, counted
@@ -77,11 +77,20 @@ class Paints(QObject):
             self.counts[watched] += 1
         return False
 
+    def settle(self) -> None:
+        """Let all that is to be painted be painted, and count from there."""
+        before: dict[QWidget, int] | None = None
+        while before != self.counts:
+            before = dict(self.counts)
+            QApplication.sendPostedEvents()
+            QApplication.processEvents()
+        self.counts = dict.fromkeys(self.counts, 0)
+
 
 def test_a_drag_of_a_keyed_value_paints_the_names_alone(qtbot: QtBot, timeline: Timeline, keyed: OpenProject) -> None:
     ruler, lanes, names = timeline.ruler, timeline.lanes, timeline.names
-    QTest.qWait(50)
     paints = Paints(ruler, lanes, names)
+    paints.settle()
     document = edits.set_key(keyed.bridge.document, LIGHT, 10, (12.0, 0.0, 900.0))
     keyed.bridge.session.edit("Move the lamp", document)
     qtbot.waitUntil(lambda: paints.counts[names] > 0)

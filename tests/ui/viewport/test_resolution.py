@@ -1,5 +1,7 @@
 """The preview's resolution: as chosen, or lower only while something is dragged and frames would be late."""
 
+from itertools import count
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -56,15 +58,17 @@ def test_a_drag_that_is_late_is_drawn_coarser_and_refined_at_rest(qtbot: QtBot, 
 
     start = place_of(viewport, "light.lamp")
     qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=start)
-    # The smaller drawings are made beside the first steps.
-    for step in range(1, 400):
+    steps = count(1)
+
+    def is_coarser_after_a_step() -> bool:
         # Late it stays, however quick this machine is meanwhile.
         viewport.pace.took(1, 9 * resolution.DUE_S)
-        move(viewport, start + QPoint(step % 40, 5), Qt.MouseButton.LeftButton)
+        move(viewport, start + QPoint(next(steps) % 40, 5), Qt.MouseButton.LeftButton)
         viewport.grab()
-        if divisor_of(viewport) > 1:
-            break
-        qtbot.wait(5)
+        return divisor_of(viewport) > 1
+
+    # The smaller drawings are made beside the first steps.
+    qtbot.waitUntil(is_coarser_after_a_step)
     assert divisor_of(viewport) in (2, 4)
     qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=start)
 

@@ -155,7 +155,7 @@ class TestOnionSkin:
         before = picture(walking.parts.viewport)
         walking.parts.actions["onion_skin"].trigger()
         assert onion_skin.images == []
-        qtbot.waitUntil(lambda: len(onion_skin.images) == 2, timeout=15000)
+        qtbot.waitUntil(lambda: len(onion_skin.images) == 2)
         assert onion_skin.isVisible()
         assert (picture(walking.parts.viewport) == before).all(), "the frame itself is what it was"
         drawn = onion_skin.grab().toImage()
@@ -167,23 +167,31 @@ class TestOnionSkin:
         assert onion_skin.images == []
         assert not onion_skin.isVisible()
         walking.parts.actions["onion_skin"].trigger()
-        qtbot.wait(300)
+        # Nothing is drawn but when the hand has rested, and that is not waited for any more.
+        assert not onion_skin._rest.isActive()
+        onion_skin._go_on()
         assert onion_skin.images == []
 
     def test_nothing_is_drawn_while_the_cut_plays(self, qtbot: QtBot, walking: MainWindow) -> None:
         walking.parts.actions["onion_skin"].trigger()
+        onion_skin = walking.parts.sheets.onion_skin
         walking.parts.time.player.toggle()
-        qtbot.wait(500)
-        assert walking.parts.sheets.onion_skin.images == []
+        shown: list[int] = []
+        walking.parts.bridge.frame_changed.connect(shown.append)
+        qtbot.waitUntil(lambda: len(shown) > 3)
+        # Each frame takes the neighbours of the one before away; asked for meanwhile, they wait for rest again.
+        onion_skin._go_on()
+        assert onion_skin.images == []
+        assert onion_skin._rest.isActive()
         walking.parts.time.player.stop()
-        qtbot.waitUntil(lambda: bool(walking.parts.sheets.onion_skin.images), timeout=15000)
+        qtbot.waitUntil(lambda: bool(walking.parts.sheets.onion_skin.images))
 
     def test_how_many_is_chosen_and_remembered(self, qtbot: QtBot, walking: MainWindow) -> None:
         walking.parts.open_project.bridge.session.go_to(3)
         walking.parts.menus.onion.actions()[1].trigger()
         assert walking.parts.actions["onion_skin"].isChecked()
         assert walking.parts.settings.word("onion_drawings", "") == "2"
-        qtbot.waitUntil(lambda: len(walking.parts.sheets.onion_skin.images) == 4, timeout=15000)
+        qtbot.waitUntil(lambda: len(walking.parts.sheets.onion_skin.images) == 4)
 
 
 class TestTyping:

@@ -214,7 +214,7 @@ def start_export(window: MainWindow, folder: Path) -> None:
 def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tmp_path: Path) -> None:
     start_export(walking, tmp_path / "out")
     assert walking.parts.exporting.is_running
-    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=30000)
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     files = sorted((tmp_path / "out" / "walker_shadow").glob("*.png"))
     assert [file.name for file in files] == [f"walker_shadow_{frame:04d}.png" for frame in range(1, 7)]
     assert "Exported 6 files" in walking.parts.bar.text
@@ -223,7 +223,7 @@ def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tm
 def test_an_export_that_cannot_be_made_is_said(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:
     (cels / "walk_0002.png").unlink()
     start_export(walking, tmp_path / "out")
-    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running, timeout=30000)
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     assert "walk_0002.png" in walking.parts.bar.text
 
 
