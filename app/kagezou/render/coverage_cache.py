@@ -48,7 +48,7 @@ class Coverage:
             self.distances.close()
 
 
-class ShadowLayers:
+class CoverageCache:
     """Casts a layer's shadow unless the last one of the same cast is still there."""
 
     def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, matte_budget_bytes: int) -> None:

@@ -9,7 +9,7 @@ from kagezou.io.images.reading import Steps
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
-from kagezou.render.coverage_cache import Coverage, ShadowLayers
+from kagezou.render.coverage_cache import Coverage, CoverageCache
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.info import read_info
@@ -56,7 +56,7 @@ class Renderer:
         self._cels = cels
         self._divisor = divisor
         self._boxes = Boxes()
-        self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
+        self._shadows = CoverageCache(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
         self._images = ShadowImages(self._boxes)
         self._presenter = Presenter(self._boxes)
         self._picture: PicturePass | None = None
