@@ -14,6 +14,8 @@ from kagezou.geometry.ground import canvas_from_plane
 from kagezou.render.prepare.filter_charts import Receivers, charted
 from kagezou.render.prepare.filter_job import FilterJob, blur_of, extent_of, stretched
 from kagezou.render.prepare.occupancy import Occupancy
+from kagezou.render.prepare.set_as_seen import SetAsSeen
+from kagezou.render.prepare.set_receivers import receivers_of
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import Scene, ShadowCast
 from tests.render.reference.figures import standing, with_values
@@ -62,3 +64,12 @@ def job_of(cast: ShadowCast, stretch: np.ndarray | None = None, receivers: Recei
     assert extent is not None
     flat = FilterJob(cast, FIGURE, plane, blurred, extent, blur_of(cast, float(blurred[1, 1])))
     return charted(flat, Receivers({}) if receivers is None else receivers)
+
+
+def scene_with_a_corner(values: Mapping[str, object]) -> tuple[Scene, FilterJob]:
+    """A box on its corner, of which three faces that meet are reached: they do not unfold without a cut."""
+    box = {"kind": "box", "position": [520, 850], "width": 120, "height": 160, "depth": 120, "angle": -35}
+    scene = scene_with(values, {"box": box})
+    cast = cast_of(scene)
+    stage = SetAsSeen.of(scene.camera, CANVAS, scene.ground, scene.pieces)
+    return scene, job_of(cast, receivers=receivers_of(stage, cast.lights[0]))
