@@ -144,7 +144,7 @@ def failing(error: BaseException) -> str:
 import sys
 from kagezou import __main__
 from kagezou.cli.verbs import info
-def fail(options, doors):
+def fail(options, entry_points):
     raise {error!r}
 info.run = fail
 sys.exit(__main__.main(["info", "p.kage"]))

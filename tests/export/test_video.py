@@ -97,6 +97,12 @@ def test_a_shadow_has_its_alpha_and_its_colour_everywhere(meadow: Document, tmp_
     assert abs(int(alpha.max()) - 128) <= 1
 
 
+def test_the_shadow_of_a_layer_that_receives_others_has_each_frame_once(meadow: Document, tmp_path: Path) -> None:
+    receiving = with_values(meadow, layers__A__receives=True)
+    jobs = video_jobs(receiving, VideoRequest(tmp_path / "a.mov", layer="A"))
+    assert [target.frame for job in jobs for target in job.targets] == [1, 2, 3, 4, 5, 6]
+
+
 def test_what_has_no_alpha_lies_on_white(meadow: Document, tmp_path: Path) -> None:
     frames, _ = decoded(filmed(meadow, tmp_path / "a.mp4", layer="A", frames=(1,)).path)
     assert frames[0][0, 0].tolist() == [255, 255, 255, 255]

@@ -47,14 +47,14 @@ def test_what_lies_among_cels_and_is_none_is_told(tmp_path: Path) -> None:
             Folder("B", cels("1")),
         ],
     )
-    staged = new_document([CharacterSource(None, file)])
-    assert [(layer.name, len(layer.cels.drawings)) for layer in staged.document.layers] == [("A", 2), ("B", 1)]
-    assert tuple(map(str, staged.notes)) == (f"{file}: left out, as they have no number: memo",)
+    imported = new_document([CharacterSource(None, file)])
+    assert [(layer.name, len(layer.cels.drawings)) for layer in imported.document.layers] == [("A", 2), ("B", 1)]
+    assert tuple(map(str, imported.notes)) == (f"{file}: left out, as they have no number: memo",)
 
 
 def test_a_cut_comes_with_characters_background_and_length(cut: Path) -> None:
-    staged = new_document([CharacterSource(None, cut)])
-    document = staged.document
+    imported = new_document([CharacterSource(None, cut)])
+    document = imported.document
     assert (document.canvas.width_px, document.canvas.height_px, document.canvas.length_frames) == (*SIZE, 3)
     assert document.background == PicturePart(cut, "BG")
     a, b = document.layers
@@ -62,20 +62,20 @@ def test_a_cut_comes_with_characters_background_and_length(cut: Path) -> None:
     assert a.cels.drawings == tuple(Drawing(name, cut, f"A/{name}") for name in "123")
     assert a.cels.exposures == (Exposure(1, 0), Exposure(2, 1), Exposure(3, 2))
     assert [drawing.part for drawing in b.cels.drawings] == ["B/1", "B/2"]
-    assert tuple(map(str, staged.notes)) == (f"{cut}: left out, as they are hidden: rough",)
+    assert tuple(map(str, imported.notes)) == (f"{cut}: left out, as they are hidden: rough",)
 
 
 def test_a_name_is_that_of_the_one_character_and_the_head_of_several(tmp_path: Path, cut: Path) -> None:
     one = write_psd(tmp_path / "hero.psd", [Folder("A", cels("1", "2"))])
-    staged = new_document([CharacterSource("Hero", one), CharacterSource("Duo", cut)])
-    assert [layer.name for layer in staged.document.layers] == ["Hero", "Duo A", "Duo B"]
+    imported = new_document([CharacterSource("Hero", one), CharacterSource("Duo", cut)])
+    assert [layer.name for layer in imported.document.layers] == ["Hero", "Duo A", "Duo B"]
 
 
 def test_a_second_background_is_left_out_and_told(tmp_path: Path, cut: Path) -> None:
     Image.new("RGB", SIZE).save(tmp_path / "sky.png")
-    staged = new_document([CharacterSource(None, cut)], background=tmp_path / "sky.png")
-    assert staged.document.background == tmp_path / "sky.png"
-    assert f"{cut}: the layer 'BG' was left out, as there is a background already" in map(str, staged.notes)
+    imported = new_document([CharacterSource(None, cut)], background=tmp_path / "sky.png")
+    assert imported.document.background == tmp_path / "sky.png"
+    assert f"{cut}: the layer 'BG' was left out, as there is a background already" in map(str, imported.notes)
     again = with_characters(new_document([CharacterSource(None, cut)]).document, [CharacterSource(None, cut)])
     assert again.document.background == PicturePart(cut, "BG")
     assert [layer.name for layer in again.document.layers] == ["A", "B", "A 2", "B 2"]
@@ -136,8 +136,8 @@ def test_a_timesheet_beside_it_finds_the_groups(cut: Path) -> None:
     write_xdts(cut.with_suffix(".xdts"), sheet)
     source = CharacterSource(None, cut)
     beside = timed_from_beside(new_document([source]), [source])
-    for staged in (document_of_sheet(cut.with_suffix(".xdts")), beside):
-        document = staged.document
+    for imported in (document_of_sheet(cut.with_suffix(".xdts")), beside):
+        document = imported.document
         assert document.canvas.length_frames == 30
         assert document.layers[0].cels.exposures == (Exposure(1, 0), Exposure(10, 2))
         assert document.layers[1].cels.exposures == (Exposure(1, None), Exposure(5, 1))
@@ -147,9 +147,9 @@ def test_a_timesheet_beside_it_finds_the_groups(cut: Path) -> None:
 def test_a_broken_timesheet_beside_it_is_a_note(cut: Path) -> None:
     cut.with_suffix(".xdts").write_text("nonsense")
     source = CharacterSource(None, cut)
-    staged = timed_from_beside(new_document([source]), [source])
-    assert len(staged.document.layers) == 2
-    assert any("c012.xdts" in note for note in map(str, staged.notes))
+    imported = timed_from_beside(new_document([source]), [source])
+    assert len(imported.document.layers) == 2
+    assert any("c012.xdts" in note for note in map(str, imported.notes))
 
 
 def test_a_project_keeps_the_parts_and_older_ones_load(cut: Path, tmp_path: Path) -> None:

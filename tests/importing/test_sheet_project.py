@@ -44,8 +44,8 @@ def sheet(tmp_path: Path) -> Path:
 
 
 def test_columns_find_folders_in_any_case_and_files_of_their_name(sheet: Path) -> None:
-    staged = document_of_sheet(sheet)
-    document = staged.document
+    imported = document_of_sheet(sheet)
+    document = imported.document
     assert [layer.name for layer in document.layers] == ["A", "B"]
     assert document.canvas.length_frames == 36
     assert document.layers[0].cels.exposures == (
@@ -56,7 +56,7 @@ def test_columns_find_folders_in_any_case_and_files_of_their_name(sheet: Path) -
     )
     assert document.layers[1].cels.drawing_at(5) is not None
     assert document.layers[1].cels.drawing_at(4) is None
-    assert any("column 'C'" in note for note in map(str, staged.notes))
+    assert any("column 'C'" in note for note in map(str, imported.notes))
 
 
 def test_without_any_drawings_it_says_what_was_looked_for(tmp_path: Path) -> None:
@@ -118,16 +118,16 @@ def opened(folder: Path, *tracks: SheetTrack) -> Imported:
 def test_inserted_drawings_and_retakes_beside_the_sheet_are_found(tmp_path: Path) -> None:
     for name in ("A_0001", "A_0001a", "A_0002R", "AB_0001"):
         drawing(tmp_path / f"{name}.png")
-    staged = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "1a"), (8, "2r"))))
-    assert tuple(map(str, staged.notes)) == ()
-    assert cels_of(staged.document) == [("A", [(1, "A_0001.png"), (5, "A_0001a.png"), (9, "A_0002R.png")])]
+    imported = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "1a"), (8, "2r"))))
+    assert tuple(map(str, imported.notes)) == ()
+    assert cels_of(imported.document) == [("A", [(1, "A_0001.png"), (5, "A_0001a.png"), (9, "A_0002R.png")])]
 
 
 def test_a_folder_whose_files_are_called_in_two_ways_is_one_column(tmp_path: Path) -> None:
     for name in ("A_0001", "a0002", "A-0003", "A_line_0001"):
         drawing(tmp_path / "A" / f"{name}.png")
-    staged = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "2"), (8, "3"))))
-    assert cels_of(staged.document)[0][1] == [(1, "A_0001.png"), (5, "a0002.png"), (9, "A-0003.png")]
+    imported = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "2"), (8, "3"))))
+    assert cels_of(imported.document)[0][1] == [(1, "A_0001.png"), (5, "a0002.png"), (9, "A-0003.png")]
     drawing(tmp_path / "A" / "A0001.png")
     names = [name for name, _ in cels_of(opened(tmp_path, SheetTrack("A", ((0, "1"),))).document)]
     assert len(names) == 3, "two files of one number are two sequences, as ever"
@@ -136,11 +136,13 @@ def test_a_folder_whose_files_are_called_in_two_ways_is_one_column(tmp_path: Pat
 def test_columns_of_one_name_share_their_drawings(tmp_path: Path) -> None:
     for number in (1, 2):
         drawing(tmp_path / "A" / f"{number}.png")
-    staged = opened(tmp_path, SheetTrack("A", ((0, "1"),)), SheetTrack("A", ((0, None), (6, "2"))), SheetTrack("A", ()))
-    assert tuple(map(str, staged.notes)) == ()
-    assert cels_of(staged.document) == [("A", [(1, "1.png")]), ("A 2", [(1, None), (7, "2.png")])]
-    again, notes = timed(staged.document, sheet_of(staged.document, ""))
-    assert (again, notes) == (staged.document, [])
+    imported = opened(
+        tmp_path, SheetTrack("A", ((0, "1"),)), SheetTrack("A", ((0, None), (6, "2"))), SheetTrack("A", ())
+    )
+    assert tuple(map(str, imported.notes)) == ()
+    assert cels_of(imported.document) == [("A", [(1, "1.png")]), ("A 2", [(1, None), (7, "2.png")])]
+    again, notes = timed(imported.document, sheet_of(imported.document, ""))
+    assert (again, notes) == (imported.document, [])
 
 
 def test_odd_names_and_full_width_figures_are_understood(tmp_path: Path) -> None:
@@ -149,6 +151,6 @@ def test_odd_names_and_full_width_figures_are_understood(tmp_path: Path) -> None
     drawing(tmp_path / name / "2.png")
     drawing(tmp_path / "_Cell" / "B" / "b001.png")
     odd = SheetTrack(name, ((0, "１"), (3, "Ａ２")))
-    staged = opened(tmp_path, odd, SheetTrack("../../B", ((0, "1"),)), SheetTrack("B", ((0, "1"),)))
-    assert cels_of(staged.document) == [("A\"'_🎈", [(1, "1.png"), (4, "2.png")]), ("B", [(1, "b001.png")])]
-    assert any("'../../B'" in note for note in map(str, staged.notes))
+    imported = opened(tmp_path, odd, SheetTrack("../../B", ((0, "1"),)), SheetTrack("B", ((0, "1"),)))
+    assert cels_of(imported.document) == [("A\"'_🎈", [(1, "1.png"), (4, "2.png")]), ("B", [(1, "b001.png")])]
+    assert any("'../../B'" in note for note in map(str, imported.notes))

@@ -114,9 +114,9 @@ def test_a_sheet_on_a_new_document(tmp_path: Path) -> None:
     sheet = tmp_path / "c.xdts"
     text = json.dumps({"timeTables": [table]})
     sheet.write_text(f"exchangeDigitalTimeSheet Save Data\n{text}", encoding="utf-8")
-    staged = with_timesheet(document, sheet)
-    assert staged.document.layers[0].cels.exposures == (Exposure(3, 2),)
-    assert (staged.notes, staged.layer_ids) == ((), ("layer-1",))
-    assert staged.document.canvas.length_frames == 12
+    imported = with_timesheet(document, sheet)
+    assert imported.document.layers[0].cels.exposures == (Exposure(3, 2),)
+    assert (imported.notes, imported.layer_ids) == ((), ("layer-1",))
+    assert imported.document.canvas.length_frames == 12
     with pytest.raises(InputProblem, match=r"none\.xdts: it does not exist"):
         with_timesheet(document, tmp_path / "none.xdts")

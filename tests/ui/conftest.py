@@ -4,7 +4,6 @@ import os
 from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -16,8 +15,6 @@ from pytestqt.qtbot import QtBot
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.images.writing import write_rgba
 from kagezou.ui.application import make_application
-from kagezou.ui.curves import key_table
-from kagezou.ui.panels import look_clipboard, row_menu
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.thumbnails import Thumbnails
@@ -25,17 +22,31 @@ from kagezou.ui.project import loading
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
-from kagezou.ui.time import key_commands
-from kagezou.ui.timeline import drawing_commands
 from kagezou.ui.viewport import reading, resolution
 from kagezou.ui.window.main_window import MainWindow
-from tests.ui.viewing import Clipboard
+from tests.ui.viewing import OwnClipboard
 
 FRAMES = 6
 
 if os.name == "posix" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
     # Without a screen Qt would end the whole test run; the tests that need OpenGL say so themselves.
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+
+WAIT_MS = 60_000
+"""How long something may take that is waited for: a busy machine is slow, which says nothing about the program."""
+
+
+class PatientBot(QtBot):
+    """Waits as long as a slow machine may need."""
+
+    def waitUntil(self, callback: Callable[[], bool | None], *, timeout: int = WAIT_MS) -> None:
+        super().waitUntil(callback, timeout=timeout)
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:  # noqa: ARG001 - widgets need the application
+    return PatientBot(request)
 
 
 @pytest.fixture(scope="session")
@@ -93,12 +104,9 @@ def present(qtbot: QtBot) -> Iterator[Callable[[], None]]:
 
 
 @pytest.fixture
-def clipboard(monkeypatch: pytest.MonkeyPatch) -> Clipboard:
+def clipboard() -> OwnClipboard:
     """The clipboard of the test alone."""
-    own = Clipboard()
-    for user in (drawing_commands, key_commands, key_table, look_clipboard, row_menu):
-        monkeypatch.setattr(user, "QGuiApplication", SimpleNamespace(clipboard=lambda: own))
-    return own
+    return OwnClipboard()
 
 
 @pytest.fixture
@@ -131,11 +139,13 @@ def filled(open_project: OpenProject, cels: Path) -> OpenProject:
 
 
 @pytest.fixture
-def window(qtbot: QtBot, open_project: OpenProject, settings: Settings) -> Iterator[MainWindow]:
+def window(
+    qtbot: QtBot, open_project: OpenProject, settings: Settings, clipboard: OwnClipboard
+) -> Iterator[MainWindow]:
     """The whole window on a screen that can show OpenGL."""
     if QGuiApplication.platformName() == "offscreen":
         pytest.skip("no display that can show OpenGL; run under Xvfb")
-    made = MainWindow(open_project, settings)
+    made = MainWindow(open_project, settings, clipboard)
     made.resize(1100, 760)
     made.show()
     qtbot.waitExposed(made)
@@ -148,9 +158,13 @@ def window(qtbot: QtBot, open_project: OpenProject, settings: Settings) -> Itera
 @pytest.fixture
 def walking(qtbot: QtBot, window: MainWindow, cels: Path) -> MainWindow:
     """The window with one character, its first picture on screen."""
-    window.project.bring([cels])
-    window.open_project.bridge.session.mark_saved()
-    qtbot.waitUntil(lambda: window.viewport.stage is not None and window.viewport.stage.pictures_drawn > 0)
+    window.parts.project.bring([cels])
+    window.parts.open_project.bridge.session.mark_saved()
+    qtbot.waitUntil(
+        lambda: (
+            window.parts.viewport.frame_painter is not None and window.parts.viewport.frame_painter.pictures_drawn > 0
+        )
+    )
     return window
 
 
@@ -180,9 +194,9 @@ def active(qtbot: QtBot, walking: MainWindow, present: Callable[[], None]) -> Ma
 
 
 @pytest.fixture
-def inspector(qtbot: QtBot, filled: OpenProject) -> Inspector:
+def inspector(qtbot: QtBot, filled: OpenProject, clipboard: OwnClipboard) -> Inspector:
     """The panel of properties, shown."""
-    made = Inspector(filled.bridge)
+    made = Inspector(filled.bridge, clipboard)
     qtbot.addWidget(made)
     made.resize(360, 900)
     made.show()
@@ -190,11 +204,11 @@ def inspector(qtbot: QtBot, filled: OpenProject) -> Inspector:
 
 
 @pytest.fixture
-def layers(qtbot: QtBot, filled: OpenProject) -> LayerList:
+def layers(qtbot: QtBot, filled: OpenProject, clipboard: OwnClipboard) -> LayerList:
     """The list of layers, shown."""
     thumbnails = Thumbnails()
-    made = LayerList(filled.bridge, thumbnails)
-    made.destroyed.connect(thumbnails.wait)
+    made = LayerList(filled.bridge, clipboard, thumbnails)
+    made.destroyed.connect(thumbnails.finish)
     qtbot.addWidget(made)
     made.resize(300, 400)
     made.show()

@@ -9,7 +9,7 @@ from kagezou.animation.timecode import parse_frame, sheet_text
 from kagezou.document.keyed_frames import next_key, previous_key
 from kagezou.document.typed_number import evaluate
 from kagezou.errors import UsageProblem
-from kagezou.ui.project.dropped_files import arrivals_of, whole_sequence
+from kagezou.ui.project.dropped_files import dropped_files_of, whole_sequence
 
 
 @pytest.mark.parametrize(
@@ -77,12 +77,12 @@ def test_dropped_files_are_sorted_out(tmp_path: Path) -> None:
     folder = tmp_path / "A"
     folder.mkdir()
     numbered = [tmp_path / f"walk_{n:03d}.png" for n in (1, 2, 3)]
-    assert arrivals_of([folder]).characters[0].path == folder
-    assert [source.path for source in arrivals_of(numbered).characters] == [tmp_path / "walk_#.png"]
-    assert [source.path for source in arrivals_of(numbered[:1]).characters] == numbered[:1]
-    assert arrivals_of([tmp_path / "cut.kage", folder]).project == tmp_path / "cut.kage"
-    assert arrivals_of([tmp_path / "room.jpg"]).background == tmp_path / "room.jpg"
-    assert arrivals_of([tmp_path / "notes.txt"]).is_empty
+    assert dropped_files_of([folder]).characters[0].path == folder
+    assert [source.path for source in dropped_files_of(numbered).characters] == [tmp_path / "walk_#.png"]
+    assert [source.path for source in dropped_files_of(numbered[:1]).characters] == numbered[:1]
+    assert dropped_files_of([tmp_path / "cut.kage", folder]).project == tmp_path / "cut.kage"
+    assert dropped_files_of([tmp_path / "room.jpg"]).background == tmp_path / "room.jpg"
+    assert dropped_files_of([tmp_path / "notes.txt"]).is_empty
 
 
 def test_a_numbered_picture_stands_for_its_sequence() -> None:

@@ -14,7 +14,7 @@ from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.window.main_window import MainWindow
 
 
-class Clipboard:
+class OwnClipboard:
     """Text that is copied and pasted; the screen's own clipboard belongs to every program that runs there."""
 
     def __init__(self) -> None:
@@ -23,7 +23,7 @@ class Clipboard:
     def text(self) -> str:
         return self._text
 
-    def setText(self, text: str) -> None:
+    def put(self, text: str) -> None:
         self._text = text
 
 
@@ -46,7 +46,7 @@ def move(
 
 
 def place_of(viewport: Viewport, handle_id: str) -> QPoint:
-    handle = viewport.hand.handles.find(handle_id)
+    handle = viewport.controller.handles.find(handle_id)
     assert handle is not None, f"no handle {handle_id}"
     (x, y), _ = place_in_view(handle, viewport.viewpoint.view, viewport.viewpoint.size)
     return QPoint(round(x), round(y))
@@ -56,10 +56,10 @@ def picture(viewport: Viewport) -> NDArray[np.uint8]:
     """The picture the renderer drew last, after everything that waits to be painted."""
     QApplication.processEvents()
     viewport.grab()
-    stage = viewport.stage
-    assert stage is not None
+    frame_painter = viewport.frame_painter
+    assert frame_painter is not None
     viewport.makeCurrent()
-    pixels = np.asarray(stage.read_picture(), np.uint8)
+    pixels = np.asarray(frame_painter.read_picture(), np.uint8)
     viewport.doneCurrent()
     return pixels
 
@@ -68,8 +68,8 @@ def drag(qtbot: QtBot, viewport: Viewport, handle_id: str, way: QPoint, *, let_g
     start = place_of(viewport, handle_id)
     move(viewport, start)
     qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=start)
-    assert viewport.hand.held is not None, f"{handle_id} cannot be taken hold of"
-    assert viewport.hand.held.id == handle_id
+    assert viewport.controller.held is not None, f"{handle_id} cannot be taken hold of"
+    assert viewport.controller.held.id == handle_id
     for part in (1, 2, 3):
         move(viewport, start + QPoint(way.x() * part // 3, way.y() * part // 3), Qt.MouseButton.LeftButton)
     if let_go:
@@ -78,7 +78,7 @@ def drag(qtbot: QtBot, viewport: Viewport, handle_id: str, way: QPoint, *, let_g
 
 def shadow_is_on_canvas(window: MainWindow) -> bool:
     """Whether something darker than the paper is seen, and none of it touches the canvas' edge but the ground."""
-    grey = picture(window.viewport)[..., :3].min(axis=2)
+    grey = picture(window.parts.viewport)[..., :3].min(axis=2)
     dark = grey < 200
     edges = np.concatenate([dark[0], dark[:, 0], dark[:, -1], dark[-1]])
     return bool(dark.any() and not edges.any())

@@ -66,14 +66,14 @@ class _Verb(Protocol):
 
     def add_arguments(self, parser: Parser) -> None: ...
 
-    def run(self, options: Namespace, doors: EntryPoints) -> int: ...
+    def run(self, options: Namespace, entry_points: EntryPoints) -> int: ...
 
 
-def run(arguments: Sequence[str], doors: EntryPoints) -> int:
+def run(arguments: Sequence[str], entry_points: EntryPoints) -> int:
     """Do what a command line says and return the exit code; whatever goes wrong is one line on stderr."""
     try:
         with stopping_at_once():
-            code = _dispatched(arguments, doors)
+            code = _dispatched(arguments, entry_points)
             sys.stdout.flush()
     except Problem as problem:
         tell(str(problem))
@@ -92,7 +92,7 @@ def run(arguments: Sequence[str], doors: EntryPoints) -> int:
     return code
 
 
-def _dispatched(arguments: Sequence[str], doors: EntryPoints) -> int:
+def _dispatched(arguments: Sequence[str], entry_points: EntryPoints) -> int:
     verb, *rest = arguments or ["--help"]
     if verb in ("-h", "--help", "help"):
         give(_HELP.format(verbs="\n".join(f"  {name:<9} {words}" for name, words in VERBS.items())).rstrip())
@@ -114,7 +114,7 @@ def _dispatched(arguments: Sequence[str], doors: EntryPoints) -> int:
         options = parser.options_of(rest)
     except SystemExit as done:  # --help has printed itself
         return int(done.code or 0)
-    return module.run(options, doors)
+    return module.run(options, entry_points)
 
 
 def _broken_pipe() -> int:

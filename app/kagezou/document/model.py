@@ -191,6 +191,11 @@ class Document:
     linked: frozenset[str] = frozenset()
 
     @property
+    def is_blank(self) -> bool:
+        """Whether there is nothing to see."""
+        return not self.layers and not self.pieces and self.background is None
+
+    @property
     def played(self) -> tuple[int, int]:
         """First and last frame that are played: the work area as far as it lies within the cut, else the whole cut."""
         length = self.canvas.length_frames

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.errors import DiskFullProblem, InputProblem
-from kagezou.export.jobs import CompositeContent, FrameJob, Plan
+from kagezou.export.planning import FrameJob, Plan
 from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
@@ -19,13 +19,13 @@ LISTED: Final = 50
 """So many missing files are named in full; of more, the number is."""
 
 _EMPTY_PART: Final = 500
-_PAINTED_PART: Final = 50
+_FILLED_PART: Final = 50
 """No encoder makes a picture smaller than this part of its pixels: a shadow, a composite."""
 
 
 def missing_files(jobs: Iterable[FrameJob]) -> tuple[Path, ...]:
     """Return the drawings, backgrounds and sets that are needed and are not there, each once, in order of need."""
-    needed = dict.fromkeys(path for job in jobs for path in job.sources)
+    needed = dict.fromkeys(path for job in jobs for path in job.content.sources.files)
     return tuple(path for path in needed if not _is_file(path))
 
 
@@ -37,7 +37,9 @@ def missing_parts(jobs: Iterable[FrameJob]) -> tuple[PicturePart, ...]:
     InputProblem
         A file cannot be read at all.
     """
-    needed = dict.fromkeys(each for job in jobs for each in job.pictures if isinstance(each, PicturePart))
+    needed = dict.fromkeys(
+        each for job in jobs for each in job.content.sources.pictures if isinstance(each, PicturePart)
+    )
     return tuple(part for part in needed if not has_part(part))
 
 
@@ -88,8 +90,8 @@ def prepare_folders(request: ExportRequest, plan: Plan) -> None:
 
 
 def _least_bytes(job: FrameJob, request: ExportRequest) -> int:
-    canvas = job.scene.canvas
-    part = _PAINTED_PART if isinstance(job.content, CompositeContent) else _EMPTY_PART
+    canvas = job.content.scene.canvas
+    part = _FILLED_PART if job.content.is_filled else _EMPTY_PART
     return len(job.targets) * canvas.width * canvas.height * 4 * request.depth // 8 // part
 
 

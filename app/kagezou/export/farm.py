@@ -12,7 +12,7 @@ from typing import Any, Final
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.export.jobs import planned
+from kagezou.export.planning import planned
 from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
@@ -123,8 +123,11 @@ def _words(request: FarmRequest) -> list[str]:
 
 
 def _definitions(document: Document, request: FarmRequest) -> list[Json]:
-    length, export = document.canvas.length_frames, request.export
-    depths = sorted({depth for each in DEPTHS.values() for depth in each})
+    """Return what may be given to a job: places first, then how its frames are made."""
+    return [*_places(), *_settings(document, request)]
+
+
+def _places() -> list[Json]:
     return [
         {
             "name": "ProjectFile",
@@ -140,6 +143,13 @@ def _definitions(document: Document, request: FarmRequest) -> list[Json]:
             "dataFlow": "OUT",
             "description": "Where the shadow layers go.",
         },
+    ]
+
+
+def _settings(document: Document, request: FarmRequest) -> list[Json]:
+    length, export = document.canvas.length_frames, request.export
+    depths = sorted({depth for each in DEPTHS.values() for depth in each})
+    return [
         {
             "name": "Frames",
             "type": "STRING",

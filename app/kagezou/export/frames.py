@@ -9,19 +9,17 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
-from kagezou.export.jobs import CompositeContent, Content, FrameJob, LayeredContent, Plan, ReceivedContent, planned
-from kagezou.export.layered import LayerPainter
+from kagezou.export.contents import Content
 from kagezou.export.ledger import Ledger, fingerprint
-from kagezou.export.pipeline import Draw, Image, Outcome, PipelineSteps, flow, window_for
-from kagezou.export.receivers import ReceiverContent
+from kagezou.export.painter import Painter
+from kagezou.export.pipeline import Draw, Outcome, PipelineSteps, flow, window_for
+from kagezou.export.planning import FrameJob, Plan, planned
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
-from kagezou.export.writing import blank_image, write_all
+from kagezou.export.writing import write_all
 from kagezou.io.files.atomic import sweep_stale
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.render.gpu.context import OpenContext
-from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
-from kagezou.scene.pieces import SetCast
 
 CEL_BUDGET_BYTES: Final = 256 << 20
 
@@ -66,54 +64,38 @@ def _make(
     request, canvas = run.request, document.canvas
     cels = CelCache(CEL_BUDGET_BYTES)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
-    stages = PipelineSteps(
+    steps = PipelineSteps(
         decode=partial(decode, cels, in_color=request.composite or request.layered),
-        drawing=partial(drawing, cels, request.depth, open_context),
+        drawing=partial(drawing, cels, request.depth, open_context, keeps_opacity=request.keeps_opacity),
         write=write_all,
     )
-    with closing(flow(jobs, stages, request.workers, window, cancelled)) as outcomes:
+    with closing(flow(jobs, steps, request.workers, window, cancelled)) as outcomes:
         for outcome in outcomes:
             run.note(outcome)
 
 
 @contextmanager
-def drawing(cels: CelCache, depth: int, open_context: OpenContext) -> Iterator[Draw]:
-    """Open OpenGL for the block and give what draws a job."""
+def drawing(cels: CelCache, depth: int, open_context: OpenContext, *, keeps_opacity: bool = False) -> Iterator[Draw]:
+    """Open OpenGL for the block and give what draws a job; the options are those of `Painter`."""
     with open_context():
         renderer = Renderer(cels)
+        painter = Painter(renderer, cels, depth, keeps_opacity)
         try:
-            yield partial(_drawn, renderer, LayerPainter(renderer, cels), depth)
+            yield lambda job: job.content.draw(painter)
         finally:
             renderer.close()
 
 
 def decode(cels: CelCache, job: FrameJob, *, in_color: bool) -> None:
     """Bring the drawings of a job into memory; in colour at once where a composite will want them so."""
-    for source in job.cels:
+    sources = job.content.sources
+    for source in sources.cels:
         cels.cel(source)
-    for source in job.mattes:
+    for source in sources.mattes:
         if in_color:
             cels.cel(source)
         else:
             cels.matte(source)
-
-
-def _drawn(renderer: Renderer, layers: LayerPainter, depth: int, job: FrameJob) -> Image:
-    if isinstance(job.content, LayeredContent):
-        return layers.draw(job, job.content, depth)
-    if isinstance(job.content, CompositeContent):
-        renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
-        return renderer.read_picture()
-    if isinstance(job.content, ReceivedContent):
-        assert job.layer is not None, job
-        return renderer.received(job.scene, job.layer, depth)
-    if isinstance(job.content, ReceiverContent):
-        return renderer.receiver_matte(job.scene.canvas, job.content.cast, depth)
-    if isinstance(job.content.cast, SetCast) and job.scene.set_shadow is not None:
-        return renderer.set_shadow(job.scene, job.scene.set_shadow, depth)
-    if job.layer is None:
-        return blank_image(job, job.content, depth)
-    return renderer.shadow(job.scene, job.layer, depth)
 
 
 @dataclass(slots=True)
@@ -137,7 +119,7 @@ class _Run:
             made_of = self.fingerprints[job.content] = fingerprint(job, self.request)
             targets = job.targets
             if self.request.skip_existing:
-                targets = tuple(target for target in targets if not self.ledger.holds(target, made_of))
+                targets = tuple(target for target in targets if not self.ledger.holds(target.path, made_of))
                 self.trusted += len(job.targets) - len(targets)
             if targets:
                 jobs.append(job.only(targets))
@@ -152,7 +134,7 @@ class _Run:
             self.failures.append(Failure(tuple(target.frame for target in job.targets), outcome.problem.message))
             return
         for target in job.targets:
-            self.ledger.add(target, self.fingerprints[job.content], outcome.written or "")
+            self.ledger.add(target.path, self.fingerprints[job.content], outcome.written or "")
         self.drawn += 1
         self.written += len(job.targets)
         self.progress(self.trusted + self.written, self.plan.files)

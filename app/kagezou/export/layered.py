@@ -7,126 +7,165 @@ from typing import Final
 
 import numpy as np
 
-from kagezou.export.jobs import FrameJob, LayeredContent
+from kagezou.export.contents import CompositeContent, Content, Sources
+from kagezou.export.painter import Painter
+from kagezou.export.pictures import LayeredPicture, Picture
 from kagezou.geometry.box import Box, centred_offset
-from kagezou.io.images.cel_cache import CelCache
-from kagezou.io.images.reading import Cel, Steps, read_cel
+from kagezou.io.images.reading import Cel, Steps
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.pixels.layers import LayeredImage, LayerPart
-from kagezou.picture_source import PictureSource
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.render.renderer import Renderer
-from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
+from kagezou.scene.scene import LayerScene, SetShadow, ShadowLook
 
 _BACKGROUND: Final = "background"
 _SET_SHADOW: Final = "set_shadow"
 _NOTHING: Final = Box(0, 0, 0, 0)
 
 
-@dataclass(slots=True)
-class LayerPainter:
-    """Draws layered frames; the background is read once.
+@dataclass(frozen=True, slots=True)
+class LayerOfFrame:
+    """A character of layered frames, also of those that do not show it.
 
     Parameters
     ----------
-    renderer
-        What draws.
-    cels
-        Where decoded drawings come from.
+    id, name
+        As of the document's layer.
+    receives
+        Whether it receives the shadows of others at any time.
     """
 
-    renderer: Renderer
-    cels: CelCache
-    _background: tuple[PictureSource, Cel] | None = None
+    id: str
+    name: str
+    receives: bool = False
 
-    def draw(self, job: FrameJob, content: LayeredContent, depth: int) -> LayeredImage:
-        """Return a frame as layers; with their opacity beside them, and merged too, where it becomes a PSD."""
-        canvas = job.scene.canvas
-        is_document = job.targets[0].path.suffix == ".psd"
+
+@dataclass(frozen=True, slots=True)
+class LayeredContent(Content):
+    """All that decides a frame of layers but its size and format.
+
+    Parameters
+    ----------
+    picture
+        What its layers show.
+    layers
+        The characters, from the bottom.
+    has_set
+        Whether the set casts a shadow at any time.
+    """
+
+    picture: CompositeContent
+    layers: tuple[LayerOfFrame, ...]
+    has_set: bool
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw every layer; with their opacity beside them, and merged too, where the files keep that."""
+        canvas = self.scene.canvas
         merged: Steps | None = None
-        if is_document:
-            self.renderer.draw_picture(job.scene, Backdrop.BACKGROUND, depth)
-            merged = self.renderer.read_picture()
-        parts = self._parts(job, content, depth, keeps_opacity=is_document)
-        named = (replace(part, name=name) for name, part in zip(part_names(content), parts, strict=True))
-        return LayeredImage(canvas.width, canvas.height, tuple(named), merged, depth)
+        if painter.keeps_opacity:
+            painter.renderer.draw_picture(self.scene, Backdrop.BACKGROUND, painter.depth)
+            merged = painter.renderer.read_picture()
+        parts = zip(self.part_names, _Parts(painter, self).all(), strict=True)
+        named = tuple(replace(part, name=name) for name, part in parts)
+        return LayeredPicture(LayeredImage(canvas.width, canvas.height, named, merged, painter.depth))
 
-    def _parts(self, job: FrameJob, content: LayeredContent, depth: int, *, keeps_opacity: bool) -> Iterator[LayerPart]:
-        """Yield the parts in the order of `part_names`, without their names."""
-        scene = job.scene
+    @property
+    def sources(self) -> Sources:
+        """What the finished picture is made of."""
+        return self.picture.sources
+
+    @property
+    def is_filled(self) -> bool:
+        """Never: hidden layers are empty."""
+        return False
+
+    @property
+    def part_names(self) -> tuple[str, ...]:
+        """What the layers of the file are called, from the bottom; no two are alike.
+
+        A character may be called as another's shadow is; the later one of the two gets a ``_`` more.
+        """
+        names = [_BACKGROUND] if self.picture.background is not None else []
+        names += [_SET_SHADOW] if self.has_set else []
+        names += [f"{layer.name}_shadow" for layer in self.layers]
+        for layer in self.layers:
+            names += [layer.name, f"{layer.name}_received"] if layer.receives else [layer.name]
+        unlike: list[str] = []
+        for name in names:
+            free = name
+            while free in unlike:
+                free += "_"
+            unlike.append(free)
+        return tuple(unlike)
+
+
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """The layers of one frame, being drawn."""
+
+    painter: Painter
+    content: LayeredContent
+
+    def all(self) -> Iterator[LayerPart]:
+        """Yield the parts in the order of their names, without these."""
+        scene, characters = self.content.scene, self.content.layers
         seen = {layer.id: layer for layer in scene.layers}
         if scene.background is not None:
-            yield _cel_part(self._read_background(scene.background), scene.canvas)
-        if content.has_set and scene.set_shadow is None:
-            yield _empty_part(depth)
-        elif content.has_set and scene.set_shadow is not None:
-            draw_set = partial(self._set_shadow, scene, scene.set_shadow, depth)
-            yield _shadow_part(draw_set, scene.set_shadow.look, keeps_opacity=keeps_opacity)
-        for layer_id, _ in content.layers:
-            layer = seen.get(layer_id)
-            if layer is None:
-                yield _empty_part(depth)
-            else:
-                draw = partial(self._shadow, scene, layer, depth)
-                yield _shadow_part(draw, layer.look, keeps_opacity=keeps_opacity)
-        for layer_id, _ in content.layers:
-            layer = seen.get(layer_id)
-            if layer is None or layer.drawing is None:
-                yield _empty_part(depth)
-            else:
-                yield _cel_part(self.cels.cel(layer.drawing.source), scene.canvas)
-            if layer_id in content.receiving:
-                yield _empty_part(depth) if layer is None else self._received_part(scene, layer, depth)
+            yield _cel_part(self.painter.background(scene.background), scene.canvas)
+        if self.content.has_set:
+            yield self._set_part()
+        for character in characters:
+            yield self._shadow_part(seen.get(character.id))
+        for character in characters:
+            layer = seen.get(character.id)
+            yield self._character_part(layer)
+            if character.receives:
+                yield self._received_part(layer)
 
-    def _received_part(self, scene: Scene, layer: LayerScene, depth: int) -> LayerPart:
+    def _set_part(self) -> LayerPart:
+        shadow = self.content.scene.set_shadow
+        return self._empty_part() if shadow is None else self._laid(partial(self._draw_set, shadow), shadow.look)
+
+    def _shadow_part(self, layer: LayerScene | None) -> LayerPart:
+        return self._empty_part() if layer is None else self._laid(partial(self._draw_shadow, layer), layer.look)
+
+    def _character_part(self, layer: LayerScene | None) -> LayerPart:
+        if layer is None or layer.drawing is None:
+            return self._empty_part()
+        return _cel_part(self.painter.cels.cel(layer.drawing.source), self.content.scene.canvas)
+
+    def _received_part(self, layer: LayerScene | None) -> LayerPart:
         """Return what others cast on a layer, at the opacity of those who cast."""
+        if layer is None:
+            return self._empty_part()
         first = layer.received.shades[0].look if layer.received and layer.received.shades else layer.look
-        return _shadow_part(lambda _look: self.renderer.received(scene, layer, depth), first, keeps_opacity=False)
+        drawn = self.painter.renderer.received(self.content.scene, layer, self.painter.depth)
+        return _part_of(drawn, 1.0, multiply=first.multiply)
 
-    def _set_shadow(self, scene: Scene, shadow: SetShadow, depth: int, look: ShadowLook) -> ShadowImage:
-        return self.renderer.set_shadow(scene, replace(shadow, look=look), depth)
+    def _laid(self, draw: Callable[[ShadowLook], ShadowImage], look: ShadowLook) -> LayerPart:
+        """Return a shadow; drawn in full where its opacity is kept beside it."""
+        if self.painter.keeps_opacity:
+            return _part_of(draw(replace(look, opacity=1.0)), look.opacity, multiply=look.multiply)
+        return _part_of(draw(look), 1.0, multiply=look.multiply)
 
-    def _shadow(self, scene: Scene, layer: LayerScene, depth: int, look: ShadowLook) -> ShadowImage:
-        return self.renderer.shadow(scene, replace(layer, look=look), depth)
+    def _draw_set(self, shadow: SetShadow, look: ShadowLook) -> ShadowImage:
+        scene, depth = self.content.scene, self.painter.depth
+        return self.painter.renderer.set_shadow(scene, replace(shadow, look=look), depth)
 
-    def _read_background(self, source: PictureSource) -> Cel:
-        if self._background is None or self._background[0] != source:
-            self._background = (source, read_cel(source, white_is_clear=False))
-        return self._background[1]
+    def _draw_shadow(self, layer: LayerScene, look: ShadowLook) -> ShadowImage:
+        scene, depth = self.content.scene, self.painter.depth
+        return self.painter.renderer.shadow(scene, replace(layer, look=look), depth)
 
-
-def part_names(content: LayeredContent) -> tuple[str, ...]:
-    """Return what the parts of a frame are called, from the bottom; no two are alike.
-
-    A layer may be called as another's shadow is; the later one of the two gets a ``_`` more.
-    """
-    names = [_BACKGROUND] if content.picture.background is not None else []
-    names += [_SET_SHADOW] if content.has_set else []
-    names += [f"{name}_shadow" for _, name in content.layers]
-    for layer_id, name in content.layers:
-        names += [name, f"{name}_received"] if layer_id in content.receiving else [name]
-    unlike: list[str] = []
-    for name in names:
-        free = name
-        while free in unlike:
-            free += "_"
-        unlike.append(free)
-    return tuple(unlike)
+    def _empty_part(self) -> LayerPart:
+        return LayerPart("", np.zeros((0, 0, 4), np.uint8 if self.painter.depth == 8 else np.uint16), _NOTHING)
 
 
-def _empty_part(depth: int) -> LayerPart:
-    return LayerPart("", np.zeros((0, 0, 4), np.uint8 if depth == 8 else np.uint16), _NOTHING)
-
-
-def _shadow_part(draw: Callable[[ShadowLook], ShadowImage], look: ShadowLook, *, keeps_opacity: bool) -> LayerPart:
-    """Return a shadow; drawn in full where its opacity is kept beside it."""
-    opacity = look.opacity if keeps_opacity else 1.0
-    drawn = draw(replace(look, opacity=1.0) if keeps_opacity else look)
+def _part_of(drawn: ShadowImage, opacity: float, *, multiply: bool) -> LayerPart:
+    """Return a shadow as a layer, cut to its box."""
     if drawn.box.is_empty:
-        return LayerPart("", np.zeros((0, 0, 4), drawn.alpha.dtype), _NOTHING, opacity, look.multiply)
+        return LayerPart("", np.zeros((0, 0, 4), drawn.alpha.dtype), _NOTHING, opacity, multiply)
     box = drawn.box.moved(-drawn.box.left, -drawn.box.top)
     pixels = replace(drawn, width_px=box.width, height_px=box.height, box=box).rgba()
-    return LayerPart("", pixels, drawn.box, opacity, look.multiply)
+    return LayerPart("", pixels, drawn.box, opacity, multiply)
 
 
 def _cel_part(cel: Cel, canvas: Box) -> LayerPart:

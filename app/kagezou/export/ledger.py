@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Final
 
 from kagezou import __version__
-from kagezou.export.jobs import FrameJob, OutputFile
+from kagezou.export.planning import FrameJob
 from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
@@ -38,17 +38,17 @@ class Ledger:
         self._path = folder / LEDGER_NAME
         self._known = self._read()
 
-    def holds(self, target: OutputFile, fingerprint: str) -> bool:
+    def holds(self, file: Path, fingerprint: str) -> bool:
         """Return whether a file is there, is the one that was written, and would come out the same."""
-        known = self._known.get(self._name(target.path))
+        known = self._known.get(self._name(file))
         if known is None or known[0] != fingerprint:
             return False
         try:
-            return content_hash(target.path.read_bytes()) == known[1]
+            return content_hash(file.read_bytes()) == known[1]
         except OSError:
             return False
 
-    def add(self, target: OutputFile, fingerprint: str, content: str) -> None:
+    def add(self, file: Path, fingerprint: str, content: str) -> None:
         """Note that a file is in its place; ``content`` is the `content_hash` of its bytes.
 
         Raises
@@ -56,7 +56,7 @@ class Ledger:
         DiskFullProblem, OutputProblem
             The ledger cannot be written.
         """
-        name = self._name(target.path)
+        name = self._name(file)
         self._known[name] = (fingerprint, content)
         try:
             # One write of one short line at the end: several programs may share a folder.
@@ -104,8 +104,8 @@ def fingerprint(job: FrameJob, request: ExportRequest) -> str:
     That is: its content down to the last digit, size, format and depth, the program's version and shaders, and the
     state of the drawings' files (size and time of change; a missing file has none).
     """
-    states = [_state(path) for path in job.sources]
-    canvas = job.scene.canvas
+    states = [_state(path) for path in job.content.sources.files]
+    canvas = job.content.scene.canvas
     parts = (_engine(), request.format, request.depth, canvas.width, canvas.height, job.content, states)
     return hashlib.sha256(repr(parts).encode("utf-8", "backslashreplace")).hexdigest()
 

@@ -9,19 +9,13 @@ from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any, Final, Generic, TypeVar
-
-from numpy.typing import NDArray
+from typing import Final, Generic, TypeVar
 
 from kagezou.errors import InputProblem
-from kagezou.export.jobs import FrameJob
-from kagezou.io.images.writing import ShadowImage
-from kagezou.io.pixels.layers import LayeredImage
+from kagezou.export.pictures import Picture
+from kagezou.export.planning import FrameJob
 
-Image = ShadowImage | LayeredImage | NDArray[Any]
-"""A shadow layer, a frame of layers, or a composite as straight (H, W, 4)."""
-
-Draw = Callable[[FrameJob], Image]
+Draw = Callable[[FrameJob], Picture]
 
 Made = TypeVar("Made")
 """What becomes of a picture when it is written."""
@@ -47,7 +41,7 @@ class PipelineSteps(Generic[Made]):
 
     decode: Callable[[FrameJob], None]
     drawing: Callable[[], AbstractContextManager[Draw]]
-    write: Callable[[FrameJob, Image], Made]
+    write: Callable[[FrameJob, Picture], Made]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +60,7 @@ def window_for(width_px: int, height_px: int, workers: int) -> int:
 
 
 def flow(
-    jobs: Iterable[FrameJob], stages: PipelineSteps[Made], workers: int, window: int, cancelled: Callable[[], bool]
+    jobs: Iterable[FrameJob], steps: PipelineSteps[Made], workers: int, window: int, cancelled: Callable[[], bool]
 ) -> Generator[Outcome[Made], None, None]:
     """Yield the outcome of each job, in their order but for failed ones, which come as soon as they are known.
 
@@ -80,21 +74,21 @@ def flow(
 
     def look_ahead() -> None:
         while len(decoding) < window and (job := next(upcoming, None)) is not None:
-            decoding.append((job, pool.submit(stages.decode, job)))
+            decoding.append((job, pool.submit(steps.decode, job)))
 
     try:
         look_ahead()
-        with stages.drawing() as draw:
+        with steps.drawing() as draw:
             while decoding and not cancelled():
                 job, decoded = decoding.popleft()
                 look_ahead()
                 try:
                     decoded.result()
-                    image = draw(job)
+                    picture = draw(job)
                 except InputProblem as problem:
                     yield Outcome(job, problem=problem)
                     continue
-                writing.append((job, pool.submit(stages.write, job, image)))
+                writing.append((job, pool.submit(steps.write, job, picture)))
                 while writing and (len(writing) > window or writing[0][1].done()):
                     job, written = writing.popleft()
                     yield Outcome(job, written.result())

@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
+from kagezou.export.choices import ExportChoices
 from kagezou.export.names import safe_names
-from kagezou.export.plan import ExportPlan, plan_of
+from kagezou.export.remembered import choices_of
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import input_problem, output_problem, shown
 from kagezou.io.files.json_text import Reader, parse
@@ -24,7 +25,7 @@ class Preset:
     """A way to export, what it is called, and where it lies."""
 
     name: str
-    plan: ExportPlan
+    choices: ExportChoices
     path: Path
 
 
@@ -62,7 +63,7 @@ def load_preset(path: Path) -> Preset:
             raise ProjectProblem(Message("it is too large for one"))
         found = Reader(parse(data.decode())).record(("export_preset", "name", "plan"))
         found["export_preset"].whole(VERSION, VERSION)
-        return Preset(_checked(str(found["name"].value)), plan_of(found["plan"].value), path)
+        return Preset(_checked(str(found["name"].value)), choices_of(found["plan"].value), path)
     except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
         cause = Message("it is not UTF-8 text") if isinstance(problem, UnicodeDecodeError) else problem
         raise InputProblem(
@@ -70,7 +71,7 @@ def load_preset(path: Path) -> Preset:
         ) from problem
 
 
-def save_preset(folder: Path, name: str, plan: ExportPlan) -> Preset:
+def save_preset(folder: Path, name: str, choices: ExportChoices) -> Preset:
     """Write a preset; one of the same name is replaced.
 
     Raises
@@ -87,9 +88,9 @@ def save_preset(folder: Path, name: str, plan: ExportPlan) -> Preset:
     except OSError as error:
         raise output_problem(folder, error) from error
     path = same or _free_path(folder, name)
-    record = {"export_preset": VERSION, "name": name, "plan": asdict(plan)}
+    record = {"export_preset": VERSION, "name": name, "plan": asdict(choices)}
     write_bytes(path, (json.dumps(record, ensure_ascii=False, indent=2) + "\n").encode())
-    return Preset(name, plan, path)
+    return Preset(name, choices, path)
 
 
 def rename_preset(folder: Path, preset: Preset, name: str) -> Preset:
@@ -107,7 +108,7 @@ def rename_preset(folder: Path, preset: Preset, name: str) -> Preset:
         return preset
     if any(each.name == name for each in presets_in(folder)[0]):
         raise UsageProblem(Message("there is an export preset {name!r} already", name=name))
-    renamed = save_preset(folder, name, preset.plan)
+    renamed = save_preset(folder, name, preset.choices)
     remove_preset(preset)
     return renamed
 

@@ -111,6 +111,11 @@ class ExportRequest:
         """The suffix of its files."""
         return (LAYERED_SUFFIXES if self.layered else SUFFIXES)[self.format]
 
+    @property
+    def keeps_opacity(self) -> bool:
+        """Whether its files hold the opacity of a layer beside its alpha."""
+        return self.format == "psd"
+
 
 @dataclass(frozen=True, slots=True)
 class Failure:

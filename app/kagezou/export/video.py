@@ -8,19 +8,19 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any, Final
 
-import numpy as np
-
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources
 from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing
-from kagezou.export.jobs import CompositeContent, FrameJob, planned
-from kagezou.export.pipeline import Image, PipelineSteps, flow, window_for
-from kagezou.export.request import Cancelled, ExportRequest, Progress
+from kagezou.export.pipeline import PipelineSteps, flow, window_for
+from kagezou.export.planning import FrameJob, jobs_of
+from kagezou.export.request import SHADOWS, Cancelled, ExportRequest, Progress
+from kagezou.export.selection import chosen_frames
+from kagezou.export.sequences import OutputSequence, sequences_of
+from kagezou.export.subjects import CompositeSubject
 from kagezou.io.files.atomic import replace_by
 from kagezou.io.files.faults import output_problem
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.video import VideoKind, VideoWriter, converted, frames_in, kind_of
-from kagezou.io.images.writing import ShadowImage
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
@@ -101,21 +101,25 @@ def video_jobs(document: Document, request: VideoRequest) -> tuple[FrameJob, ...
     UsageProblem
         The request does not fit the document.
     """
-    layers = None if request.layer is None else (request.layer,)
-    wanted = ExportRequest(
-        request.path.parent, frames=request.frames, layers=layers, composite=layers is None, workers=request.workers
-    )
-    shown = [
-        (target, job)
-        for job in planned(document, wanted).jobs
-        for target in job.targets
-        if (layers is not None) or isinstance(job.content, CompositeContent)
-    ]
+    sequence, frames = _sequence(document, request)
+    shown = [(target, job) for job in jobs_of(document, frames, (sequence,)) for target in job.targets]
     shown.sort(key=lambda each: each[0].frame)
     return tuple(
         replace(run[0][1], targets=tuple(target for target, _ in run))
         for run in (list(group) for _, group in groupby(shown, key=lambda each: id(each[1])))
     )
+
+
+def _sequence(document: Document, request: VideoRequest) -> tuple[OutputSequence, tuple[int, ...]]:
+    """Return what is shown, and on which frames."""
+    wanted = ExportRequest(request.path.parent, frames=request.frames, workers=request.workers)
+    if request.layer is None:
+        wanted = replace(wanted, composite=True)
+        shown = next(each for each in sequences_of(document, wanted) if each.subject == CompositeSubject())
+    else:
+        wanted = replace(wanted, layers=(request.layer,), only=SHADOWS)
+        (shown,) = sequences_of(document, wanted)
+    return shown, chosen_frames(document, wanted)
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,17 +135,17 @@ class _Film:
         """Write it to ``temp``."""
         canvas = self.document.canvas
         cels = CelCache(CEL_BUDGET_BYTES)
-        stages: PipelineSteps[Any] = PipelineSteps(
+        steps: PipelineSteps[Any] = PipelineSteps(
             decode=partial(decode, cels, in_color=self.request.layer is None),
             drawing=partial(drawing, cels, _DEPTH, open_context),
-            write=lambda _, image: converted(_pixels_of(image), self.kind),
+            write=lambda _, picture: converted(picture.rgba(), self.kind),
         )
         length, done = sum(len(job.targets) for job in self.jobs), 0
         window = window_for(canvas.width_px, canvas.height_px, self.request.workers)
         size_px = (canvas.width_px, canvas.height_px)
         with (
             VideoWriter(temp, self.request.path, size_px, canvas.frame_rate, self.kind) as video,
-            closing(flow(self.jobs, stages, self.request.workers, window, cancelled)) as outcomes,
+            closing(flow(self.jobs, steps, self.request.workers, window, cancelled)) as outcomes,
         ):
             for outcome in outcomes:
                 if outcome.problem is not None:
@@ -156,8 +160,3 @@ class _Film:
             raise output_problem(
                 self.request.path, Message("cannot be written: it reads back with other frames than it got")
             )
-
-
-def _pixels_of(image: Image) -> Any:
-    """Return a picture as straight (H, W, 4)."""
-    return image.rgba() if isinstance(image, ShadowImage) else np.asarray(image)

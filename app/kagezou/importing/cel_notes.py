@@ -6,9 +6,9 @@ from kagezou.importing.figures import Figure
 from kagezou.message import Message
 
 
-def notes_on(name: str, arrival: NewCels, figure: Figure | None, canvas_box: Box) -> list[Message]:
+def notes_on(name: str, character: NewCels, figure: Figure | None, canvas_box: Box) -> list[Message]:
     """Return what may look wrong with a character's drawings on a canvas, or with the figure found in them."""
-    width, height = arrival.size_px
+    width, height = character.size_px
     notes = []
     if width > canvas_box.width or height > canvas_box.height:
         canvas = f"{canvas_box.width} × {canvas_box.height}"

@@ -80,7 +80,7 @@ class Held:
     backgrounds: tuple[PicturePart, ...] = ()
 
 
-def held_by(source: CharacterSource, watch: Progress = no_progress) -> Held:
+def held_by(source: CharacterSource, progress: Progress = no_progress) -> Held:
     """Return the layers that a source holds, and notes about the source as a whole.
 
     Raises
@@ -89,25 +89,25 @@ def held_by(source: CharacterSource, watch: Progress = no_progress) -> Held:
         There is nothing to be found, or none of the drawings of a layer can be opened.
     """
     path = absolute(source.path)
-    watch(LoadPhase.FINDING, 0, 0)
+    progress(LoadPhase.FINDING, 0, 0)
     if is_psd(path) and path.is_file():
-        return _held_by_psd(source, path, watch)
+        return _held_by_psd(source, path, progress)
     found = find_sequences(path)
     notes = [_left_out(path, (shown(Path(each.name)) for each in found.left_out))] if found.left_out else []
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return Held([_new_cels(source.name or printable(own), only, source, watch)], notes)
+        return Held([_new_cels(source.name or printable(own), only, source, progress)], notes)
     head = f"{source.name} " if source.name else ""
-    return Held([_new_cels(head + printable(each.name), each, source, watch) for each in found.sequences], notes)
+    return Held([_new_cels(head + printable(each.name), each, source, progress) for each in found.sequences], notes)
 
 
-def _held_by_psd(source: CharacterSource, path: Path, watch: Progress) -> Held:
+def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Held:
     tree = psd_tree(path)
     if not tree.layers:
         name = source.name or printable(path.stem)
         cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
-        size, about = _measured(name, cels.drawings, watch)
+        size, about = _measured(name, cels.drawings, progress)
         return Held([NewCels(name, cels, size, 1, tuple(about))], [])
     cast = characters_in(tree, path.stem)
     backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
@@ -192,9 +192,9 @@ def _some(names: Iterable[str]) -> str:
     return ", ".join(known[:_SHOWN_NAMES]) + (", …" if len(known) > _SHOWN_NAMES else "")
 
 
-def _new_cels(name: str, sequence: Sequence, source: CharacterSource, watch: Progress) -> NewCels:
+def _new_cels(name: str, sequence: Sequence, source: CharacterSource, progress: Progress) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
-    size, notes = _measured(name, cels.drawings, watch)
+    size, notes = _measured(name, cels.drawings, progress)
     if sequence.gaps and not source.is_timed:
         notes.insert(
             0,
@@ -225,12 +225,12 @@ def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:
     return tuple(exposures)
 
 
-def _measured(name: str, drawings: tuple[Drawing, ...], watch: Progress) -> tuple[tuple[int, int], list[Message]]:
+def _measured(name: str, drawings: tuple[Drawing, ...], progress: Progress) -> tuple[tuple[int, int], list[Message]]:
     """Return the largest width and height, and notes about drawings that differ or cannot be opened."""
     infos: list[tuple[Drawing, ImageInfo]] = []
     problems: list[InputProblem] = []
     for index, drawing in enumerate(drawings):
-        watch(LoadPhase.OPENING, index, len(drawings))
+        progress(LoadPhase.OPENING, index, len(drawings))
         try:
             infos.append((drawing, probe(drawing.path)))
         except InputProblem as problem:

@@ -130,13 +130,13 @@ class MeasuredFigure:
     notes: tuple[Message, ...]
 
 
-def look_at(drawings: Sequence[Drawing], canvas: Box, watch: Progress = no_progress) -> MeasuredFigure:
+def measured_figure(drawings: Sequence[Drawing], canvas: Box, progress: Progress = no_progress) -> MeasuredFigure:
     """Return the figure of the first drawing that has one, and where the figure goes later."""
     notes: list[Message] = []
     first: Figure | None = None
     seen = 0
     for drawing in drawings:
-        watch(LoadPhase.MEASURING, 0, LATER_DRAWINGS + 1)
+        progress(LoadPhase.MEASURING, 0, LATER_DRAWINGS + 1)
         seen += 1
         first = _tried(drawing, canvas, notes)
         if first is not None:
@@ -145,7 +145,7 @@ def look_at(drawings: Sequence[Drawing], canvas: Box, watch: Progress = no_progr
     chosen = rest[:: max(len(rest) // LATER_DRAWINGS, 1)] if rest else ()
     others = []
     for index, drawing in enumerate(chosen):
-        watch(LoadPhase.MEASURING, index + 1, len(chosen) + 1)
+        progress(LoadPhase.MEASURING, index + 1, len(chosen) + 1)
         others.append(_tried(drawing, canvas, notes))
     later = [figure.outline() for figure in others if figure is not None]
     return MeasuredFigure(first, np.concatenate(later) if later else np.empty((0, 2)), tuple(notes))

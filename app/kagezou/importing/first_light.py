@@ -106,11 +106,11 @@ def first_light(canvas: Box, camera: Camera, ground: Plane, figures: Sequence[Fi
     """
     outline = np.concatenate([figure.outline() for figure in figures])
     filling = np.concatenate([figure.points() for figure in figures])
-    stage = _LampTrial(canvas, camera, ground, tuple(figures), outline, filling, later)
+    trial = _LampTrial(canvas, camera, ground, tuple(figures), outline, filling, later)
     main = max(figures, key=lambda figure: figure.box.height)
     best, best_place = None, _overhead(main)
-    for place in _candidates(stage, main):
-        verdict = _verdict(stage, place)
+    for place in _candidates(trial, main):
+        verdict = _verdict(trial, place)
         if best is None or verdict > best:
             best, best_place = verdict, place
         if verdict == _BEST:
@@ -118,15 +118,15 @@ def first_light(canvas: Box, camera: Camera, ground: Plane, figures: Sequence[Fi
     return best_place
 
 
-def _candidates(stage: _LampTrial, main: Figure) -> Iterator[Vector3]:
+def _candidates(trial: _LampTrial, main: Figure) -> Iterator[Vector3]:
     """Yield lamps, the most usual first: of equally good ones the first is taken."""
     head, foot, height = main.head, main.foot, main.box.height
     for rise, aside, reach in product(_RISE, _ASIDE, _REACH):
-        fallen = place_on(stage.camera, stage.ground, (head[0] + aside * height, foot[1] - rise * height))
+        fallen = place_on(trial.camera, trial.ground, (head[0] + aside * height, foot[1] - rise * height))
         if fallen is None:
             continue
         x, y, z = (float(round(g + reach * (p - g))) for g, p in zip(fallen, (*head, 0.0), strict=True))
-        if z >= 1 and is_over(stage.ground, lamp((x, y, z))):
+        if z >= 1 and is_over(trial.ground, lamp((x, y, z))):
             yield (x, y, z)
 
 
@@ -136,25 +136,25 @@ def _overhead(main: Figure) -> Vector3:
     return (float(round(x)), float(round(y - main.box.height)), float(main.box.height))
 
 
-def _verdict(stage: _LampTrial, place: Vector3) -> _Verdict:
-    filling = _shadow(stage, place, stage.filling)
-    seen = _within(stage.canvas, filling)
-    for figure in stage.figures:
+def _verdict(trial: _LampTrial, place: Vector3) -> _Verdict:
+    filling = _shadow(trial, place, trial.filling)
+    seen = _within(trial.canvas, filling)
+    for figure in trial.figures:
         seen &= ~figure.covers(filling)
     visible = float(seen.mean())
-    whole = visible >= _LITTLE and bool(_within(stage.inner, _shadow(stage, place, stage.outline)).all())
+    whole = visible >= _LITTLE and bool(_within(trial.inner, _shadow(trial, place, trial.outline)).all())
     return _Verdict(
         whole=whole,
         plain=whole and visible >= _ENOUGH,
-        lasting=whole and bool(_within(stage.inner, _shadow(stage, place, stage.later)).all()),
-        near=_nearness(stage.canvas, place),
+        lasting=whole and bool(_within(trial.inner, _shadow(trial, place, trial.later)).all()),
+        near=_nearness(trial.canvas, place),
         visible=1.0 if whole and visible >= _ENOUGH else visible,
     )
 
 
-def _shadow(stage: _LampTrial, place: Vector3, points: Matrix) -> Matrix:
+def _shadow(trial: _LampTrial, place: Vector3, points: Matrix) -> Matrix:
     """Return where the shadows of drawing points (N, 2) fall, canvas px; far off for those that fall nowhere."""
-    cast = cast_on(stage.camera, stage.ground, _CARD, lamp(place))
+    cast = cast_on(trial.camera, trial.ground, _CARD, lamp(place))
     if cast is None:
         return np.full_like(points, -1e9)
     homogeneous = np.column_stack([points, np.ones(len(points))]) @ np.linalg.inv(cast.art_from_canvas).T

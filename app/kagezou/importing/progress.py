@@ -1,4 +1,4 @@
-"""Who looks on while drawings are read: told how far it is, and may end it."""
+"""Who figures_seen on while drawings are read: told how far it is, and may end it."""
 
 from collections.abc import Callable
 from enum import StrEnum

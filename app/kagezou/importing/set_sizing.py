@@ -12,7 +12,7 @@ from kagezou.importing.set_placing import of_piece
 from kagezou.message import Message
 
 FIGURE_METRES: Final = 1.6
-"""How tall a character is taken to be where lengths are told in metres."""
+"""How tall a character is taken to be where lengths are given in metres."""
 
 
 def figure_height(document: Document) -> float:

@@ -28,7 +28,7 @@ _RATE = Fraction(24)
 """Sheets say nothing of it; all of them count 24 frames a second."""
 
 
-def document_of_sheet(path: Path, watch: Progress = no_progress) -> Imported:
+def document_of_sheet(path: Path, progress: Progress = no_progress) -> Imported:
     """Return a new document of a timesheet and the drawings beside it.
 
     For a column A these are the pictures in a folder A (in whatever case), else ``A_0001.png``, ``A1.png``,
@@ -53,24 +53,24 @@ def document_of_sheet(path: Path, watch: Progress = no_progress) -> Imported:
                 names=names,
             )
         )
-    staged = new_document(sources, frame_rate=_RATE, watch=watch)
-    document, notes = timed(staged.document, sheet)
-    return Imported(document, (*staged.notes, *notes), tuple(layer.id for layer in document.layers))
+    imported = new_document(sources, frame_rate=_RATE, progress=progress)
+    document, notes = timed(imported.document, sheet)
+    return Imported(document, (*imported.notes, *notes), tuple(layer.id for layer in document.layers))
 
 
-def timed_from_beside(staged: Imported, sources: Sequence[CharacterSource]) -> Imported:
+def timed_from_beside(imported: Imported, sources: Sequence[CharacterSource]) -> Imported:
     """Return a new document timed by the sheet that lies beside its PSD file and is called like it, if there is one."""
     files = [source.path for source in sources if is_psd(source.path)]
     beside = (file.with_suffix(suffix) for file in files for suffix in TIMESHEET_SUFFIXES)
     path = next((sheet for sheet in beside if sheet.is_file()), None)
     if path is None or len(files) > 1:
-        return staged
+        return imported
     try:
-        document, notes = timed(staged.document, read_timesheet(path))
+        document, notes = timed(imported.document, read_timesheet(path))
     except InputProblem as problem:
-        return replace(staged, notes=(*staged.notes, problem.message))
+        return replace(imported, notes=(*imported.notes, problem.message))
     return replace(
-        staged, document=document, notes=(*staged.notes, Message("timed by {path}", path=shown(path)), *notes)
+        imported, document=document, notes=(*imported.notes, Message("timed by {path}", path=shown(path)), *notes)
     )
 
 
@@ -121,7 +121,7 @@ def _psd_files(path: Path, listed: list[Path], missing: set[str]) -> Iterator[Ch
         try:
             cast = characters_in(psd_tree(file), file.stem)
         except InputProblem:
-            continue  # it may be anything; who needs it is told by its missing column
+            continue  # it may be anything; a missing column reports it
         names = {character.name.strip().casefold() for character in cast.characters}
         if names & missing:
             missing -= names

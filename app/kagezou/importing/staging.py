@@ -15,7 +15,7 @@ from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
 from kagezou.importing.cel_notes import notes_on
 from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
-from kagezou.importing.figures import MeasuredFigure, look_at
+from kagezou.importing.figures import MeasuredFigure, measured_figure
 from kagezou.importing.first_light import first_light
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.timesheet_on_document import timed
@@ -71,9 +71,9 @@ class Brought:
 
     Parameters
     ----------
-    arrivals
+    characters
         Their cels, from bottom to top.
-    looks
+    figures_seen
         What was seen of each one's drawings.
     notes
         What the user should know of the files, one sentence each.
@@ -81,8 +81,8 @@ class Brought:
         Opaque layers that could be the background.
     """
 
-    arrivals: tuple[NewCels, ...]
-    looks: tuple[MeasuredFigure, ...]
+    characters: tuple[NewCels, ...]
+    figures_seen: tuple[MeasuredFigure, ...]
     notes: tuple[Message, ...]
     backgrounds: tuple[PicturePart, ...] = ()
 
@@ -93,7 +93,7 @@ def new_document(
     background: Path | None = None,
     size: tuple[int, int] | None = None,
     frame_rate: Fraction = Fraction(24),
-    watch: Progress = no_progress,
+    progress: Progress = no_progress,
 ) -> Imported:
     """Return a new document with characters, a ground under the lowest of them and a lamp in front.
 
@@ -117,13 +117,13 @@ def new_document(
     UsageProblem
         A name is no name for a layer.
     """
-    read = _read(sources, watch)
+    read = _read(sources, progress)
     own = None if background is None else absolute(background)
-    width, height = size or _natural_size(own or next(iter(read.backgrounds), None), read.arrivals)
+    width, height = size or _natural_size(own or next(iter(read.backgrounds), None), read.characters)
     document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
     document = set_background(document, own)
-    read = replace(read, looks=_looks(read.arrivals, document.canvas.box, watch))
-    watch(LoadPhase.LIGHTING, 0, 0)
+    read = replace(read, figures_seen=_looks(read.characters, document.canvas.box, progress))
+    progress(LoadPhase.LIGHTING, 0, 0)
     return put_in(document, read)
 
 
@@ -138,7 +138,7 @@ def with_characters(document: Document, sources: Sequence[CharacterSource]) -> I
     return put_in(document, brought(sources, document.canvas.box))
 
 
-def brought(sources: Sequence[CharacterSource], canvas: Box, watch: Progress = no_progress) -> Brought:
+def brought(sources: Sequence[CharacterSource], canvas: Box, progress: Progress = no_progress) -> Brought:
     """Return characters with everything read that is needed to put them into any document.
 
     Parameters
@@ -155,8 +155,8 @@ def brought(sources: Sequence[CharacterSource], canvas: Box, watch: Progress = n
     InputProblem, UsageProblem
         As for :func:`new_document`.
     """
-    read = _read(sources, watch)
-    return replace(read, looks=_looks(read.arrivals, canvas, watch))
+    read = _read(sources, progress)
+    return replace(read, figures_seen=_looks(read.characters, canvas, progress))
 
 
 def with_timesheet(document: Document, path: Path) -> Imported:
@@ -177,21 +177,21 @@ def exposed(document: Document, sheet: Timesheet) -> Imported:
     return Imported(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
 
 
-def _read(sources: Sequence[CharacterSource], watch: Progress) -> Brought:
+def _read(sources: Sequence[CharacterSource], progress: Progress) -> Brought:
     """Return what the sources hold, not looked at yet."""
-    arrivals: list[NewCels] = []
+    characters: list[NewCels] = []
     notes: list[Message] = []
     backgrounds: list[PicturePart] = []
     for source in sources:
-        held = held_by(source, watch)
-        arrivals += held.layers
+        held = held_by(source, progress)
+        characters += held.layers
         notes += held.notes
         backgrounds += held.backgrounds
-    return Brought(tuple(arrivals), (), tuple(notes), tuple(backgrounds))
+    return Brought(tuple(characters), (), tuple(notes), tuple(backgrounds))
 
 
 def _with_background(document: Document, found: Sequence[PicturePart], notes: list[Message]) -> Document:
-    """Put the first of what was found under everything, unless there is a background; the others are told."""
+    """Put the first of what was found under everything, unless there is a background; the others are reported."""
     taken = found[:1] if document.background is None else ()
     notes += [
         Message(
@@ -204,16 +204,16 @@ def _with_background(document: Document, found: Sequence[PicturePart], notes: li
     return set_background(document, taken[0]) if taken else document
 
 
-def _looks(arrivals: Sequence[NewCels], canvas: Box, watch: Progress) -> tuple[MeasuredFigure, ...]:
-    return tuple(look_at(arrival.cels.drawings, canvas, watch) for arrival in arrivals)
+def _looks(characters: Sequence[NewCels], canvas: Box, progress: Progress) -> tuple[MeasuredFigure, ...]:
+    return tuple(measured_figure(character.cels.drawings, canvas, progress) for character in characters)
 
 
-def _natural_size(background: PictureSource | None, arrivals: Sequence[NewCels]) -> tuple[int, int]:
+def _natural_size(background: PictureSource | None, characters: Sequence[NewCels]) -> tuple[int, int]:
     if background is not None:
         info = probe(background)
         size = (info.width_px, info.height_px)
-    elif arrivals:
-        size = (max(each.size_px[0] for each in arrivals), max(each.size_px[1] for each in arrivals))
+    elif characters:
+        size = (max(each.size_px[0] for each in characters), max(each.size_px[1] for each in characters))
     else:
         size = DEFAULT_SIZE_PX
     if max(size) > MAX_SIDE_PX:
@@ -238,38 +238,38 @@ def put_in(document: Document, read: Brought) -> Imported:
         A name is no name for a layer.
     """
     is_first = not document.layers
-    stage = document.canvas.box
+    canvas_box = document.canvas.box
     notes = list(read.notes)
     document = _with_background(document, read.backgrounds, notes)
-    looks: dict[str, MeasuredFigure] = {}
-    for arrival, seen in zip(read.arrivals, read.looks, strict=True):
-        look = replace(seen, figure=seen.figure.on(stage)) if seen.figure else seen
-        document = add_layer(document, arrival.name, arrival.cels, look.figure.box if look.figure else stage)
+    figures_seen: dict[str, MeasuredFigure] = {}
+    for character, seen in zip(read.characters, read.figures_seen, strict=True):
+        look = replace(seen, figure=seen.figure.on(canvas_box)) if seen.figure else seen
+        document = add_layer(document, character.name, character.cels, look.figure.box if look.figure else canvas_box)
         layer = document.layers[-1]
-        looks[layer.id] = look
-        told = (note for note in look.notes if note not in arrival.notes)
-        notes += [*arrival.notes, *told, *notes_on(layer.name, arrival, look.figure, stage)]
-    if is_first and read.arrivals:
-        document = _with_length(document, read.arrivals)
-        document = _with_ground_and_lamp(document, looks)
-    return Imported(document, tuple(notes), tuple(looks))
+        figures_seen[layer.id] = look
+        told = (note for note in look.notes if note not in character.notes)
+        notes += [*character.notes, *told, *notes_on(layer.name, character, look.figure, canvas_box)]
+    if is_first and read.characters:
+        document = _with_length(document, read.characters)
+        document = _with_ground_and_lamp(document, figures_seen)
+    return Imported(document, tuple(notes), tuple(figures_seen))
 
 
-def _with_length(document: Document, arrivals: Sequence[NewCels]) -> Document:
-    longest = max(arrival.length_frames for arrival in arrivals)
+def _with_length(document: Document, characters: Sequence[NewCels]) -> Document:
+    longest = max(character.length_frames for character in characters)
     length = STILL_LENGTH_FRAMES if longest == 1 else longest
     canvas = document.canvas
     return set_canvas(document, replace(canvas, length_frames=max(length, canvas.length_frames)))
 
 
-def _with_ground_and_lamp(document: Document, looks: Mapping[str, MeasuredFigure]) -> Document:
+def _with_ground_and_lamp(document: Document, figures_seen: Mapping[str, MeasuredFigure]) -> Document:
     """Put the ground under the lowest figure, and the lamp where it gives a good shadow of all."""
-    stage = document.canvas.box
-    figures = [look.figure for look in looks.values() if look.figure is not None]
+    canvas_box = document.canvas.box
+    figures = [look.figure for look in figures_seen.values() if look.figure is not None]
     if not figures:
-        return set_constant(document, Address(GROUND_POSITION), (stage.width / 2, float(stage.height)))
+        return set_constant(document, Address(GROUND_POSITION), (canvas_box.width / 2, float(canvas_box.height)))
     lowest = max(figures, key=lambda figure: figure.foot[1])
     document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
-    later = np.concatenate([look.later for look in looks.values()])
-    place = first_light(stage, camera_at(document, 1), ground_at(document, 1), figures, later)
+    later = np.concatenate([look.later for look in figures_seen.values()])
+    place = first_light(canvas_box, camera_at(document, 1), ground_at(document, 1), figures, later)
     return set_constant(document, Address(LIGHT_POSITION), place)

@@ -48,7 +48,7 @@ class Coverage:
             self.distances.close()
 
 
-class ShadowLayers:
+class CoverageCache:
     """Casts a layer's shadow unless the last one of the same cast is still there."""
 
     def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, matte_budget_bytes: int) -> None:
@@ -161,7 +161,7 @@ class ShadowLayers:
         kept.measured_cast = kept.cast
 
     def _meshes_of(self, pieces: tuple[PieceScene, ...]) -> tuple[Mesh, ...]:
-        """Return the meshes of pieces, which are told by identity: a changed file gives another one."""
+        """Return the meshes of pieces, which are compared by identity: a changed file gives another one."""
         return tuple(self._meshes.mesh(piece.mesh.path) for piece in pieces if piece.mesh is not None)
 
     def _kept(self, canvas: Box, layer_id: str) -> Coverage:

@@ -9,7 +9,7 @@ from kagezou.io.images.reading import Steps
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
-from kagezou.render.coverage_cache import Coverage, ShadowLayers
+from kagezou.render.coverage_cache import Coverage, CoverageCache
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.info import read_info
@@ -19,7 +19,7 @@ from kagezou.render.meshes.display import Display
 from kagezou.render.passes.depth_map import DepthMapPass
 from kagezou.render.passes.picture import PicturePass
 from kagezou.render.passes.received import ReceivedCoverage
-from kagezou.render.passes.shadow_image import Drawn, Coloring, ShadowImages
+from kagezou.render.passes.shadow_image import Coloring, Drawn, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.mixing import mixed
 from kagezou.scene.pieces import SetCast
@@ -56,7 +56,7 @@ class Renderer:
         self._cels = cels
         self._divisor = divisor
         self._boxes = Boxes()
-        self._shadows = ShadowLayers(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
+        self._shadows = CoverageCache(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
         self._images = ShadowImages(self._boxes)
         self._presenter = Presenter(self._boxes)
         self._picture: PicturePass | None = None

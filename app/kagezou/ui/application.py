@@ -15,6 +15,7 @@ from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system import theme
+from kagezou.ui.system.clipboard import SystemClipboard
 from kagezou.ui.system.icons import application_icon
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.offscreen_context import surface_format
@@ -29,7 +30,7 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     Parameters
     ----------
     project
-        The project to open; one that cannot be opened is told in the window.
+        The project to open; one that cannot be opened is reported in the window.
     arguments
         What Qt itself may take from the command line, such as ``-platform``.
     make_demo
@@ -46,7 +47,7 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     program.show()
     if project is not None:
-        program.window.project.open_path(project)
+        program.window.parts.project.open_path(project)
     program.offer_recovery()
     code = application.exec()
     program.put_away()
@@ -86,8 +87,10 @@ class Application:
         self._language.speak(settings.language)
         self.open_project = OpenProject()
         self.window = self._make_window()
-        self.autosave = Autosave(self.open_project, settings.recovery_folder, lambda: self.window.project.project_name)
-        self.autosave.failed.connect(lambda sentence: self.window.bar.say("autosave", sentence))
+        self.autosave = Autosave(
+            self.open_project, settings.recovery_folder, lambda: self.window.parts.project.project_name
+        )
+        self.autosave.failed.connect(lambda sentence: self.window.parts.bar.say("autosave", sentence))
 
     def show(self) -> None:
         """Bring the window to the screen."""
@@ -95,14 +98,14 @@ class Application:
 
     def say(self, sentence: str) -> None:
         """Say what went wrong, in the window."""
-        self.window.bar.say("incident", sentence)
+        self.window.parts.bar.say("incident", sentence)
 
     def offer_recovery(self) -> None:
         """Ask about work that a program put aside and did not come back for, if there is any."""
         files = left_behind(self._settings.recovery_folder)
         if files:
             dialog = RecoveryDialog(files, self.window)
-            dialog.recovered.connect(self.window.project.recover)
+            dialog.recovered.connect(self.window.parts.project.recover)
             dialog.failed.connect(self.say)
             dialog.open()
 
@@ -116,8 +119,8 @@ class Application:
 
     def speak(self, code: str) -> None:
         """Change the language: the window is made anew, the open project stays."""
-        if self.window.exporting.is_running:
-            self.window.exporting.say_running()
+        if self.window.parts.exporting.is_running:
+            self.window.parts.exporting.say_running()
             return
         self._settings.language = code
         self._language.speak(code)
@@ -131,6 +134,6 @@ class Application:
         old.deleteLater()
 
     def _make_window(self) -> MainWindow:
-        window = MainWindow(self.open_project, self._settings, self._make_demo)
+        window = MainWindow(self.open_project, self._settings, SystemClipboard(), self._make_demo)
         window.language_chosen.connect(self.speak)
         return window

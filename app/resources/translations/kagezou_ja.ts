@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
-    <name>BoxController</name>
+    <name>BoxDrag</name>
     <message>
         <source>Move keys</source>
         <translation>キーを移動</translation>
@@ -20,16 +20,16 @@
         <translation>キーを拡大縮小</translation>
     </message>
     <message>
+        <source>%1 frames</source>
+        <translation>%1 フレーム</translation>
+    </message>
+    <message>
         <source>time × %1</source>
         <translation>時間 × %1</translation>
     </message>
     <message>
         <source>value × %1</source>
         <translation>値 × %1</translation>
-    </message>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 フレーム</translation>
     </message>
 </context>
 <context>
@@ -848,6 +848,29 @@
     </message>
 </context>
 <context>
+    <name>Docks</name>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>プロパティ</translation>
+    </message>
+    <message>
+        <source>Styles</source>
+        <translation>スタイル</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>カーブ</translation>
+    </message>
+</context>
+<context>
     <name>DrawingCommands</name>
     <message>
         <source>Split drawing</source>
@@ -964,6 +987,37 @@
     </message>
 </context>
 <context>
+    <name>EditedProperty</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1をリセット</translation>
+    </message>
+    <message>
+        <source>Remove key of %1</source>
+        <translation>%1のキーを削除</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>%1にキーを設定</translation>
+    </message>
+    <message>
+        <source>Remove all keys of %1</source>
+        <translation>%1のキーをすべて削除</translation>
+    </message>
+    <message>
+        <source>Unlink %1</source>
+        <translation>%1の共通を解除</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>%1を共通にする</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1を変更</translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message>
         <source>Export</source>
@@ -980,30 +1034,6 @@
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
-    </message>
-    <message>
-        <source>Shadow layers</source>
-        <translation>影レイヤー</translation>
-    </message>
-    <message>
-        <source>Layered frames</source>
-        <translation>レイヤー付きフレーム</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>動画</translation>
-    </message>
-    <message>
-        <source>After Effects</source>
-        <translation>After Effects</translation>
-    </message>
-    <message>
-        <source>Render farm job</source>
-        <translation>レンダーファームのジョブ</translation>
-    </message>
-    <message>
-        <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
-        <translation>動画の書き出しには PyAV が必要です: pip install &apos;kagezou[video]&apos;</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -1786,29 +1816,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>Paste look</source>
         <translation>見た目を貼り付け</translation>
-    </message>
-</context>
-<context>
-    <name>MainWindow</name>
-    <message>
-        <source>Layers</source>
-        <translation>レイヤー</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>プロパティ</translation>
-    </message>
-    <message>
-        <source>Styles</source>
-        <translation>スタイル</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>タイムライン</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>カーブ</translation>
     </message>
 </context>
 <context>
@@ -3372,6 +3379,30 @@ Drop a folder of cels here.</source>
         <translation>このプロジェクトにレイヤー {name!r} はありません（レイヤーがひとつもありません）</translation>
     </message>
     <message>
+        <source>After Effects</source>
+        <translation>After Effects</translation>
+    </message>
+    <message>
+        <source>Layered frames</source>
+        <translation>レイヤー付きフレーム</translation>
+    </message>
+    <message>
+        <source>Render farm job</source>
+        <translation>レンダーファームのジョブ</translation>
+    </message>
+    <message>
+        <source>Shadow layers</source>
+        <translation>影レイヤー</translation>
+    </message>
+    <message>
+        <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
+        <translation>動画の書き出しには PyAV が必要です: pip install &apos;kagezou[video]&apos;</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>動画</translation>
+    </message>
+    <message>
         <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>
         <translation>このプロジェクトにレイヤー {name!r} はありません（{near!r} ではありませんか？）</translation>
     </message>
@@ -3911,34 +3942,6 @@ Drop a folder of cels here.</source>
 </context>
 <context>
     <name>PropertyRow</name>
-    <message>
-        <source>Reset %1</source>
-        <translation>%1をリセット</translation>
-    </message>
-    <message>
-        <source>Key %1</source>
-        <translation>%1にキーを設定</translation>
-    </message>
-    <message>
-        <source>Remove key of %1</source>
-        <translation>%1のキーを削除</translation>
-    </message>
-    <message>
-        <source>Remove all keys of %1</source>
-        <translation>%1のキーをすべて削除</translation>
-    </message>
-    <message>
-        <source>Unlink %1</source>
-        <translation>%1の共通を解除</translation>
-    </message>
-    <message>
-        <source>Link %1</source>
-        <translation>%1を共通にする</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>%1を変更</translation>
-    </message>
     <message>
         <source>Changed; double-click for the default, %1</source>
         <translation>変更済み。ダブルクリックでデフォルト（%1）に戻す</translation>

@@ -134,8 +134,8 @@ def test_the_demo_never_opens_a_window_where_no_one_is_watching(monkeypatch: pyt
 
     with_display = EntryPoints(no_opengl, lambda _project: 0, has_display=True)
     assert not demo._window_is_wanted(None, with_display)
-    assert demo._window_is_wanted(wish=True, doors=with_display)
-    assert not demo._window_is_wanted(wish=False, doors=with_display)
+    assert demo._window_is_wanted(wish=True, entry_points=with_display)
+    assert not demo._window_is_wanted(wish=False, entry_points=with_display)
     monkeypatch.setattr("sys.stdout", Terminal())
     assert demo._window_is_wanted(None, with_display)
     assert not demo._window_is_wanted(None, EntryPoints(no_opengl, lambda _project: 0, has_display=False))

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -12,20 +13,21 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from kagezou.animation.ease import Ease
-from kagezou.animation.track import Interpolation, Track, components_of
+from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document import review
-from kagezou.document.address import Address, resolve, value_of
+from kagezou.document.address import Address, value_of
 from kagezou.document.ease_edits import set_ease
-from kagezou.document.edits import add_layer, rename_layer, set_background, set_canvas, set_key, set_track
+from kagezou.document.edits import add_layer, rename_layer, set_background, set_canvas, set_key
 from kagezou.document.key_edits import all_keys
 from kagezou.document.model import Cels, Document, Exposure, Marker
 from kagezou.document.properties import GROUNDING, LIGHT_POSITION, OPACITY
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import OutputProblem, UsageProblem
-from kagezou.export.after_effects.building import Written, hand_off
+from kagezou.export.after_effects.building import RenderedFootage, Written, hand_off
 from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import referenced
 from kagezou.export.after_effects.export import HandedOff, HandOffRequest, export_to_after_effects
+from kagezou.export.after_effects.renderings import SHADOWS
 from kagezou.export.after_effects.script import script_of
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import project
@@ -313,7 +315,7 @@ def test_drawings_of_different_sizes_become_as_large_as_the_canvas(tmp_path: Pat
 @given(name=st.one_of(st.sampled_from(NASTY), layer_names))
 def test_no_name_escapes_its_string(name: str, tmp_path: Path) -> None:
     document = cut(tmp_path / "cut", length=6)
-    written = Written(tmp_path, {("shadow", "layer-1"): (tmp_path / "a_1.png", 6, None)}, {}, None)
+    written = Written(tmp_path, {(SHADOWS, "layer-1"): RenderedFootage(tmp_path / "a_1.png", 6)}, {}, None)
     made = hand_off(document, name, name, written)
     text = script_of(made)
     assert text.isascii()
@@ -375,11 +377,14 @@ def test_what_after_effects_cannot_have_is_refused(tmp_path: Path) -> None:
         handed_off(document, tmp_path / "ae", format="tga")
 
 
-def test_a_channel_of_holds_is_reached_linearly(document: Document) -> None:
-    held = set_track(document, resolve(document, "ground.roll"), Track(0.0))
-    held = with_key(with_key(held, "ground.roll", 1, 2.0), "ground.roll", 5, 3.0)
-    keys = channel_of(held.tracks["ground.roll"], 0, held.canvas.frame_rate).keys
-    assert [(key.time, key.value) for key in keys] == [(0.0, 2.0), (4 / 24, 3.0)]
+def test_a_key_is_reached_as_the_one_before_it_is_left() -> None:
+    kinds = (Interpolation.HOLD, Interpolation.BEZIER, Interpolation.LINEAR, Interpolation.HOLD)
+    track = Track(0.0, tuple(Key(frame, float(frame), kind) for frame, kind in enumerate(kinds, start=1)))
+    keys = channel_of(track, 0, Fraction(24)).keys
+    assert [(key.time, key.value) for key in keys] == [(n / 24, n + 1.0) for n in range(4)]
+    # As After Effects makes keys itself, which gives one behind a hold an incoming hold.
+    assert [key.into for key in keys] == ["LINEAR", "HOLD", "BEZIER", "LINEAR"]
+    assert [key.out for key in keys] == ["HOLD", "BEZIER", "LINEAR", "HOLD"]
 
 
 def replace_cels(document: Document, cels: Cels) -> Document:

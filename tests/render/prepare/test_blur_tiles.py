@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from kagezou.geometry.bands import Band, Extent
 from kagezou.geometry.box import Box
 from kagezou.render.prepare.band_atlas import Strip
-from kagezou.render.prepare.blur_tiles import busy_tiles
+from kagezou.render.prepare.blur_tiles import blur_tiles
 from kagezou.render.prepare.shadow_tiles import TILE_PX
 
 WHOLE = Extent(0.0, 0.0, 96.0, 64.0)
@@ -25,7 +25,7 @@ def drawn(boxes: np.ndarray) -> np.ndarray:
 def test_a_point_is_blurred_down_first_and_then_along() -> None:
     shadow = np.zeros((64, 96), np.float32)
     shadow[30, 50] = 1.0
-    across, along = (drawn(boxes) for boxes in busy_tiles(STRIP, shadow, 8))
+    across, along = (drawn(boxes) for boxes in blur_tiles(STRIP, shadow, 8))
     rows, columns = np.nonzero(across)
     assert (rows.min(), rows.max() + 1) == (16, 40)
     assert (columns.min(), columns.max() + 1) == (48, 56)
@@ -35,7 +35,7 @@ def test_a_point_is_blurred_down_first_and_then_along() -> None:
 
 
 def test_nothing_is_blurred_where_there_is_no_shadow() -> None:
-    across, along = busy_tiles(STRIP, np.zeros((64, 96), np.float32), 20)
+    across, along = blur_tiles(STRIP, np.zeros((64, 96), np.float32), 20)
     assert len(across) == len(along) == 0
 
 
@@ -43,9 +43,9 @@ def test_only_the_own_part_of_the_atlas_is_looked_at() -> None:
     shadow = np.zeros((200, 96), np.float32)
     shadow[:64] = 1.0
     below = Strip(STRIP.band, Box(0, 100, 96, 164))
-    assert len(busy_tiles(below, shadow, 8)[1]) == 0
+    assert len(blur_tiles(below, shadow, 8)[1]) == 0
     shadow[130, 10] = 1.0
-    boxes = busy_tiles(below, shadow, 8)[1]
+    boxes = blur_tiles(below, shadow, 8)[1]
     assert boxes[:, 1].min() >= 100
 
 
@@ -54,7 +54,7 @@ def test_every_texel_within_reach_is_blurred(places: list[tuple[int, int]], reac
     shadow = np.zeros((64, 96), np.float32)
     for place in places:
         shadow[place] = 1.0
-    across, along = (drawn(boxes) for boxes in busy_tiles(STRIP, shadow, reach))
+    across, along = (drawn(boxes) for boxes in blur_tiles(STRIP, shadow, reach))
     for row, column in places:
         down = slice(max(row - reach, 0), row + reach + 1)
         assert across[down, column].all()

@@ -11,8 +11,9 @@ from kagezou.io.clips.shortcut_files import KeySet, bundled_key_sets
 from kagezou.ui.commands.fuzzy import score
 from kagezou.ui.commands.shortcut_keys import RESERVED, UNSURE
 from kagezou.ui.commands.shortcut_scheme import Shortcuts, overlaid, spelling, table_of
-from kagezou.ui.commands.table import all_commands, command_groups, plain
+from kagezou.ui.commands.table import all_commands, command_groups
 from kagezou.ui.system.language import Language
+from kagezou.ui.system.menu_words import plain
 
 COMMANDS = all_commands(command_groups())
 TABLE = table_of(COMMANDS)

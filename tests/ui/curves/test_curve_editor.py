@@ -20,17 +20,16 @@ from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION, OPAC
 from kagezou.errors import UsageProblem
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.project.file import save
-from kagezou.ui.curves.choice import GraphKind
+from kagezou.tools.curves.curve_list import curves_of, same_in
+from kagezou.tools.curves.picture import CurvePicture, GraphKind, differing_frames
 from kagezou.ui.curves.curve_editor import CurveEditor
-from kagezou.ui.curves.curve_list import curves_of, same_in
 from kagezou.ui.curves.flags import FlagKind, flags_of
 from kagezou.ui.curves.key_rows import HEADINGS, parse_row, pasted, rows_of, text_of, with_cell
 from kagezou.ui.curves.panel import CurvesPanel
-from kagezou.ui.curves.picture import CurvePicture, differing_frames
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.window.main_window import MainWindow
-from tests.ui.viewing import Clipboard, move
+from tests.ui.viewing import OwnClipboard, move
 
 LIGHT, DECLINATION = Address(LIGHT_POSITION), Address(GROUND_DECLINATION)
 NONE = Qt.KeyboardModifier.NoModifier
@@ -54,8 +53,8 @@ def keyed(open_project: OpenProject, cels: Path) -> OpenProject:
 
 
 @pytest.fixture
-def editor(qtbot: QtBot, keyed: OpenProject) -> CurveEditor:
-    made = CurveEditor(keyed.bridge)
+def editor(qtbot: QtBot, keyed: OpenProject, clipboard: OwnClipboard) -> CurveEditor:
+    made = CurveEditor(keyed.bridge, clipboard)
     qtbot.addWidget(made)
     made.resize(1300, 420)
     made.show()
@@ -307,7 +306,7 @@ def test_the_table_shows_and_takes_keys(editor: CurveEditor, keyed: OpenProject)
     assert kept.text() == "42.5"
 
 
-def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: OpenProject, clipboard: Clipboard) -> None:
+def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: OpenProject, clipboard: OwnClipboard) -> None:
     keyed.bridge.session.select_keys(frozenset({KeyRef(LIGHT, 5)}))
     editor.table.copy()
     text = clipboard.text()
@@ -318,7 +317,7 @@ def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: OpenProje
     for frame in range(1, 49):
         assert value_of(back, LIGHT, frame) == value_of(before, LIGHT, frame)
     assert pasted(back, LIGHT, text_of(rows_of(back, LIGHT))) is back
-    clipboard.setText("12\t1\t7\n12\t2\t8\n12\t3\t900\thold\n")
+    clipboard.put("12\t1\t7\n12\t2\t8\n12\t3\t900\thold\n")
     editor.table.paste()
     assert value_of(keyed.bridge.document, LIGHT, 12) == (7.0, 8.0, 900.0)
     assert keyed.bridge.session.undo_name == "Paste keys"
@@ -405,7 +404,7 @@ def test_marks_and_notes_stand_in_the_graph(editor: CurveEditor, keyed: OpenProj
 
 
 def test_an_empty_editor_says_how_to_begin(qtbot: QtBot, filled: OpenProject) -> None:
-    made = CurveEditor(filled.bridge)
+    made = CurveEditor(filled.bridge, OwnClipboard())
     qtbot.addWidget(made)
     made.show()
     assert made._empty.isVisible()
@@ -418,7 +417,7 @@ def test_an_empty_editor_says_how_to_begin(qtbot: QtBot, filled: OpenProject) ->
 
 def test_the_graph_library_is_loaded_only_when_curves_are_shown(qtbot: QtBot, keyed: OpenProject) -> None:
     filled: list[QMenu] = []
-    panel = CurvesPanel(keyed.bridge, filled.append)
+    panel = CurvesPanel(keyed.bridge, OwnClipboard(), filled.append)
     qtbot.addWidget(panel)
     assert filled == []
     panel.show()
@@ -429,20 +428,20 @@ def test_the_graph_library_is_loaded_only_when_curves_are_shown(qtbot: QtBot, ke
 
 
 def test_curves_share_the_selection_with_the_timeline_in_the_window(qtbot: QtBot, walking: MainWindow) -> None:
-    session = walking.open_project.bridge.session
+    session = walking.parts.open_project.bridge.session
     session.edit("Key", edits.set_key(session.document, DECLINATION, 3, 50.0))
-    assert walking.curves.findChild(CurveEditor) is None, "the timeline lies before it"
-    walking.actions_of["curves"].trigger()
-    qtbot.waitUntil(lambda: walking.curves.editor is not None)
+    assert walking.parts.curves.findChild(CurveEditor) is None, "the timeline lies before it"
+    walking.parts.actions["curves"].trigger()
+    qtbot.waitUntil(lambda: walking.parts.curves.editor is not None)
     session.select_keys(frozenset({KeyRef(DECLINATION, 3)}))
-    editor = walking.curves.editor
+    editor = walking.parts.curves.editor
     assert editor is not None
     qtbot.waitUntil(editor.isVisible)
     assert any(mark.is_chosen for picture in editor.graph.pictures for mark in picture.keys)
-    walking.actions_of["velocity"].trigger()
+    walking.parts.actions["velocity"].trigger()
     assert editor.findChild(VelocityDialog) is not None
 
 
 def _read(editor: CurveEditor, frame: int) -> str:
-    editor.graph.hand.read.emit(float(frame), 0.0)
+    editor.graph.controller.read.emit(float(frame), 0.0)
     return editor._read.text()

@@ -13,11 +13,11 @@ from kagezou.document.linking import link
 from kagezou.document.model import Canvas, Cels
 from kagezou.document.properties import GROUND_DECLINATION, GROUND_ROLL, OPACITY, SIMPLIFY
 from kagezou.geometry.box import Box
-from kagezou.ui.curves.choice import GraphKind
+from kagezou.tools.curves.key_box import BoxGrip, KeyBox
+from kagezou.tools.curves.picture import GraphKind
 from kagezou.ui.curves.curve_editor import CurveEditor
-from kagezou.ui.curves.key_box import BoxGrip, KeyBox
 from kagezou.ui.project.open_project import OpenProject
-from tests.ui.viewing import move
+from tests.ui.viewing import OwnClipboard, move
 
 ROLL, DECLINATION = Address(GROUND_ROLL), Address(GROUND_DECLINATION)
 NONE, CONTROL, SHIFT = (
@@ -36,7 +36,7 @@ def editor(qtbot: QtBot, open_project: OpenProject) -> CurveEditor:
     for frame, value in ((10, 0.0), (20, 20.0), (30, 10.0)):
         document = edits.set_key(document, ROLL, frame, value)
     session.edit("Key", document)
-    made = CurveEditor(open_project.bridge)
+    made = CurveEditor(open_project.bridge, OwnClipboard())
     qtbot.addWidget(made)
     made.resize(1300, 420)
     made.show()

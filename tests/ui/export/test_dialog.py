@@ -10,10 +10,13 @@ from pytestqt.qtbot import QtBot
 from kagezou.document import review
 from kagezou.document.edits import set_exposures
 from kagezou.errors import UsageProblem
-from kagezou.export.plan import ExportKind, ExportPlan, Place, dumps_plan, loads_plan, preview, sound
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters import video_file
+from kagezou.export.exporters.hand_off import HAND_OFF
+from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
+from kagezou.export.exporters.table import sound
 from kagezou.export.presets import presets_in, rename_preset, save_preset
-from kagezou.export.work import work_of
-from kagezou.ui.export import dialog as export_dialog
+from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.window.main_window import MainWindow
@@ -26,7 +29,7 @@ def place(tmp_path: Path) -> Place:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, filled: OpenProject, place: Place) -> ExportDialog:
-    made = ExportDialog(filled.bridge.document, ExportPlan(), place, place.folder.with_name("presets"))
+    made = ExportDialog(filled.bridge.document, ExportChoices(), place, place.folder.with_name("presets"))
     qtbot.addWidget(made)
     made.show()
     return made
@@ -121,16 +124,16 @@ def test_layered_frames_show_their_layers(dialog: ExportDialog) -> None:
     assert lines(dialog) == ["layered/  6 × .psd", "    Walker", "    Walker_shadow"]
     assert dialog.options.depth_box.isEnabled()
     assert data_of(dialog.options.depth_box) == [8, 16]
-    assert dialog.plan.depth == 8
+    assert dialog.choices.depth == 8
     pick(dialog.options.format_box, "exr")
     assert lines(dialog)[0] == "layered/  6 × .exr"
-    assert dialog.plan.depth == 16
+    assert dialog.choices.depth == 16
     assert not dialog.options.depth_box.isEnabled()
     assert dialog.options.depth_box.toolTip() == "EXR has no other depth."
     pick(dialog.options.format_box, "psd")
-    assert dialog.plan.depth == 8, "16 was not chosen"
+    assert dialog.choices.depth == 8, "16 was not chosen"
     pick(dialog.options.depth_box, 16)
-    assert dialog.plan.depth == 16
+    assert dialog.choices.depth == 16
 
 
 def test_a_video_shows_the_picture_or_a_shadow(dialog: ExportDialog) -> None:
@@ -143,20 +146,20 @@ def test_a_video_shows_the_picture_or_a_shadow(dialog: ExportDialog) -> None:
     pick(dialog.options.video_box, "Walker")
     assert lines(dialog) == ["walk_Walker_shadow.mov  6 @ 24 fps  240 × 200"]
     choose(dialog, "Shadow layers")
-    assert dialog.plan.format == "tiff", "each kind keeps its format"
+    assert dialog.choices.format == "tiff", "each kind keeps its format"
     choose(dialog, "Video")
-    assert dialog.plan.format == "mov"
+    assert dialog.choices.format == "mov"
 
 
 def test_what_cannot_be_chosen_says_why(
     qtbot: QtBot, filled: OpenProject, place: Place, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(export_dialog, "video_is_there", lambda: False)
-    plan = ExportPlan(ExportKind.VIDEO, format="mov", video_layer="Walker", only_work_area=True)
-    made = ExportDialog(filled.bridge.document, plan, place, place.folder)
+    monkeypatch.setattr(video_file, "is_there", lambda: False)
+    choices = ExportChoices("video", format="mov", video_layer="Walker", only_work_area=True)
+    made = ExportDialog(filled.bridge.document, choices, place, place.folder)
     qtbot.addWidget(made)
     made.show()
-    assert made.plan.kind is ExportKind.LAYERS
+    assert made.choices.kind == "layers"
     video = next(button for button in made.findChildren(QRadioButton) if button.text() == "Video")
     assert not video.isEnabled()
     assert any("pip install 'kagezou[video]'" in label.text() for label in made.findChildren(QLabel))
@@ -171,16 +174,16 @@ class TestPresets:
         row = dialog.presets
         assert row.box.currentText() == "None saved yet"
         assert not row.rename_button.isEnabled()
-        dialog.change(kind=ExportKind.AFTER_EFFECTS, mattes=("core",), copies=False)
+        dialog.change(kind="after effects", mattes=("core",), copies=False)
         row.save("撮影へ / AE")
         assert row.box.currentText() == "撮影へ / AE"
-        dialog.change(kind=ExportKind.LAYERS)
+        dialog.change(kind="layers")
         assert row.box.currentText() == "Choices of your own"
         row.save("plain")
         assert [row.box.itemText(each) for each in range(row.box.count())] == ["plain", "撮影へ / AE"]
         row.box.setCurrentIndex(1)
         row.box.activated.emit(1)
-        assert dialog.plan == ExportPlan(ExportKind.AFTER_EFFECTS, mattes=("core",), copies=False)
+        assert dialog.choices == ExportChoices("after effects", mattes=("core",), copies=False)
         core = next(box for box in dialog.findChildren(QCheckBox) if "near the feet" in box.text())
         assert core.isChecked()
         assert next(
@@ -194,11 +197,14 @@ class TestPresets:
         assert [preset.name for preset in presets_in(place.folder.with_name("presets"))[0]] == ["plain"]
 
     def test_a_name_is_saved_over_and_two_names_of_one_file_are_kept_apart(self, tmp_path: Path) -> None:
-        first = save_preset(tmp_path, "a/b", ExportPlan())
-        second = save_preset(tmp_path, "a_b", ExportPlan(depth=16))
-        again = save_preset(tmp_path, " a/b ", ExportPlan(format="tga"))
+        first = save_preset(tmp_path, "a/b", ExportChoices())
+        second = save_preset(tmp_path, "a_b", ExportChoices(depth=16))
+        again = save_preset(tmp_path, " a/b ", ExportChoices(format="tga"))
         assert first.path == again.path != second.path
-        assert {preset.name: preset.plan.format for preset in presets_in(tmp_path)[0]} == {"a/b": "tga", "a_b": "png"}
+        assert {preset.name: preset.choices.format for preset in presets_in(tmp_path)[0]} == {
+            "a/b": "tga",
+            "a_b": "png",
+        }
         with pytest.raises(UsageProblem, match="already"):
             rename_preset(tmp_path, again, "a_b")
 
@@ -220,9 +226,9 @@ class TestPresets:
     def test_a_broken_file_is_told_and_the_others_are_there(
         self, qtbot: QtBot, filled: OpenProject, place: Place, tmp_path: Path, text: str, words: str
     ) -> None:
-        save_preset(tmp_path / "presets", "good", ExportPlan())
+        save_preset(tmp_path / "presets", "good", ExportChoices())
         (tmp_path / "presets" / "bad.json").write_text(text, encoding="utf-8")
-        made = ExportDialog(filled.bridge.document, ExportPlan(), place, tmp_path / "presets")
+        made = ExportDialog(filled.bridge.document, ExportChoices(), place, tmp_path / "presets")
         qtbot.addWidget(made)
         assert "bad.json is not an export preset" in made.says.text()
         assert words in made.says.text()
@@ -230,16 +236,14 @@ class TestPresets:
         assert made.go.isEnabled()
 
     def test_a_preset_of_a_layer_that_is_not_here_shows_the_picture(self, dialog: ExportDialog) -> None:
-        dialog.show_plan(ExportPlan(ExportKind.VIDEO, format="mov", video_layer="Somebody"))
+        dialog.show_choices(ExportChoices("video", format="mov", video_layer="Somebody"))
         assert lines(dialog) == ["walk.mov  6 @ 24 fps  240 × 200"]
 
 
 def test_a_farm_needs_a_saved_project_and_every_export_a_folder(
     qtbot: QtBot, filled: OpenProject, tmp_path: Path
 ) -> None:
-    made = ExportDialog(
-        filled.bridge.document, ExportPlan(ExportKind.FARM), Place(tmp_path, None, "Untitled"), tmp_path
-    )
+    made = ExportDialog(filled.bridge.document, ExportChoices("farm"), Place(tmp_path, None, "Untitled"), tmp_path)
     qtbot.addWidget(made)
     made.show()
     assert made.says.text() == "A farm renders a saved project; save this one first"
@@ -253,84 +257,84 @@ def test_a_farm_needs_a_saved_project_and_every_export_a_folder(
 
 def test_the_work_area_alone(filled: OpenProject, place: Place) -> None:
     document = review.set_work_area(filled.bridge.document, 2, 4)
-    assert preview(document, ExportPlan(only_work_area=True), place) == ("Walker_shadow/  3 × .png",)
-    assert preview(document, ExportPlan(), place) == ("Walker_shadow/  6 × .png",)
+    assert SHADOW_LAYERS.preview(document, ExportChoices(only_work_area=True), place) == ("Walker_shadow/  3 × .png",)
+    assert SHADOW_LAYERS.preview(document, ExportChoices(), place) == ("Walker_shadow/  6 × .png",)
 
 
 def test_nothing_to_export_is_said(open_project: OpenProject, place: Place) -> None:
     with pytest.raises(UsageProblem, match="nothing to render"):
-        preview(open_project.bridge.document, ExportPlan(), place)
+        SHADOW_LAYERS.preview(open_project.bridge.document, ExportChoices(), place)
 
 
 @pytest.mark.parametrize(
-    "plan",
+    "choices",
     [
-        ExportPlan(),
-        ExportPlan(ExportKind.AFTER_EFFECTS, per_drawing=True, mattes=("core", "lit"), copies=False),
-        ExportPlan(ExportKind.FARM, only_work_area=True, format="tiff", depth=16, chunk=24),
-        ExportPlan(ExportKind.VIDEO, format="mov", video_layer="主役"),
+        ExportChoices(),
+        ExportChoices("after effects", per_drawing=True, mattes=("core", "lit"), copies=False),
+        ExportChoices("farm", only_work_area=True, format="tiff", depth=16, chunk=24),
+        ExportChoices("video", format="mov", video_layer="主役"),
     ],
 )
-def test_a_plan_is_remembered(plan: ExportPlan) -> None:
-    assert loads_plan(dumps_plan(plan)) == plan
+def test_choices_are_remembered(choices: ExportChoices) -> None:
+    assert loads_choices(dumps_choices(choices)) == choices
 
 
 @pytest.mark.parametrize("text", ["", "{", "[1]", '{"kind": "film", "chunk": "x", "mattes": 3, "format": "bmp"}'])
-def test_what_is_no_plan_is_the_usual_one(text: str) -> None:
-    assert loads_plan(text) == ExportPlan()
+def test_what_is_no_choice_is_the_usual_one(text: str) -> None:
+    assert loads_choices(text) == ExportChoices()
 
 
-def test_a_plan_is_made_sound() -> None:
-    assert sound(ExportPlan(format="tga", depth=16)).depth == 8
-    assert sound(ExportPlan(ExportKind.AFTER_EFFECTS, format="tiff")).format == "png"
-    assert sound(ExportPlan(chunk=0)).chunk == 1
-    assert sound(ExportPlan(ExportKind.LAYERED)).format == "psd"
-    assert sound(ExportPlan(ExportKind.LAYERED, format="exr")).depth == 16
-    assert sound(ExportPlan(ExportKind.LAYERED, format="psd", depth=16)).depth == 16
-    assert sound(ExportPlan(ExportKind.VIDEO, format="exr", depth=16)) == ExportPlan(ExportKind.VIDEO, format="mp4")
+def test_choices_are_made_sound() -> None:
+    assert sound(ExportChoices(format="tga", depth=16)).depth == 8
+    assert sound(ExportChoices("after effects", format="tiff")).format == "png"
+    assert sound(ExportChoices(chunk=0)).chunk == 1
+    assert sound(ExportChoices("layered")).format == "psd"
+    assert sound(ExportChoices("layered", format="exr")).depth == 16
+    assert sound(ExportChoices("layered", format="psd", depth=16)).depth == 16
+    assert sound(ExportChoices("video", format="exr", depth=16)) == ExportChoices("video", format="mp4")
 
 
 @pytest.mark.parametrize(
     ("kind", "made"),
     [
-        (ExportKind.LAYERS, "walker_shadow/walker_shadow_0006.png"),
-        (ExportKind.LAYERED, "layered/layered_0006.psd"),
-        (ExportKind.VIDEO, "walk.mp4"),
-        (ExportKind.AFTER_EFFECTS, "walk.jsx"),
-        (ExportKind.FARM, "template.json"),
+        ("layers", "walker_shadow/walker_shadow_0006.png"),
+        ("layered", "layered/layered_0006.psd"),
+        ("video", "walk.mp4"),
+        ("after effects", "walk.jsx"),
+        ("farm", "template.json"),
     ],
 )
 def test_the_window_exports_each_kind_beside_itself(
-    qtbot: QtBot, walking: MainWindow, tmp_path: Path, kind: ExportKind, made: str
+    qtbot: QtBot, walking: MainWindow, tmp_path: Path, kind: str, made: str
 ) -> None:
-    walking.open_project.save(tmp_path / "walk.kage")
-    walking.settings.set_word("export_plan", dumps_plan(ExportPlan(kind)))
-    walking.settings.remember_folder("export", tmp_path)
-    walking.actions_of["export"].trigger()
+    walking.parts.open_project.save(tmp_path / "walk.kage")
+    walking.parts.settings.set_word("export_plan", dumps_choices(ExportChoices(kind)))
+    walking.parts.settings.remember_folder("export", tmp_path)
+    walking.parts.actions["export"].trigger()
     dialog = walking.findChild(ExportDialog)
     assert dialog is not None
-    assert dialog.plan.kind is kind
+    assert dialog.choices.kind == kind
     dialog.go.click()
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     assert (tmp_path / "walk_export" / made).exists()
-    assert "Exported" in walking.bar.text
-    assert json.loads(walking.settings.word("export_plan", ""))["kind"] == kind
+    assert "Exported" in walking.parts.bar.text
+    assert json.loads(walking.parts.settings.word("export_plan", ""))["kind"] == kind
     assert not list((tmp_path / "walk_export").rglob("*.part*"))
 
 
 def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot: QtBot, place: Place) -> None:
-    plan = ExportPlan(ExportKind.AFTER_EFFECTS, copies=False)
-    shown = walking.open_project.bridge.document.layers[0].cels.drawings
+    choices = ExportChoices("after effects", copies=False)
+    shown = walking.parts.open_project.bridge.document.layers[0].cels.drawings
     middle = shown[2].path
     middle.rename(middle.with_name("aside.png"))
-    document = walking.open_project.bridge.document
+    document = walking.parts.open_project.bridge.document
     layer = document.layers[0]
     kept = tuple(each for each in layer.cels.exposures if each.drawing != 2)
-    walking.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
-    walking.exporting.start(work_of(walking.open_project.bridge.document, plan, place))
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
-    assert walking.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
+    walking.parts.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
+    walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
+    assert walking.parts.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
     middle.with_name("aside.png").rename(middle)
-    walking.exporting.start(work_of(walking.open_project.bridge.document, plan, place))
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=20000)
-    assert "Exported" in walking.bar.text
+    walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
+    assert "Exported" in walking.parts.bar.text

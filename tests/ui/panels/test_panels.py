@@ -116,7 +116,7 @@ def test_the_diamond_sets_and_removes_keys(qtbot: QtBot, inspector: Inspector, f
     session.go_to(3)
     qtbot.mouseClick(row.key, Qt.MouseButton.LeftButton)
     states = [row.key.state]
-    row.remove_all_keys()
+    row.edited.remove_all_keys()
     states.append(row.key.state)
     assert states == [KeyState.KEYED, KeyState.NONE]
 

@@ -13,14 +13,15 @@ from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.invariants import check
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.clips.style_files import loads_style
-from kagezou.ui.commands.table import plain
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
-from kagezou.ui.panels.row_menu import fill_row_menu, fill_section_menu
+from kagezou.ui.panels.look_clipboard import LookClipboard
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.clipboard import SystemClipboard
+from kagezou.ui.system.menu_words import plain
 from kagezou.ui.widgets.key_button import KeyState
 from kagezou.ui.widgets.scrub_field import MIXED, ScrubField
-from tests.ui.viewing import Clipboard
+from tests.ui.viewing import OwnClipboard
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support propagateSizeHints")
 
@@ -68,7 +69,7 @@ def act(menu: QMenu, start: str) -> QAction:
 
 def row_menu(inspector: Inspector, name: str) -> QMenu:
     menu = QMenu(inspector)
-    fill_row_menu(inspector.row(name), menu)
+    inspector.menus.fill(inspector.row(name).edited, inspector.row(name).mates, menu)
     return menu
 
 
@@ -199,7 +200,7 @@ def test_keys_and_reset_of_several_layers(qtbot: QtBot, inspector: Inspector, tr
     row, session = inspector.row(OPACITY.name), trio.bridge.session
     session.edit("Key", edits.set_key(session.document, row.address, 1, 0.9))
     states = [row.key.state]
-    row.toggle_key()
+    row.edited.toggle_key()
     states.append(row.key.state)
     assert states == [KeyState.KEYED, KeyState.HERE], "on one of three, then on all"
     assert opacities(trio) == [0.6, 0.3, 0.9]
@@ -216,7 +217,7 @@ def test_a_link_is_made_shown_obeyed_and_undone(qtbot: QtBot, inspector: Inspect
     qtbot.mouseClick(row.link, Qt.MouseButton.LeftButton)
     assert row.link.is_linked
     assert opacities(trio) == [0.9, 0.9, 0.9]
-    row.toggle_key()
+    row.edited.toggle_key()
     row.enter(0.4)
     assert all(track_of(session.document, Address(OPACITY, each.id)).is_keyed for each in session.document.layers)
     choose_all(trio)
@@ -237,7 +238,7 @@ def test_a_link_is_made_shown_obeyed_and_undone(qtbot: QtBot, inspector: Inspect
 
 
 def test_a_value_goes_through_the_clipboard_as_scripts_write_it(
-    inspector: Inspector, trio: OpenProject, clipboard: Clipboard
+    inspector: Inspector, trio: OpenProject, clipboard: OwnClipboard
 ) -> None:
     act(row_menu(inspector, OPACITY.name), "Copy Value").trigger()
     assert clipboard.text() == "0.9"
@@ -248,7 +249,7 @@ def test_a_value_goes_through_the_clipboard_as_scripts_write_it(
     assert opacities(trio) == [0.9, 0.9, 0.9]
     assert not act(row_menu(inspector, "shadow.color"), "Paste Value").isEnabled(), "0.9 is no colour"
     for nothing in ("", "hello", "[1,2", "NaN", "1e999"):
-        clipboard.setText(nothing)
+        clipboard.put(nothing)
         assert not act(row_menu(inspector, OPACITY.name), "Paste Value").isEnabled()
     act(row_menu(inspector, OPACITY.name), "Copy Name").trigger()
     assert clipboard.text() == "layers.Third.shadow.opacity"
@@ -257,13 +258,13 @@ def test_a_value_goes_through_the_clipboard_as_scripts_write_it(
 def test_what_is_copied_goes_over_the_clipboard_of_the_screen(
     qtbot: QtBot,
     request: pytest.FixtureRequest,
-    inspector: Inspector,
-    layers: LayerList,
     trio: OpenProject,
     present: Callable[[], None],
 ) -> None:
     """Whole, from copying to pasting, again until no other program takes the clipboard in between."""
     board = QGuiApplication.clipboard()
+    inspector, looks = Inspector(trio.bridge, SystemClipboard()), LookClipboard(trio.bridge, SystemClipboard())
+    qtbot.addWidget(inspector)
     choose_all(trio)
 
     def values_are_pasted() -> bool:
@@ -275,22 +276,21 @@ def test_what_is_copied_goes_over_the_clipboard_of_the_screen(
 
     def looks_are_pasted() -> bool:
         present()
-        layers.looks.copy()
-        return loads_style(board.text()) is not None and layers.looks.can_paste
+        looks.copy()
+        return loads_style(board.text()) is not None and looks.can_paste
 
     with request.getfixturevalue("qtlog").disabled():
         qtbot.waitUntil(values_are_pasted)
         qtbot.waitUntil(looks_are_pasted)
 
 
-@pytest.mark.usefixtures("clipboard")
 def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, trio: OpenProject) -> None:
     session = trio.bridge.session
     inspector.row("shadow.simplify").enter(33.0)
     inspector.row("shadow.grow").enter(4.0)
     rows = inspector.row("shadow.grow").mates
     menu = QMenu(inspector)
-    fill_section_menu(rows, menu)
+    inspector.menus.fill_section(rows, menu)
     act(menu, "Copy All").trigger()
     session.select(session.document.layers[0].id)
     act(row_menu(inspector, "shadow.fade"), "Paste 7 Values").trigger()
@@ -298,7 +298,7 @@ def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, 
     assert opacities(trio) == [0.6, 0.3, 0.9], "other sections stay"
     assert session.undo_name == "Paste values"
     menu = QMenu(inspector)
-    fill_section_menu(inspector.row("shadow.grow").mates, menu)
+    inspector.menus.fill_section(inspector.row("shadow.grow").mates, menu)
     act(menu, "Reset All").trigger()
     assert (field_of(inspector, "shadow.simplify").value, field_of(inspector, "shadow.grow").value) == (0.0, 0.0)
     session.undo()
@@ -306,7 +306,7 @@ def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, 
 
 
 def test_a_look_is_pasted_on_all_chosen_layers(
-    layers: LayerList, inspector: Inspector, trio: OpenProject, clipboard: Clipboard
+    layers: LayerList, inspector: Inspector, trio: OpenProject, clipboard: OwnClipboard
 ) -> None:
     session = trio.bridge.session
     inspector.row("shadow.color").enter("#334455")
@@ -323,7 +323,7 @@ def test_a_look_is_pasted_on_all_chosen_layers(
     assert opacities(trio) == [0.6, 0.3, 0.9]
     said: list[str] = []
     layers.looks.refused.connect(said.append)
-    clipboard.setText("no look")
+    clipboard.put("no look")
     layers.looks.paste()
     assert len(said) == 1
     assert not layers.looks.can_paste
@@ -336,7 +336,7 @@ def test_a_changed_row_says_so_in_words_too(inspector: Inspector) -> None:
     assert row.label.toolTip().endswith("layers.Third.shadow.fade\nChanged; double-click for the default, 0.0")
     row.enter(1e9)
     assert "1000000000.0 is not a number from 0 to 10000 px" in row.label.toolTip()
-    row.reset()
+    row.edited.reset()
     assert row.label.toolTip().endswith("layers.Third.shadow.fade")
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtGui import QImage
+from PySide6.QtTest import QSignalSpy
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
@@ -13,8 +14,8 @@ from kagezou.ui.window.main_window import MainWindow
 
 @pytest.fixture
 def styles(qtbot: QtBot, walking: MainWindow) -> StyleList:
-    walking.docks[2].raise_()
-    made = walking.styles
+    walking.docks.all[2].raise_()
+    made = walking.parts.panels.styles
     last = made.list.count() - 1
     with qtbot.waitSignal(made.pictures.made, timeout=10_000, check_params_cb=lambda index, _: index == last):
         made.reload()
@@ -22,7 +23,7 @@ def styles(qtbot: QtBot, walking: MainWindow) -> StyleList:
 
 
 def simplify(window: MainWindow) -> object:
-    bridge = window.open_project.bridge
+    bridge = window.parts.open_project.bridge
     return value_of(bridge.document, Address(properties.SIMPLIFY, bridge.layer_id), bridge.frame)
 
 
@@ -34,12 +35,12 @@ def test_every_style_has_a_picture_of_its_own(styles: StyleList) -> None:
 
 
 def test_a_click_is_one_step(walking: MainWindow, styles: StyleList) -> None:
-    before = walking.open_project.bridge.document
+    before = walking.parts.open_project.bridge.document
     styles.apply(1)
     assert simplify(walking) != 0.0
-    assert walking.open_project.bridge.session.undo_name == "Style: Simple"
-    walking.open_project.bridge.session.undo()
-    assert walking.open_project.bridge.document is before
+    assert walking.parts.open_project.bridge.session.undo_name == "Style: Simple"
+    walking.parts.open_project.bridge.session.undo()
+    assert walking.parts.open_project.bridge.document is before
 
 
 def test_a_look_becomes_a_style_and_goes_again(walking: MainWindow, styles: StyleList) -> None:
@@ -71,9 +72,11 @@ def test_no_pictures_are_drawn_behind_another_panel(
     qtbot: QtBot, walking: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[object] = []
-    monkeypatch.setattr(walking.styles.pictures, "ask", asked.append)
-    walking.open_project.bridge.session.go_to(3)
-    qtbot.wait(700)
+    monkeypatch.setattr(walking.parts.panels.styles.pictures, "ask", asked.append)
+    walking.parts.open_project.bridge.session.go_to(3)
+    styles = walking.parts.panels.styles
+    rested = QSignalSpy(styles._rest.timeout)
+    qtbot.waitUntil(lambda: rested.count() > 0)
     assert asked == [], "the layers lie before the styles"
-    walking.panel_layout.show("styles")
+    walking.docks.layout.show("styles")
     qtbot.waitUntil(lambda: len(asked) == 1)

@@ -12,13 +12,14 @@ from kagezou.document.property import AnyProperty
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.project.open_project import OpenProject
+from tests.ui.viewing import OwnClipboard
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support propagateSizeHints")
 
 
 @pytest.fixture
 def note(qtbot: QtBot, filled: OpenProject) -> Iterator[WaveNote]:
-    inspector = Inspector(filled.bridge)
+    inspector = Inspector(filled.bridge, OwnClipboard())
     qtbot.addWidget(inspector)
     inspector.show()
     assert inspector.waves is not None

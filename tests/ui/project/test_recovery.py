@@ -23,6 +23,7 @@ from kagezou.ui.project.project_lock import ProjectLock
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import OwnClipboard
 
 DECLINATION = Address(GROUND_DECLINATION)
 
@@ -41,8 +42,8 @@ application = make_application()
 store = QSettings(str(folder / "other.ini"), QSettings.Format.IniFormat)
 program = Application(application, Settings(store, folder / "styles", folder / "unsaved"))
 program.show()
-program.window.project.open_path(Path(sys.argv[2]))
-while program.window.project.loading.is_running:
+program.window.parts.project.open_path(Path(sys.argv[2]))
+while program.window.parts.project.loading.is_running:
     application.processEvents()
 session = program.open_project.bridge.session
 for step in range(3):
@@ -167,7 +168,7 @@ def test_an_open_project_is_opened_a_second_time_only_when_agreed(
     path = saved.path
     first = ProjectLock()
     first.hold(path)
-    window = MainWindow(OpenProject(), settings)
+    window = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(window)
     asked: list[str] = []
 
@@ -175,11 +176,11 @@ def test_an_open_project_is_opened_a_second_time_only_when_agreed(
         asked.append(holder)
         return len(asked) > 1
 
-    monkeypatch.setattr(window.project.dialogs, "open_twice", answer)
-    assert not window.project.open_path(path)
-    assert window.open_project.is_blank
+    monkeypatch.setattr(window.parts.project.dialogs, "open_twice", answer)
+    assert not window.parts.project.open_path(path)
+    assert window.parts.open_project.is_blank
     assert str(os.getpid()) in asked[0]
-    assert window.project.open_path(path)
+    assert window.parts.project.open_path(path)
     first.release()
     window.close_unasked()
 
@@ -188,32 +189,32 @@ def test_what_others_saved_meanwhile_is_not_overwritten_unasked(
     qtbot: QtBot, settings: Settings, saved: OpenProject, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     assert saved.path is not None
-    window = MainWindow(OpenProject(), settings)
+    window = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(window)
-    window.project.open_path(saved.path)
+    window.parts.project.open_path(saved.path)
     turn(saved, 12.0)
     saved.save(saved.path)
-    turn(window.open_project, 77.0)
+    turn(window.parts.open_project, 77.0)
     agreed: list[bool] = [False, True]
-    monkeypatch.setattr(window.project.dialogs, "overwrite_changed", lambda _name: agreed.pop(0))
-    assert not window.project.save()
+    monkeypatch.setattr(window.parts.project.dialogs, "overwrite_changed", lambda _name: agreed.pop(0))
+    assert not window.parts.project.save()
     assert value_of(load(saved.path), DECLINATION, 1) == 12.0
-    assert window.project.save()
+    assert window.parts.project.save()
     assert value_of(load(saved.path), DECLINATION, 1) == 77.0
-    assert window.project.save(), "nobody changed it since"
+    assert window.parts.project.save(), "nobody changed it since"
     window.close_unasked()
 
 
 def test_the_next_version_is_saved_beside_the_old_one(qtbot: QtBot, settings: Settings, saved: OpenProject) -> None:
     assert saved.path is not None
-    window = MainWindow(OpenProject(), settings)
+    window = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(window)
-    window.project.open_path(saved.path)
-    turn(window.open_project, 5.0)
-    assert window.project.save_increment()
-    assert window.open_project.path == saved.path.with_name("walk_002.kage")
-    assert window.open_project.path is not None
-    assert value_of(load(window.open_project.path), DECLINATION, 1) == 5.0
+    window.parts.project.open_path(saved.path)
+    turn(window.parts.open_project, 5.0)
+    assert window.parts.project.save_increment()
+    assert window.parts.open_project.path == saved.path.with_name("walk_002.kage")
+    assert window.parts.open_project.path is not None
+    assert value_of(load(window.parts.open_project.path), DECLINATION, 1) == 5.0
     assert value_of(load(saved.path), DECLINATION, 1) != 5.0
     window.close_unasked()
 
@@ -223,13 +224,13 @@ def test_another_language_keeps_watching_over_the_same_work(settings: Settings, 
     assert isinstance(application, QApplication)
     program = Application(application, settings)
     program.show()
-    program.window.project.bring([cels])
+    program.window.parts.project.bring([cels])
     program.speak("ja")
     program.autosave.keep()
     program.autosave.wait()
     (file,) = recovery_files_in(settings.recovery_folder)
     assert read_recovery_file(file).document == program.open_project.bridge.document
-    assert read_recovery_file(file).name == program.window.project.project_name
+    assert read_recovery_file(file).name == program.window.parts.project.project_name
     program.open_project.bridge.session.mark_saved()
     program.put_away()
 

@@ -9,10 +9,11 @@ from pytestqt.qtbot import QtBot
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.io.sheets.xdts import read_timesheet, write_xdts
 from kagezou.ui.project.dialogs import Answer
-from kagezou.ui.project.dropped_files import arrivals_of
+from kagezou.ui.project.dropped_files import dropped_files_of
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import OwnClipboard
 
 
 @pytest.fixture
@@ -25,80 +26,80 @@ def sheet(cels: Path) -> Path:
 
 @pytest.fixture
 def plain(qtbot: QtBot, settings: Settings) -> MainWindow:
-    made = MainWindow(OpenProject(), settings)
+    made = MainWindow(OpenProject(), settings, OwnClipboard())
     qtbot.addWidget(made)
     return made
 
 
 def test_a_sheet_begins_a_project_of_the_drawings_beside_it(plain: MainWindow, sheet: Path) -> None:
-    assert plain.project.open_path(sheet)
-    document = plain.open_project.bridge.document
+    assert plain.parts.project.open_path(sheet)
+    document = plain.parts.open_project.bridge.document
     assert document.canvas.length_frames == 30
     assert [exposure.frame for exposure in document.layers[0].cels.exposures] == [1, 10, 21]
-    assert not plain.open_project.is_saved
-    assert plain.open_project.path is None
+    assert not plain.parts.open_project.is_saved
+    assert plain.parts.open_project.path is None
     plain.close_unasked()
 
 
 def test_a_sheet_dropped_on_a_project_times_it_in_one_step(plain: MainWindow, cels: Path, sheet: Path) -> None:
-    plain.project.bring([cels])
-    before = plain.open_project.bridge.document
-    plain.project.bring([sheet])
-    assert plain.open_project.bridge.document.canvas.length_frames == 30
-    assert plain.open_project.bridge.session.undo_name == "Apply timesheet"
-    plain.open_project.bridge.session.undo()
-    assert plain.open_project.bridge.document is before
+    plain.parts.project.bring([cels])
+    before = plain.parts.open_project.bridge.document
+    plain.parts.project.bring([sheet])
+    assert plain.parts.open_project.bridge.document.canvas.length_frames == 30
+    assert plain.parts.open_project.bridge.session.undo_name == "Apply timesheet"
+    plain.parts.open_project.bridge.session.undo()
+    assert plain.parts.open_project.bridge.document is before
     plain.close_unasked()
 
 
 def test_a_sheet_that_is_opened_puts_the_project_away(
     plain: MainWindow, cels: Path, sheet: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    plain.project.bring([cels, cels.parent])
-    monkeypatch.setattr(plain.project.dialogs, "project_to_open", lambda: sheet)
-    monkeypatch.setattr(plain.project.dialogs, "unsaved", lambda _name: Answer.CANCEL)
-    before = plain.open_project.bridge.document
-    plain.actions_of["open"].trigger()
-    assert plain.open_project.bridge.document is before
-    monkeypatch.setattr(plain.project.dialogs, "unsaved", lambda _name: Answer.DISCARD)
-    plain.actions_of["open"].trigger()
-    document = plain.open_project.bridge.document
+    plain.parts.project.bring([cels, cels.parent])
+    monkeypatch.setattr(plain.parts.project.dialogs, "project_to_open", lambda: sheet)
+    monkeypatch.setattr(plain.parts.project.dialogs, "unsaved", lambda _name: Answer.CANCEL)
+    before = plain.parts.open_project.bridge.document
+    plain.parts.actions["open"].trigger()
+    assert plain.parts.open_project.bridge.document is before
+    monkeypatch.setattr(plain.parts.project.dialogs, "unsaved", lambda _name: Answer.DISCARD)
+    plain.parts.actions["open"].trigger()
+    document = plain.parts.open_project.bridge.document
     assert [layer.name for layer in document.layers] == ["walker"]
     assert document.canvas.length_frames == 30
-    assert not plain.open_project.is_saved
+    assert not plain.parts.open_project.is_saved
     plain.close_unasked()
 
 
 def test_a_sheet_without_drawings_is_one_sentence(plain: MainWindow, tmp_path: Path) -> None:
     write_xdts(tmp_path / "alone.xdts", Timesheet("", 12, (SheetTrack("Q", ((0, "1"),)),)))
-    assert not plain.project.open_path(tmp_path / "alone.xdts")
-    assert "there are no drawings of its columns (Q)" in plain.bar.text
-    assert plain.open_project.is_blank
+    assert not plain.parts.project.open_path(tmp_path / "alone.xdts")
+    assert "there are no drawings of its columns (Q)" in plain.parts.bar.text
+    assert plain.parts.open_project.is_blank
     plain.close_unasked()
 
 
 def test_the_window_asks_for_sheets_and_writes_them(
     plain: MainWindow, cels: Path, sheet: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    plain.project.bring([cels])
-    monkeypatch.setattr(plain.project.dialogs, "timesheet", lambda: sheet)
-    plain.actions_of["import_timesheet"].trigger()
-    monkeypatch.setattr(plain.project.dialogs, "timesheet_to_save", lambda _name: tmp_path / "written")
-    plain.actions_of["export_timesheet"].trigger()
+    plain.parts.project.bring([cels])
+    monkeypatch.setattr(plain.parts.project.dialogs, "timesheet", lambda: sheet)
+    plain.parts.actions["import_timesheet"].trigger()
+    monkeypatch.setattr(plain.parts.project.dialogs, "timesheet_to_save", lambda _name: tmp_path / "written")
+    plain.parts.actions["export_timesheet"].trigger()
     assert read_timesheet(tmp_path / "written.xdts").tracks == read_timesheet(sheet).tracks
     plain.close_unasked()
 
 
 @pytest.mark.parametrize("name", ["a.xdts", "a.TDTS", "a.sts"])
 def test_sheets_are_known_by_their_names(tmp_path: Path, name: str) -> None:
-    assert arrivals_of([tmp_path / name]).timesheet == tmp_path / name
-    assert not arrivals_of([tmp_path / name]).is_empty
+    assert dropped_files_of([tmp_path / name]).timesheet == tmp_path / name
+    assert not dropped_files_of([tmp_path / name]).is_empty
 
 
 def test_a_name_that_gets_its_suffix_replaces_nothing_unasked(
     plain: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    dialogs = plain.project.dialogs
+    dialogs = plain.parts.project.dialogs
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_words: (str(tmp_path / "c012"), ""))
     assert dialogs.timesheet_to_save("c012.xdts") == tmp_path / "c012.xdts"
     (tmp_path / "c012.xdts").write_text("mine")

@@ -46,16 +46,16 @@ class TestRecent:
         self, qtbot: QtBot, filled: OpenProject, window: MainWindow, tmp_path: Path
     ) -> None:
         project = saved(filled, tmp_path / "cut 12.kage")
-        window.settings.remember_project(tmp_path / "gone.kage")
-        window.settings.remember_project(project)
+        window.parts.settings.remember_project(tmp_path / "gone.kage")
+        window.parts.settings.remember_project(project)
         filled.clear()
-        assert window.pages.currentWidget() is window.welcome
-        assert [card.path for card in window.welcome.cards] == [project]
-        card = window.welcome.cards[0]
+        assert window.pages.currentWidget() is window.parts.welcome
+        assert [card.path for card in window.parts.welcome.cards] == [project]
+        card = window.parts.welcome.cards[0]
         assert str(project) in card.toolTip()
-        qtbot.waitUntil(lambda: not card.picture.is_empty, timeout=60000)
+        qtbot.waitUntil(lambda: not card.picture.is_empty)
         QTest.mouseClick(card, Qt.MouseButton.LeftButton)
-        qtbot.waitUntil(lambda: window.open_project.path == project)
+        qtbot.waitUntil(lambda: window.parts.open_project.path == project)
 
     def test_a_picture_is_drawn_once_and_anew_when_the_project_changed(
         self, qtbot: QtBot, filled: OpenProject, tmp_path: Path
@@ -67,7 +67,7 @@ class TestRecent:
         made: list[QImage] = []
         pictures.made.connect(lambda _path, image: made.append(image))
         pictures.ask([project, tmp_path / "gone.kage"])
-        qtbot.waitUntil(lambda: not pictures.is_busy, timeout=60000)
+        qtbot.waitUntil(lambda: not pictures.is_busy)
         assert [image.size() for image in made] == [SIZE]
         middle = made[0].copy(SIZE.width() // 2 - 40, 20, 80, 100)
         assert len({middle.pixel(x, y) for x in range(0, 80, 4) for y in range(0, 100, 4)}) > 3, "the figure is seen"
@@ -87,41 +87,41 @@ class TestRecent:
         made: list[QImage] = []
         pictures.made.connect(lambda _path, image: made.append(image))
         pictures.ask([tmp_path / "broken.kage"])
-        qtbot.waitUntil(lambda: not pictures.is_busy, timeout=60000)
+        qtbot.waitUntil(lambda: not pictures.is_busy)
         assert made == []
 
 
 class TestLooks:
     def test_every_bundled_look_has_its_picture(self, window: MainWindow) -> None:
-        for card, file in window.welcome.looks:
+        for card, file in window.parts.welcome.looks:
             assert (file.path.parent / "pictures" / f"{file.path.stem}.png").is_file()
             assert card.accessibleName() == file.style.name.en
-        assert len(window.welcome.looks) == 7
+        assert len(window.parts.welcome.looks) == 7
 
     def test_the_chosen_look_is_put_on_the_first_character_in_the_same_step(
         self, window: MainWindow, cels: Path
     ) -> None:
-        water = next(card for card, file in window.welcome.looks if file.style.name.en == "Water")
-        other = window.welcome.looks[0][0]
+        water = next(card for card, file in window.parts.welcome.looks if file.style.name.en == "Water")
+        other = window.parts.welcome.looks[0][0]
         for card in (other, water):
             card.click()
         assert not other.isChecked()
-        window.project.bring([cels])
-        layer = window.open_project.bridge.document.layers[0]
+        window.parts.project.bring([cels])
+        layer = window.parts.open_project.bridge.document.layers[0]
         amplitude = Address(properties.OF_LAYER["shadow.wave1.amplitude"], layer.id)
         assert (
-            value_of(window.open_project.bridge.document, amplitude, 1)
+            value_of(window.parts.open_project.bridge.document, amplitude, 1)
             != properties.OF_LAYER["shadow.wave1.amplitude"].default
         )
-        assert window.welcome.style_chosen is None
-        window.actions_of["undo"].trigger()
-        assert window.open_project.is_blank
+        assert window.parts.welcome.style_chosen is None
+        window.parts.actions["undo"].trigger()
+        assert window.parts.open_project.is_blank
 
     def test_a_look_is_let_go_by_a_second_click(self, window: MainWindow) -> None:
-        card = window.welcome.looks[1][0]
+        card = window.parts.welcome.looks[1][0]
         card.click()
         card.click()
-        assert window.welcome.style_chosen is None
+        assert window.parts.welcome.style_chosen is None
 
     def test_a_project_that_is_opened_keeps_its_own_look(
         self, filled: OpenProject, window: MainWindow, tmp_path: Path
@@ -129,8 +129,8 @@ class TestLooks:
         project = saved(filled, tmp_path / "cut.kage")
         document = filled.bridge.document
         filled.clear()
-        window.welcome.looks[4][0].click()
-        window.project.open_path(project)
+        window.parts.welcome.looks[4][0].click()
+        window.parts.project.open_path(project)
         assert filled.bridge.document == document
         assert filled.is_saved
 
@@ -150,23 +150,23 @@ class TestDrop:
 
     def test_over_the_first_page_and_over_the_picture(self, window: MainWindow, cels: Path) -> None:
         hold(window, cels)
-        assert window.welcome._drop_words.text() == "Bring in walker"
+        assert window.parts.welcome._drop_words.text() == "Bring in walker"
         assert not window.drop_hint.isVisible()
         QApplication.sendEvent(window, QDragLeaveEvent())
-        assert window.welcome._drop_words.text() == "Drop a folder of cels here"
-        window.project.bring([cels])
+        assert window.parts.welcome._drop_words.text() == "Drop a folder of cels here"
+        window.parts.project.bring([cels])
         hold(window, cels)
         assert window.drop_hint.isVisible()
         assert window.drop_hint.text() == "Bring in walker"
         assert window.drop_hint.width() >= window.pages.width()
         let_go(window, cels)
         assert not window.drop_hint.isVisible()
-        assert len(window.open_project.bridge.document.layers) == 2
+        assert len(window.parts.open_project.bridge.document.layers) == 2
 
 
 def test_panels_wait_for_something_to_show(window: MainWindow, cels: Path) -> None:
-    assert all(dock.isHidden() for dock in window.docks)
-    window.project.bring([cels])
-    assert not any(dock.isHidden() for dock in window.docks)
-    window.actions_of["undo"].trigger()
-    assert all(dock.isHidden() for dock in window.docks)
+    assert all(dock.isHidden() for dock in window.docks.all)
+    window.parts.project.bring([cels])
+    assert not any(dock.isHidden() for dock in window.docks.all)
+    window.parts.actions["undo"].trigger()
+    assert all(dock.isHidden() for dock in window.docks.all)

@@ -38,18 +38,18 @@ def floor(tmp_path: Path) -> Path:
 
 
 def value(window: MainWindow, prop: AnyProperty) -> object:
-    document = window.open_project.bridge.document
+    document = window.parts.open_project.bridge.document
     piece_id = document.pieces[-1].id if prop in lines.SET_LINES and prop is not lines.GROUND_RECEIVES else None
     return value_of(document, Address(prop, piece_id=piece_id), 1)
 
 
 def click(qtbot: QtBot, window: MainWindow, canvas_px: Point2) -> None:
-    x, y = window.viewport.viewpoint.view.view_from_canvas(canvas_px)
-    qtbot.mouseClick(window.viewport, Qt.MouseButton.LeftButton, pos=QPoint(round(x), round(y)))
+    x, y = window.parts.viewport.viewpoint.view.view_from_canvas(canvas_px)
+    qtbot.mouseClick(window.parts.viewport, Qt.MouseButton.LeftButton, pos=QPoint(round(x), round(y)))
 
 
 def seen(window: MainWindow, point: tuple[float, float, float]) -> Point2:
-    document = window.open_project.bridge.document
+    document = window.parts.open_project.bridge.document
     mesh = evaluate(document, 1).pieces[-1].mesh
     assert mesh is not None
     x, y, w = camera_at(document, 1).canvas_from_world() @ np.array(mesh.world_from_mesh) @ [*point, 1.0]
@@ -57,15 +57,15 @@ def seen(window: MainWindow, point: tuple[float, float, float]) -> Point2:
 
 
 def choose_camera(window: MainWindow, number: int) -> None:
-    camera = window.set_bar.camera
+    camera = window.parts.sets.bar.camera
     camera.setCurrentIndex(camera.findData(number))
     camera.activated.emit(camera.currentIndex())
 
 
 def test_a_set_dropped_on_the_window_is_seen_by_its_camera(walking: MainWindow, dungeon: Path) -> None:
-    before = walking.open_project.bridge.document
+    before = walking.parts.open_project.bridge.document
     drop(walking, dungeon)
-    document, bar = walking.open_project.bridge.document, walking.set_bar
+    document, bar = walking.parts.open_project.bridge.document, walking.parts.sets.bar
     check(document)
     (piece,) = document.pieces
     assert (piece.name, piece.source) == ("scene", dungeon)
@@ -74,31 +74,31 @@ def test_a_set_dropped_on_the_window_is_seen_by_its_camera(walking: MainWindow, 
     assert bar.isVisible()
     assert bar.camera.currentText() == "shot_cam"
     assert not bar.size_by_points.isEnabled()
-    walking.actions_of["undo"].trigger()
-    assert walking.open_project.bridge.document is before
+    walking.parts.actions["undo"].trigger()
+    assert walking.parts.open_project.bridge.document is before
     assert not bar.isVisible()
 
 
 def test_another_choice_right_after_the_import_stays_one_step(walking: MainWindow, dungeon: Path) -> None:
-    before = walking.open_project.bridge.document
+    before = walking.parts.open_project.bridge.document
     drop(walking, dungeon)
     choose_camera(walking, KEEP_VIEW)
     assert value(walking, FOV) == 0.0
-    assert walking.set_bar.size_by_points.isEnabled()
+    assert walking.parts.sets.bar.size_by_points.isEnabled()
     choose_camera(walking, 0)
     assert value(walking, FOV) == pytest.approx(42.0)
-    walking.actions_of["undo"].trigger()
-    assert walking.open_project.bridge.document is before
+    walking.parts.actions["undo"].trigger()
+    assert walking.parts.open_project.bridge.document is before
 
 
 def test_a_choice_after_other_work_keeps_that_work(walking: MainWindow, dungeon: Path) -> None:
     drop(walking, dungeon)
-    document = walking.open_project.bridge.document
+    document = walking.parts.open_project.bridge.document
     hidden = set_constant(document, Address(VISIBLE, document.layers[0].id), raw=False)
-    walking.open_project.bridge.session.edit("Hide", hidden)
-    walking.actions_of["settle_set"].trigger()
+    walking.parts.open_project.bridge.session.edit("Hide", hidden)
+    walking.parts.actions["settle_set"].trigger()
     choose_camera(walking, 0)
-    document = walking.open_project.bridge.document
+    document = walking.parts.open_project.bridge.document
     assert not evaluate(document, 1).layers
     assert value(walking, FOV) == pytest.approx(42.0)
 
@@ -106,11 +106,11 @@ def test_a_choice_after_other_work_keeps_that_work(walking: MainWindow, dungeon:
 def test_a_click_stands_the_character_on_a_step(qtbot: QtBot, walking: MainWindow, dungeon: Path) -> None:
     drop(walking, dungeon)
     places = {point: seen(walking, point) for point in ((0.0, 0.0, 0.0), (2.0, 1.0, -3.0), (-3.0, 0.5, -5.0))}
-    qtbot.mouseClick(walking.set_bar.stand, Qt.MouseButton.LeftButton)
-    assert "Click where the character's feet are" in walking.set_bar.hint
-    assert walking.viewport.cursor().shape() is Qt.CursorShape.CrossCursor
+    qtbot.mouseClick(walking.parts.sets.bar.stand, Qt.MouseButton.LeftButton)
+    assert "Click where the character's feet are" in walking.parts.sets.bar.hint
+    assert walking.parts.viewport.cursor().shape() is Qt.CursorShape.CrossCursor
     click(qtbot, walking, (120.0, 2.0))
-    assert "nothing of the set" in walking.set_bar.hint
+    assert "nothing of the set" in walking.parts.sets.bar.hint
     click(qtbot, walking, (150.0, 110.0))
     anchor = value(walking, lines.PIECE_ANCHOR)
     assert isinstance(anchor, tuple)
@@ -118,79 +118,85 @@ def test_a_click_stands_the_character_on_a_step(qtbot: QtBot, walking: MainWindo
     assert value(walking, GROUND_POSITION) == pytest.approx((150.0, 110.0), abs=1.0)
     for point, place in places.items():
         assert seen(walking, point) == pytest.approx(place, abs=1e-6)
-    assert not walking.viewport.picking.is_on
-    assert not walking.set_bar.stand.isChecked()
+    assert not walking.parts.viewport.picking.is_on
+    assert not walking.parts.sets.bar.stand.isChecked()
 
 
 def test_two_clicks_and_a_number_settle_the_size(qtbot: QtBot, walking: MainWindow, floor: Path) -> None:
     drop(walking, floor)
-    bar = walking.set_bar
+    bar = walking.parts.sets.bar
     assert bar.camera.currentText() == "None in the file"
     qtbot.mouseClick(bar.size_by_points, Qt.MouseButton.LeftButton)
     foot, head = seen(walking, (0.0, 0.01, -9.0)), seen(walking, (0.0, 1.9, -9.0))
     click(qtbot, walking, foot)
     click(qtbot, walking, head)
-    assert [round(place[0]) for place in walking.viewport.picking.marks] == pytest.approx([foot[0], head[0]], abs=2)
+    assert [round(place[0]) for place in walking.parts.viewport.picking.marks] == pytest.approx(
+        [foot[0], head[0]], abs=2
+    )
     assert bar.length.isVisible()
     bar.length.set_value(1.6)
     bar.measure.setCurrentIndex(1)
     bar.length_entered.emit(bar.length.value, bar.measure.currentData())
     scale = value(walking, lines.PIECE_SCALE)
     # What was marked, nearly 1.9 units, is now as tall as the figure, which stands for 1.6 metres.
-    assert scale == pytest.approx(figure_height(walking.open_project.bridge.document) / 1.9, rel=0.05)
-    assert not walking.viewport.picking.marks
+    assert scale == pytest.approx(figure_height(walking.parts.open_project.bridge.document) / 1.9, rel=0.05)
+    assert not walking.parts.viewport.picking.marks
     assert not bar.length.isVisible()
 
 
 def test_escape_gives_up_a_click_and_handles_come_back(qtbot: QtBot, walking: MainWindow, floor: Path) -> None:
     drop(walking, floor)
-    qtbot.mouseClick(walking.set_bar.stand, Qt.MouseButton.LeftButton)
-    before = walking.open_project.bridge.document
-    qtbot.keyClick(walking.viewport, Qt.Key.Key_Escape)
-    assert not walking.set_bar.stand.isChecked()
-    assert walking.set_bar.hint == ""
+    qtbot.mouseClick(walking.parts.sets.bar.stand, Qt.MouseButton.LeftButton)
+    before = walking.parts.open_project.bridge.document
+    qtbot.keyClick(walking.parts.viewport, Qt.Key.Key_Escape)
+    assert not walking.parts.sets.bar.stand.isChecked()
+    assert walking.parts.sets.bar.hint == ""
     click(qtbot, walking, (120.0, 150.0))
-    assert walking.open_project.bridge.document is before
+    assert walking.parts.open_project.bridge.document is before
 
 
 def test_the_other_axis_may_point_up(walking: MainWindow, floor: Path) -> None:
     drop(walking, floor)
-    up = walking.set_bar.up
+    up = walking.parts.sets.bar.up
     up.setCurrentIndex(up.findData("z"))
     up.activated.emit(up.currentIndex())
     assert value(walking, lines.PIECE_UP) == "z"
-    assert len(walking.open_project.bridge.document.pieces) == 1
+    assert len(walking.parts.open_project.bridge.document.pieces) == 1
 
 
 def test_a_set_may_come_first(qtbot: QtBot, window: MainWindow, dungeon: Path, cels: Path) -> None:
     drop(window, dungeon)
-    assert window.pages.currentWidget() is window.viewport
+    assert window.pages.currentWidget() is window.parts.viewport
     stairs = seen(window, (2.0, 1.0, -3.0))
     drop(window, cels)
-    qtbot.waitUntil(lambda: window.viewport.stage is not None and window.viewport.stage.pictures_drawn > 0)
+    qtbot.waitUntil(
+        lambda: (
+            window.parts.viewport.frame_painter is not None and window.parts.viewport.frame_painter.pictures_drawn > 0
+        )
+    )
     assert seen(window, (2.0, 1.0, -3.0)) == pytest.approx(stairs, abs=1e-6)
 
 
 def test_what_is_broken_is_said_and_changes_nothing(walking: MainWindow, tmp_path: Path) -> None:
-    before = walking.open_project.bridge.document
+    before = walking.parts.open_project.bridge.document
     write_garbage(tmp_path / "set.glb")
     drop(walking, tmp_path / "set.glb")
-    assert "set.glb" in walking.bar.text
-    assert walking.open_project.bridge.document is before
-    assert not walking.set_bar.isVisible()
+    assert "set.glb" in walking.parts.bar.text
+    assert walking.parts.open_project.bridge.document is before
+    assert not walking.parts.sets.bar.isVisible()
 
 
 def test_a_set_whose_file_went_is_left_out_of_the_picture(qtbot: QtBot, walking: MainWindow, floor: Path) -> None:
     drop(walking, floor)
     floor.unlink()
-    walking.viewport.reread()
-    qtbot.waitUntil(lambda: "floor.obj" in walking.bar.text)
-    assert walking.viewport.read_picture() is not None
+    walking.parts.viewport.reread()
+    qtbot.waitUntil(lambda: "floor.obj" in walking.parts.bar.text)
+    assert walking.parts.viewport.read_picture() is not None
 
 
 def test_the_menu_asks_for_a_file(walking: MainWindow, floor: Path) -> None:
     replies = reply(walking, floor)
-    walking.actions_of["import_set"].trigger()
+    walking.parts.actions["import_set"].trigger()
     assert replies.asked == ["set_file"]
-    assert [piece.name for piece in walking.open_project.bridge.document.pieces] == ["floor"]
-    assert walking.actions_of["settle_set"].isEnabled()
+    assert [piece.name for piece in walking.parts.open_project.bridge.document.pieces] == ["floor"]
+    assert walking.parts.actions["settle_set"].isEnabled()

@@ -20,10 +20,10 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def furnished(walking: MainWindow) -> MainWindow:
     """The window with a wall and a box; the layer is worked on."""
-    document = walking.open_project.bridge.document
+    document = walking.parts.open_project.bridge.document
     document = add_piece(document, "Back", "wall", {"position": [120, 130], "width": 200, "height": 150})
     document = add_piece(document, "Crate", "box", {"position": [200, 165], "width": 40, "height": 40, "depth": 30})
-    walking.open_project.bridge.session.edit("Furnish", document)
+    walking.parts.open_project.bridge.session.edit("Furnish", document)
     return walking
 
 
@@ -32,29 +32,29 @@ def value(document: Document, prop: AnyProperty, piece_id: str = "piece-2") -> o
 
 
 def at(window: MainWindow, x: float, y: float) -> QPoint:
-    seen = window.viewport.viewpoint.view.view_from_canvas((x, y))
+    seen = window.parts.viewport.viewpoint.view.view_from_canvas((x, y))
     return QPoint(round(seen[0]), round(seen[1]))
 
 
 def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
     qtbot: QtBot, furnished: MainWindow
 ) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     edge = at(furnished, 20, 80)
     move(viewport, edge)
-    assert viewport.hand.words == "Back"
-    assert viewport.hand.pieces.guides
+    assert viewport.controller.words == "Back"
+    assert viewport.controller.pieces.guides
     move(viewport, at(furnished, 60, 40))
-    assert viewport.hand.words == ""
+    assert viewport.controller.words == ""
     history = bridge.session.undo_name
     qtbot.mouseClick(viewport, LEFT, pos=edge)
     assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)
     assert bridge.session.undo_name == history, "choosing is no step"
-    assert viewport.hand.selected_id == "piece.position"
+    assert viewport.controller.selected_id == "piece.position"
 
 
 def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     start = at(furnished, 20, 80)
     qtbot.mousePress(viewport, LEFT, pos=start)
     for x in (10, 25, 40):
@@ -66,7 +66,7 @@ def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished
 
 
 def test_a_double_click_on_an_outline_still_adds_a_grounding_point(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     edge = at(furnished, 20, 80)
     qtbot.mouseClick(viewport, LEFT, pos=edge)
     qtbot.mouseDClick(viewport, LEFT, pos=edge)
@@ -77,7 +77,7 @@ def test_a_double_click_on_an_outline_still_adds_a_grounding_point(qtbot: QtBot,
 
 
 def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     bridge.session.select_piece("piece-2")
     drag(qtbot, viewport, "piece.width", QPoint(30, 0))
     zoom = viewport.viewpoint.view.zoom
@@ -87,7 +87,7 @@ def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindo
     qtbot.keyClicks(viewport, "66")
     qtbot.keyClick(viewport, Qt.Key.Key_Return)
     assert value(bridge.document, s.PIECE_HEIGHT) == 66
-    viewport.hand.selected_id = "piece.position"
+    viewport.controller.selected_id = "piece.position"
     viewport.setFocus()
     qtbot.keyClick(viewport, Qt.Key.Key_Left)
     assert value(bridge.document, s.PIECE_POSITION) == (199, 165)
@@ -95,28 +95,28 @@ def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindo
 
 
 def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(qtbot: QtBot, furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     furnished.activateWindow()
     viewport.setFocus()
     qtbot.waitUntil(viewport.hasFocus)
     bridge.session.select_piece("piece-2")
-    viewport.hand.selected_id = "light.lamp"
-    furnished.actions_of["delete"].trigger()
+    viewport.controller.selected_id = "light.lamp"
+    furnished.parts.actions["delete"].trigger()
     assert len(bridge.document.pieces) == 2
     qtbot.mouseClick(viewport, LEFT, pos=place_of(viewport, "piece.depth"))
-    furnished.actions_of["delete"].trigger()
+    furnished.parts.actions["delete"].trigger()
     assert [piece.name for piece in bridge.document.pieces] == ["Back"]
     assert bridge.layer_id == "layer-1"
 
 
 def test_the_handles_of_a_piece_go_with_it(furnished: MainWindow) -> None:
-    viewport, bridge = furnished.viewport, furnished.open_project.bridge
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     bridge.session.select_piece("piece-1")
-    assert viewport.hand.handles.find("piece.lean") is not None
+    assert viewport.controller.handles.find("piece.lean") is not None
     hidden = set_constant(bridge.document, Address(s.PIECE_PRESENT, piece_id="piece-1"), False)
     bridge.session.edit("Hide", hidden)
-    assert viewport.hand.handles.find("piece.lean") is None
+    assert viewport.controller.handles.find("piece.lean") is None
     bridge.session.undo()
     bridge.session.undo()
-    assert viewport.hand.handles.find("piece.position") is None
+    assert viewport.controller.handles.find("piece.position") is None
     viewport.grab()

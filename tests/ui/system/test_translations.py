@@ -189,6 +189,6 @@ def test_the_japanese_window_says_why_a_project_does_not_open(
 ) -> None:
     english.speak("ja")
 
-    window.project.open_path(tmp_path / "none.kage")
+    window.parts.project.open_path(tmp_path / "none.kage")
 
-    assert window.bar.text == f"{tmp_path}/none.kage：見つかりません"
+    assert window.parts.bar.text == f"{tmp_path}/none.kage：見つかりません"

@@ -15,14 +15,15 @@ from kagezou.document.key_edits import KeyRef
 from kagezou.document.model import Canvas, Cels, Drawing, Exposure
 from kagezou.document.properties import OPACITY
 from kagezou.geometry.box import Box
-from kagezou.ui.commands.table import plain
+from kagezou.tools.timeline.drawing_drag import BarPart
 from kagezou.ui.project.open_project import OpenProject
-from kagezou.ui.timeline.drawing_bars import Bar, BarPart, bars_of, part_at
+from kagezou.ui.system.menu_words import plain
+from kagezou.ui.timeline.drawing_bars import Bar, bars_of, part_at
 from kagezou.ui.timeline.drawing_menu import fill_drawing_menu
 from kagezou.ui.timeline.rows import RowKind
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.window.main_window import MainWindow
-from tests.ui.viewing import move
+from tests.ui.viewing import OwnClipboard, move
 
 NONE, SHIFT, CONTROL = (
     Qt.KeyboardModifier.NoModifier,
@@ -49,7 +50,7 @@ def sheet(open_project: OpenProject) -> OpenProject:
 
 @pytest.fixture
 def timeline(qtbot: QtBot, sheet: OpenProject) -> Timeline:
-    made = Timeline(sheet.bridge)
+    made = Timeline(sheet.bridge, OwnClipboard())
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()
@@ -248,7 +249,6 @@ def test_on_twos_for_the_whole_layer_or_what_is_chosen(timeline: Timeline, sheet
     assert seen(sheet).endswith("DDDDDDDD")
 
 
-@pytest.mark.usefixtures("clipboard")
 def test_drawings_are_pasted_at_the_playhead_on_another_layer(timeline: Timeline, sheet: OpenProject) -> None:
     session, drawings, said = sheet.bridge.session, timeline.drawings, list[str]()
     drawings.refused.connect(said.append)
@@ -277,9 +277,12 @@ def test_the_menu_lists_the_drawings(timeline: Timeline, sheet: OpenProject) -> 
     assert menu.title() == "Filled"
 
 
-@pytest.mark.usefixtures("clipboard")
 def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, walking: MainWindow) -> None:
-    timeline, session, actions = walking.timeline, walking.open_project.bridge.session, walking.actions_of
+    timeline, session, actions = (
+        walking.parts.time.timeline,
+        walking.parts.open_project.bridge.session,
+        walking.parts.actions,
+    )
     layer = session.document.layers[0]
     walking.activateWindow()
     timeline.lanes.setFocus()
@@ -293,7 +296,7 @@ def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, wal
     actions["delete"].trigger()
     assert session.document.layer(layer.id).cels.exposures[4].drawing is None
     menu = QMenu()
-    walking.menus.fill_drawings(menu)
+    walking.parts.menus.fill_drawings(menu)
     assert "Expose on Twos" in [plain(action.text()) for action in menu.actions()]
     session.edit("Key", edits.set_key(session.document, Address(OPACITY, layer.id), 3, 0.5))
     session.select_keys(frozenset({KeyRef(Address(OPACITY, layer.id), 3)}))

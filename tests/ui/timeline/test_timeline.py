@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QInputDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QInputDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.animation.timecode import Count, counted
@@ -24,16 +24,16 @@ from kagezou.document.set_properties import PIECE_ANGLE
 from kagezou.geometry.box import Box
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.images.cel_cache import CelCache
+from kagezou.tools.timeline.snapping import snap_frames, snapped
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.time.key_commands import KeyCommands
 from kagezou.ui.time.playback import Player, bounced
 from kagezou.ui.timeline.revealing import ANIMATED, CHANGED, REVEALED, added, animated_or_changed, toggled
 from kagezou.ui.timeline.row_names import Spot
 from kagezou.ui.timeline.rows import Reveal, RowKind
-from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.window.main_window import MainWindow
-from tests.ui.viewing import move
+from tests.ui.viewing import OwnClipboard, move
 
 LIGHT, DECLINATION = Address(LIGHT_POSITION), Address(GROUND_DECLINATION)
 NO_KEYS: Refs = frozenset()
@@ -55,7 +55,7 @@ def keyed(open_project: OpenProject, cels: Path) -> OpenProject:
 
 @pytest.fixture
 def timeline(qtbot: QtBot, keyed: OpenProject) -> Timeline:
-    made = Timeline(keyed.bridge, keyed.cels.kept_sources)
+    made = Timeline(keyed.bridge, OwnClipboard(), keyed.cels.kept_sources)
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()
@@ -77,11 +77,20 @@ class Paints(QObject):
             self.counts[watched] += 1
         return False
 
+    def settle(self) -> None:
+        """Let all that is to be painted be painted, and count from there."""
+        before: dict[QWidget, int] | None = None
+        while before != self.counts:
+            before = dict(self.counts)
+            QApplication.sendPostedEvents()
+            QApplication.processEvents()
+        self.counts = dict.fromkeys(self.counts, 0)
+
 
 def test_a_drag_of_a_keyed_value_paints_the_names_alone(qtbot: QtBot, timeline: Timeline, keyed: OpenProject) -> None:
     ruler, lanes, names = timeline.ruler, timeline.lanes, timeline.names
-    QTest.qWait(50)
     paints = Paints(ruler, lanes, names)
+    paints.settle()
     document = edits.set_key(keyed.bridge.document, LIGHT, 10, (12.0, 0.0, 900.0))
     keyed.bridge.session.edit("Move the lamp", document)
     qtbot.waitUntil(lambda: paints.counts[names] > 0)
@@ -176,7 +185,7 @@ def test_a_box_chooses_what_lies_in_it(timeline: Timeline, keyed: OpenProject) -
     QTest.mousePress(lanes, button, pos=start)
     end = QPoint(round(timeline.scale.x_of(22)), row_y(timeline, LIGHT))
     move(timeline.lanes, end, Qt.MouseButton.LeftButton)
-    assert lanes.hand.box is not None
+    assert lanes.controller.box is not None
     QTest.mouseRelease(lanes, button, pos=end)
     assert keyed.bridge.session.state.keys == {KeyRef(DECLINATION, 10), KeyRef(LIGHT, 10), KeyRef(LIGHT, 20)}
 
@@ -225,23 +234,22 @@ def test_dragged_keys_catch_on_others_and_ctrl_lets_them_pass(timeline: Timeline
 def test_the_line_of_what_caught_is_shown(timeline: Timeline, keyed: OpenProject) -> None:
     keyed.bridge.session.go_to(30)
     drag(timeline, key_point(timeline, LIGHT, 20), -12, let_go=False)
-    assert timeline.lanes.hand.caught_by == 8
-    assert timeline.lanes.hand.said == "8  (-12)   0+08"
+    assert timeline.lanes.controller.caught_by == 8
+    assert timeline.lanes.controller.said == "8  (-12)   0+08"
     image = timeline.lanes.grab().toImage()
     middle = round(timeline.scale.middle_of(8))
     colors = [image.pixelColor(x, image.height() - 4) for x in range(middle - 2, middle + 3)]
     assert any(color.red() > 150 and color.blue() < 90 for color in colors), "an orange line"
-    timeline.lanes.hand.cancel()
+    timeline.lanes.controller.cancel()
 
 
-@pytest.mark.usefixtures("clipboard")
-def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path) -> None:
+def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path, clipboard: OwnClipboard) -> None:
     session = keyed.bridge.session
     opacity = Address(OPACITY, session.document.layers[0].id)
     session.select_keys(frozenset({KeyRef(LIGHT, 10), KeyRef(LIGHT, 20), KeyRef(opacity, 8)}))
-    KeyCommands(keyed.bridge).copy()
+    KeyCommands(keyed.bridge, clipboard).copy()
     other = OpenProject()
-    commands, refused = KeyCommands(other.bridge), list[str]()
+    commands, refused = KeyCommands(other.bridge, clipboard), list[str]()
     commands.refused.connect(refused.append)
     other.bring((CharacterSource("Stranger", cels),)).at_once()
     other.bridge.session.go_to(3)
@@ -256,16 +264,15 @@ def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path) -
     second = edits.set_key(second, Address(OPACITY, second.layers[1].id), 4, 0.5)
     session.edit("Second", second)
     session.select_keys(frozenset({KeyRef(opacity, 8), KeyRef(Address(OPACITY, second.layers[1].id), 4)}))
-    KeyCommands(keyed.bridge).copy()
+    KeyCommands(keyed.bridge, clipboard).copy()
     before = other.bridge.document
     commands.paste()
     assert other.bridge.document is before
     assert refused == ["The copied keys belong to layers that are not in this project."]
 
 
-@pytest.mark.usefixtures("clipboard")
-def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: OpenProject) -> None:
-    commands, session = KeyCommands(keyed.bridge), keyed.bridge.session
+def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: OpenProject, clipboard: OwnClipboard) -> None:
+    commands, session = KeyCommands(keyed.bridge, clipboard), keyed.bridge.session
     refused: list[str] = []
     commands.refused.connect(refused.append)
     commands.paste()
@@ -288,7 +295,7 @@ def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: OpenProje
 
 
 def test_easing_holding_and_setting_keys(keyed: OpenProject) -> None:
-    commands, session = KeyCommands(keyed.bridge), keyed.bridge.session
+    commands, session = KeyCommands(keyed.bridge, OwnClipboard()), keyed.bridge.session
     commands.select_all()
     assert len(session.state.keys) == 5
     session.select_keys(frozenset({KeyRef(LIGHT, 10)}))
@@ -330,7 +337,7 @@ def test_the_navigator_of_a_row(
 
 
 def test_the_work_area_is_set_dragged_played_and_cleared(timeline: Timeline, keyed: OpenProject) -> None:
-    commands, session = KeyCommands(keyed.bridge), keyed.bridge.session
+    commands, session = KeyCommands(keyed.bridge, OwnClipboard()), keyed.bridge.session
     session.go_to(10)
     commands.begin_work_area()
     session.go_to(13)
@@ -402,13 +409,13 @@ def test_with_shift_a_letter_adds_what_it_reveals(qtbot: QtBot, walking: MainWin
     assert both == Reveal(REVEALED["reveal_light"] | REVEALED["reveal_tilt"])
     assert added(ANIMATED, "reveal_tilt") == Reveal(REVEALED["reveal_tilt"])
     walking.activateWindow()
-    walking.timeline.lanes.setFocus()
-    qtbot.waitUntil(walking.timeline.lanes.hasFocus)
-    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_P)
-    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
-    assert walking.timeline.rows.reveal == both
-    QTest.keyClick(walking.timeline.lanes, Qt.Key.Key_R)
-    assert walking.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
+    walking.parts.time.timeline.lanes.setFocus()
+    qtbot.waitUntil(walking.parts.time.timeline.lanes.hasFocus)
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_P)
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    assert walking.parts.time.timeline.rows.reveal == both
+    QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_R)
+    assert walking.parts.time.timeline.rows.reveal == Reveal(REVEALED["reveal_tilt"])
 
 
 def test_revealed_properties_have_rows_whether_keyed_or_not(timeline: Timeline, keyed: OpenProject) -> None:
@@ -479,7 +486,7 @@ def test_arrows_step_while_the_lanes_have_the_keyboard(timeline: Timeline, keyed
 
 def test_an_empty_sheet_says_how_to_begin(qtbot: QtBot, open_project: OpenProject, cels: Path) -> None:
     open_project.bring((CharacterSource("Walker", cels),)).at_once()
-    made = Timeline(open_project.bridge)
+    made = Timeline(open_project.bridge, OwnClipboard())
     qtbot.addWidget(made)
     made.resize(1000, 300)
     made.show()

@@ -19,32 +19,32 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def cornering(active: MainWindow) -> MainWindow:
     """The window, asked for a corner."""
-    active.actions_of["draw_corner"].trigger()
+    active.parts.actions["draw_corner"].trigger()
     return active
 
 
 def stroke(
     qtbot: QtBot, window: MainWindow, start: tuple[float, float], end: tuple[float, float], *, let_go: bool = True
 ) -> None:
-    view = window.viewport.viewpoint.view
+    view = window.parts.viewport.viewpoint.view
     (ax, ay), (bx, by) = view.view_from_canvas(start), view.view_from_canvas(end)
-    qtbot.mousePress(window.viewport, LEFT, pos=QPoint(round(ax), round(ay)))
+    qtbot.mousePress(window.parts.viewport, LEFT, pos=QPoint(round(ax), round(ay)))
     for part in (0.3, 0.7, 1.0):
-        move(window.viewport, QPoint(round(ax + part * (bx - ax)), round(ay + part * (by - ay))), LEFT)
+        move(window.parts.viewport, QPoint(round(ax + part * (bx - ax)), round(ay + part * (by - ay))), LEFT)
     if let_go:
-        qtbot.mouseRelease(window.viewport, LEFT, pos=QPoint(round(bx), round(by)))
+        qtbot.mouseRelease(window.parts.viewport, LEFT, pos=QPoint(round(bx), round(by)))
 
 
 def shows_handles(window: MainWindow) -> bool:
-    return window.viewport.overlay.shows_handles
+    return window.parts.viewport.overlay.shows_handles
 
 
 def scene(window: MainWindow, name: str) -> object:
-    return value_of(window.open_project.bridge.document, Address(getattr(p, name)), 1)
+    return value_of(window.parts.open_project.bridge.document, Address(getattr(p, name)), 1)
 
 
 def test_two_drags_make_a_corner_in_two_steps(qtbot: QtBot, cornering: MainWindow) -> None:
-    sheet, bridge = cornering.corner_sheet, cornering.open_project.bridge
+    sheet, bridge = cornering.parts.sets.corner_sheet, cornering.parts.open_project.bridge
     before = bridge.document
     assert sheet.isVisible()
     assert "the figure stands on" in sheet.hint
@@ -70,14 +70,14 @@ def test_two_drags_make_a_corner_in_two_steps(qtbot: QtBot, cornering: MainWindo
 
 
 def test_escape_drops_the_line_in_the_hand_then_leaves(qtbot: QtBot, cornering: MainWindow) -> None:
-    sheet, bridge = cornering.corner_sheet, cornering.open_project.bridge
+    sheet, bridge = cornering.parts.sets.corner_sheet, cornering.parts.open_project.bridge
     before = bridge.document
     stroke(qtbot, cornering, (30, 160), (210, 120), let_go=False)
     assert bridge.document is not before
-    qtbot.keyClick(cornering.viewport, Qt.Key.Key_Escape)
+    qtbot.keyClick(cornering.parts.viewport, Qt.Key.Key_Escape)
     assert bridge.document is before
     assert sheet.stroke is CornerStroke.GROUND
-    qtbot.keyClick(cornering.viewport, Qt.Key.Key_Escape)
+    qtbot.keyClick(cornering.parts.viewport, Qt.Key.Key_Escape)
     assert not sheet.isVisible()
     assert not sheet.is_on
     assert shows_handles(cornering)
@@ -85,62 +85,62 @@ def test_escape_drops_the_line_in_the_hand_then_leaves(qtbot: QtBot, cornering: 
 
 
 def test_enter_keeps_the_ground_and_the_right_button_steps_back(qtbot: QtBot, cornering: MainWindow) -> None:
-    sheet, ground = cornering.corner_sheet, scene(cornering, "GROUND_POSITION")
-    qtbot.keyClick(cornering.viewport, Qt.Key.Key_Return)
+    sheet, ground = cornering.parts.sets.corner_sheet, scene(cornering, "GROUND_POSITION")
+    qtbot.keyClick(cornering.parts.viewport, Qt.Key.Key_Return)
     assert sheet.stroke is CornerStroke.WALL
     stroke(qtbot, cornering, (40, 150), (200, 150))
     assert scene(cornering, "GROUND_POSITION") == ground
-    assert len(cornering.open_project.bridge.document.pieces) == 1
-    cornering.actions_of["draw_wall"].trigger()
+    assert len(cornering.parts.open_project.bridge.document.pieces) == 1
+    cornering.parts.actions["draw_wall"].trigger()
     assert sheet.stroke is CornerStroke.WALL
-    qtbot.mousePress(cornering.viewport, Qt.MouseButton.RightButton, pos=QPoint(80, 80))
+    qtbot.mousePress(cornering.parts.viewport, Qt.MouseButton.RightButton, pos=QPoint(80, 80))
     assert not sheet.is_on
 
 
 def test_undo_with_the_line_in_the_hand_leaves_nothing_behind(qtbot: QtBot, cornering: MainWindow) -> None:
-    bridge = cornering.open_project.bridge
-    qtbot.keyClick(cornering.viewport, Qt.Key.Key_Return)
+    bridge = cornering.parts.open_project.bridge
+    qtbot.keyClick(cornering.parts.viewport, Qt.Key.Key_Return)
     stroke(qtbot, cornering, (40, 150), (200, 150), let_go=False)
     bridge.session.undo()
     bridge.session.undo()
     before = bridge.document
-    qtbot.mouseRelease(cornering.viewport, LEFT, pos=QPoint(200, 200))
+    qtbot.mouseRelease(cornering.parts.viewport, LEFT, pos=QPoint(200, 200))
     assert bridge.document is before
 
 
 def test_a_click_draws_nothing_and_asks_on(qtbot: QtBot, cornering: MainWindow) -> None:
-    before = cornering.open_project.bridge.document
-    qtbot.mouseClick(cornering.viewport, LEFT, pos=QPoint(200, 200))
-    qtbot.mouseDClick(cornering.viewport, LEFT, pos=QPoint(200, 200))
-    qtbot.mouseRelease(cornering.viewport, LEFT, pos=QPoint(200, 200))
-    assert cornering.open_project.bridge.document is before
-    assert cornering.corner_sheet.stroke is CornerStroke.GROUND
+    before = cornering.parts.open_project.bridge.document
+    qtbot.mouseClick(cornering.parts.viewport, LEFT, pos=QPoint(200, 200))
+    qtbot.mouseDClick(cornering.parts.viewport, LEFT, pos=QPoint(200, 200))
+    qtbot.mouseRelease(cornering.parts.viewport, LEFT, pos=QPoint(200, 200))
+    assert cornering.parts.open_project.bridge.document is before
+    assert cornering.parts.sets.corner_sheet.stroke is CornerStroke.GROUND
 
 
 def test_where_no_ground_is_seen_it_says_so(qtbot: QtBot, cornering: MainWindow) -> None:
-    cornering.inspector.row("ground.declination").enter(90.0)
-    qtbot.keyClick(cornering.viewport, Qt.Key.Key_Return)
-    before = cornering.open_project.bridge.document
+    cornering.parts.panels.inspector.row("ground.declination").enter(90.0)
+    qtbot.keyClick(cornering.parts.viewport, Qt.Key.Key_Return)
+    before = cornering.parts.open_project.bridge.document
     stroke(qtbot, cornering, (40, 150), (200, 150))
-    assert cornering.open_project.bridge.document is before
-    assert "no ground here" in cornering.bar.text
-    assert cornering.corner_sheet.is_on
+    assert cornering.parts.open_project.bridge.document is before
+    assert "no ground here" in cornering.parts.bar.text
+    assert cornering.parts.sets.corner_sheet.is_on
 
 
 def test_the_picture_can_be_panned_meanwhile_and_another_project_ends_it(qtbot: QtBot, cornering: MainWindow) -> None:
-    viewport = cornering.viewport
+    viewport = cornering.parts.viewport
     origin = viewport.viewpoint.view.origin_view_px
     qtbot.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(100, 100))
     viewport.viewpoint.pan(5, 5)
     qtbot.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(105, 105))
     assert viewport.viewpoint.view.origin_view_px != origin
     viewport.grab()
-    cornering.open_project.clear()
-    assert not cornering.corner_sheet.is_on
+    cornering.parts.open_project.clear()
+    assert not cornering.parts.sets.corner_sheet.is_on
 
 
 def test_a_pen_draws_as_the_mouse_does(cornering: MainWindow) -> None:
-    viewport, before = cornering.viewport, cornering.open_project.bridge.document
+    viewport, before = cornering.parts.viewport, cornering.parts.open_project.bridge.document
     pen = QPointingDevice(
         "pen",
         7,
@@ -160,5 +160,5 @@ def test_a_pen_draws_as_the_mouse_does(cornering: MainWindow) -> None:
         )  # fmt: skip
         QApplication.sendEvent(viewport, event)
         assert event.isAccepted(), "Qt would send the mouse events too"
-    assert cornering.open_project.bridge.document is not before
-    assert cornering.corner_sheet.stroke is CornerStroke.WALL
+    assert cornering.parts.open_project.bridge.document is not before
+    assert cornering.parts.sets.corner_sheet.stroke is CornerStroke.WALL

@@ -27,7 +27,7 @@ def test_the_same_frame_by_window_and_by_command_line_is_the_same_bytes(walking:
     ramp[..., 1] = np.arange(240)
     ramp[..., 3] = 255
     write_rgba(tmp_path / "ramp.png", ramp)
-    open_project = walking.open_project
+    open_project = walking.parts.open_project
     open_project.put_background(tmp_path / "ramp.png").at_once()
     document = open_project.bridge.document
     for point in ((108.0, 169.0), (132.0, 166.0)):
@@ -35,7 +35,7 @@ def test_the_same_frame_by_window_and_by_command_line_is_the_same_bytes(walking:
     open_project.bridge.session.edit("Ground", document)
     open_project.save(tmp_path / "cut.kage")
     open_project.bridge.session.go_to(3)
-    shown = picture(walking.viewport)
+    shown = picture(walking.parts.viewport)
 
     by_command_line("render", str(tmp_path / "cut.kage"), "-o", str(tmp_path / "out"), "--frames", "3", "--composite")
     written = read_cel(tmp_path / "out" / "composite" / "composite_0003.png").rgba
@@ -44,7 +44,7 @@ def test_the_same_frame_by_window_and_by_command_line_is_the_same_bytes(walking:
 
 
 def test_what_characters_cast_on_each_other_is_the_same_in_every_view(walking: MainWindow, tmp_path: Path) -> None:
-    open_project = walking.open_project
+    open_project = walking.parts.open_project
     write_rgba(tmp_path / "paper.png", np.full((200, 240, 4), 255, np.uint8))
     open_project.put_background(tmp_path / "paper.png").at_once()
     document = open_project.bridge.document
@@ -60,9 +60,9 @@ def test_what_characters_cast_on_each_other_is_the_same_in_every_view(walking: M
         document = set_constant(document, resolve(document, path), value)
     open_project.bridge.session.edit("Two", document)
     open_project.save(tmp_path / "cut.kage")
-    shown = picture(walking.viewport)
-    walking.actions_of["view_matte"].trigger()
-    matte = picture(walking.viewport)[..., 0]
+    shown = picture(walking.parts.viewport)
+    walking.parts.actions["view_matte"].trigger()
+    matte = picture(walking.parts.viewport)[..., 0]
 
     by_command_line("render", str(tmp_path / "cut.kage"), "-o", str(tmp_path / "out"), "--frames", "1", "--composite")
     composite = read_cel(tmp_path / "out" / "composite" / "composite_0001.png", white_is_clear=False)

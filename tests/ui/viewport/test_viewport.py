@@ -30,7 +30,7 @@ LAMP_WAYS = {
 
 def prepare(window: MainWindow, handle_id: str) -> None:
     """Put the document into a state that has the handle."""
-    session = window.open_project.bridge.session
+    session = window.parts.open_project.bridge.session
     document = session.document
     if handle_id == "grounding.0":
         document = add_grounding(document, document.layers[0].id, 1, (110.0, 168.0))
@@ -41,9 +41,9 @@ def prepare(window: MainWindow, handle_id: str) -> None:
 
 
 def test_a_dropped_folder_shows_a_whole_shadow(walking: MainWindow) -> None:
-    assert len(walking.open_project.bridge.document.layers) == 1
+    assert len(walking.parts.open_project.bridge.document.layers) == 1
     assert shadow_is_on_canvas(walking)
-    assert walking.pages.currentWidget() is walking.viewport
+    assert walking.pages.currentWidget() is walking.parts.viewport
 
 
 @pytest.mark.parametrize("handle_id", [*LAMP_WAYS, "light.sun"])
@@ -51,7 +51,7 @@ def test_every_handle_changes_document_and_picture_and_comes_back(
     qtbot: QtBot, walking: MainWindow, handle_id: str
 ) -> None:
     prepare(walking, handle_id)
-    session, viewport = walking.open_project.bridge.session, walking.viewport
+    session, viewport = walking.parts.open_project.bridge.session, walking.parts.viewport
     before, before_picture = session.document, picture(viewport)
     way = LAMP_WAYS.get(handle_id, QPoint(25, 18))
 
@@ -67,30 +67,30 @@ def test_every_handle_changes_document_and_picture_and_comes_back(
     after, after_picture = session.document, picture(viewport)
     check(after)
     assert after is not before
-    walking.actions_of["undo"].trigger()
+    walking.parts.actions["undo"].trigger()
     assert session.document is before
     assert np.array_equal(picture(viewport), before_picture)
-    walking.actions_of["redo"].trigger()
+    walking.parts.actions["redo"].trigger()
     assert session.document is after
     assert np.array_equal(picture(viewport), after_picture)
 
 
 def test_the_right_button_takes_a_drag_back(qtbot: QtBot, walking: MainWindow) -> None:
-    before = walking.open_project.bridge.document
-    drag(qtbot, walking.viewport, "light.lamp", QPoint(40, 20), let_go=False)
-    qtbot.mousePress(walking.viewport, Qt.MouseButton.RightButton)
-    assert walking.open_project.bridge.document is before
-    assert walking.open_project.is_saved
+    before = walking.parts.open_project.bridge.document
+    drag(qtbot, walking.parts.viewport, "light.lamp", QPoint(40, 20), let_go=False)
+    qtbot.mousePress(walking.parts.viewport, Qt.MouseButton.RightButton)
+    assert walking.parts.open_project.bridge.document is before
+    assert walking.parts.open_project.is_saved
 
 
 def test_a_drag_is_one_step_with_a_name(qtbot: QtBot, walking: MainWindow) -> None:
-    drag(qtbot, walking.viewport, "light.lamp", QPoint(40, 20))
-    assert walking.open_project.bridge.session.undo_name == "Move Lamp"
-    assert walking.actions_of["undo"].text() == "&Undo Move Lamp"
+    drag(qtbot, walking.parts.viewport, "light.lamp", QPoint(40, 20))
+    assert walking.parts.open_project.bridge.session.undo_name == "Move Lamp"
+    assert walking.parts.actions["undo"].text() == "&Undo Move Lamp"
 
 
 def test_a_double_click_adds_a_grounding_point_and_delete_removes_it(qtbot: QtBot, walking: MainWindow) -> None:
-    viewport, bridge = walking.viewport, walking.open_project.bridge
+    viewport, bridge = walking.parts.viewport, walking.parts.open_project.bridge
     x, y = viewport.viewpoint.view.view_from_canvas((112.0, 150.0))
     qtbot.mouseDClick(viewport, Qt.MouseButton.LeftButton, pos=QPoint(round(x), round(y)))
     grounding = Address(properties.GROUNDING, bridge.layer_id)
@@ -98,21 +98,21 @@ def test_a_double_click_adds_a_grounding_point_and_delete_removes_it(qtbot: QtBo
     assert isinstance(points, tuple)
     assert len(points) == 1
     assert points[0] == pytest.approx((112.0, 150.0), abs=1.0)
-    assert viewport.hand.selected_id == "grounding.0"
-    walking.actions_of["delete"].trigger()
+    assert viewport.controller.selected_id == "grounding.0"
+    walking.parts.actions["delete"].trigger()
     assert value_of(bridge.document, grounding, 1) == ()
 
 
 def test_tab_reaches_every_handle_and_arrows_nudge_it(qtbot: QtBot, walking: MainWindow) -> None:
-    viewport, bridge = walking.viewport, walking.open_project.bridge
+    viewport, bridge = walking.parts.viewport, walking.parts.open_project.bridge
     viewport.setFocus()
-    ids = [handle.id for handle in viewport.hand.handles.handles]
+    ids = [handle.id for handle in viewport.controller.handles.handles]
     reached = []
     for _ in ids:
         qtbot.keyClick(viewport, Qt.Key.Key_Tab)
-        reached.append(viewport.hand.selected_id)
+        reached.append(viewport.controller.selected_id)
     assert sorted(map(str, reached)) == sorted(ids)
-    viewport.hand.selected_id = "ground.position"
+    viewport.controller.selected_id = "ground.position"
     assert value_of(bridge.document, Address(properties.GROUND_POSITION), 1) == (120.0, 170.0)
     qtbot.keyClick(viewport, Qt.Key.Key_Right)
     qtbot.keyClick(viewport, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
@@ -122,14 +122,14 @@ def test_tab_reaches_every_handle_and_arrows_nudge_it(qtbot: QtBot, walking: Mai
 
 
 def test_arrows_step_frames_while_no_handle_is_selected(qtbot: QtBot, walking: MainWindow) -> None:
-    qtbot.keyClick(walking.viewport, Qt.Key.Key_Right)
-    assert walking.open_project.bridge.frame == 2
+    qtbot.keyClick(walking.parts.viewport, Qt.Key.Key_Right)
+    assert walking.parts.open_project.bridge.frame == 2
 
 
 def wheel(window: MainWindow, at: QPointF, steps: int) -> None:
     event = QWheelEvent(
         at,
-        window.viewport.mapToGlobal(at),
+        window.parts.viewport.mapToGlobal(at),
         QPoint(),
         QPoint(0, 120 * steps),
         Qt.MouseButton.NoButton,
@@ -137,12 +137,12 @@ def wheel(window: MainWindow, at: QPointF, steps: int) -> None:
         Qt.ScrollPhase.NoScrollPhase,
         False,
     )
-    QApplication.sendEvent(window.viewport, event)
+    QApplication.sendEvent(window.parts.viewport, event)
 
 
 @pytest.mark.parametrize("steps", [1, -2, 5])
 def test_the_wheel_keeps_the_point_under_the_pointer(walking: MainWindow, steps: int) -> None:
-    viewpoint = walking.viewport.viewpoint
+    viewpoint = walking.parts.viewport.viewpoint
     at = QPointF(211.0, 97.0)
     before, zoom = viewpoint.view.canvas_from_view((at.x(), at.y())), viewpoint.view.zoom
     wheel(walking, at, steps)
@@ -152,10 +152,10 @@ def test_the_wheel_keeps_the_point_under_the_pointer(walking: MainWindow, steps:
 
 
 def test_fit_and_actual_pixels(walking: MainWindow) -> None:
-    viewpoint = walking.viewport.viewpoint
-    walking.actions_of["actual"].trigger()
+    viewpoint = walking.parts.viewport.viewpoint
+    walking.parts.actions["actual"].trigger()
     assert viewpoint.percent == pytest.approx(100.0)
-    walking.actions_of["fit"].trigger()
+    walking.parts.actions["fit"].trigger()
     left, top = viewpoint.view.view_from_canvas((0.0, 0.0))
     right, bottom = viewpoint.view.view_from_canvas((240.0, 200.0))
     assert 0 < left < right < viewpoint.size[0]
@@ -163,19 +163,19 @@ def test_fit_and_actual_pixels(walking: MainWindow) -> None:
 
 
 def test_the_fitted_picture_stays_fitted_when_the_window_grows(qtbot: QtBot, walking: MainWindow) -> None:
-    before = walking.viewport.viewpoint.view
+    before = walking.parts.viewport.viewpoint.view
     walking.resize(1300, 900)
-    qtbot.waitUntil(lambda: walking.viewport.viewpoint.view != before)
-    assert walking.viewport.viewpoint.is_fitted
+    qtbot.waitUntil(lambda: walking.parts.viewport.viewpoint.view != before)
+    assert walking.parts.viewport.viewpoint.is_fitted
 
 
 def test_the_middle_button_and_the_space_bar_pan(qtbot: QtBot, walking: MainWindow) -> None:
-    viewport, origin = walking.viewport, walking.viewport.viewpoint.view.origin_view_px
+    viewport, origin = walking.parts.viewport, walking.parts.viewport.viewpoint.view.origin_view_px
     qtbot.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(50, 50))
     move(viewport, QPoint(80, 40))
     qtbot.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(80, 40))
     assert viewport.viewpoint.view.origin_view_px == pytest.approx((origin[0] + 30, origin[1] - 10))
-    document = walking.open_project.bridge.document
+    document = walking.parts.open_project.bridge.document
     lamp = place_of(viewport, "light.lamp")
     qtbot.keyPress(viewport, Qt.Key.Key_Space)
     qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=lamp)
@@ -183,40 +183,42 @@ def test_the_middle_button_and_the_space_bar_pan(qtbot: QtBot, walking: MainWind
     qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=lamp + QPoint(10, 20))
     qtbot.keyRelease(viewport, Qt.Key.Key_Space)
     assert viewport.viewpoint.view.origin_view_px == pytest.approx((origin[0] + 40, origin[1] + 10))
-    assert walking.open_project.bridge.document is document, "no handle was taken"
-    assert not walking.player.is_playing, "panning does not play"
+    assert walking.parts.open_project.bridge.document is document, "no handle was taken"
+    assert not walking.parts.time.player.is_playing, "panning does not play"
 
 
 def test_the_space_bar_plays_without_handles_and_stops(qtbot: QtBot, walking: MainWindow) -> None:
-    qtbot.keyClick(walking.viewport, Qt.Key.Key_Space)
-    assert not walking.viewport.overlay.shows_handles
+    # However late a picture is, the next frame follows: no loop comes round to where it was.
+    walking.parts.time.player.every_frame = True
+    qtbot.keyClick(walking.parts.viewport, Qt.Key.Key_Space)
+    assert not walking.parts.viewport.overlay.shows_handles
     seen: set[int] = set()
-    walking.open_project.bridge.frame_changed.connect(seen.add)
+    walking.parts.open_project.bridge.frame_changed.connect(seen.add)
     qtbot.waitUntil(lambda: len(seen) >= 4)
-    qtbot.keyClick(walking.viewport, Qt.Key.Key_Space)
-    assert not walking.player.is_playing
-    assert walking.viewport.overlay.shows_handles
+    qtbot.keyClick(walking.parts.viewport, Qt.Key.Key_Space)
+    assert not walking.parts.time.player.is_playing
+    assert walking.parts.viewport.overlay.shows_handles
 
 
 def test_following_the_pointer_never_draws_the_picture(walking: MainWindow) -> None:
-    stage = walking.viewport.stage
-    assert stage is not None
-    picture(walking.viewport)
-    drawn = stage.pictures_drawn
-    lamp = place_of(walking.viewport, "light.lamp")
+    frame_painter = walking.parts.viewport.frame_painter
+    assert frame_painter is not None
+    picture(walking.parts.viewport)
+    drawn = frame_painter.pictures_drawn
+    lamp = place_of(walking.parts.viewport, "light.lamp")
     for offset in range(0, 40, 4):
-        move(walking.viewport, lamp + QPoint(offset, 0))
+        move(walking.parts.viewport, lamp + QPoint(offset, 0))
         QApplication.processEvents()
     wheel(walking, QPointF(100, 100), 1)
     QApplication.processEvents()
-    assert stage.pictures_drawn == drawn
-    walking.open_project.bridge.session.select(None)
-    picture(walking.viewport)
-    assert stage.pictures_drawn == drawn
+    assert frame_painter.pictures_drawn == drawn
+    walking.parts.open_project.bridge.session.select(None)
+    picture(walking.parts.viewport)
+    assert frame_painter.pictures_drawn == drawn
 
 
 def test_the_pen_drags_as_the_mouse_does(walking: MainWindow) -> None:
-    viewport, before = walking.viewport, walking.open_project.bridge.document
+    viewport, before = walking.parts.viewport, walking.parts.open_project.bridge.document
     lamp = QPointF(place_of(viewport, "light.lamp"))
     pen = QPointingDevice(
         "pen",
@@ -238,21 +240,21 @@ def test_the_pen_drags_as_the_mouse_does(walking: MainWindow) -> None:
 
     near = lamp + QPointF(12, 0)
     send(QEvent.Type.TabletPress, near, Qt.MouseButton.LeftButton)
-    assert viewport.hand.held is not None, "a pen may miss by more than a mouse"
+    assert viewport.controller.held is not None, "a pen may miss by more than a mouse"
     send(QEvent.Type.TabletMove, near + QPointF(30, 10), Qt.MouseButton.LeftButton)
     send(QEvent.Type.TabletRelease, near + QPointF(30, 10), Qt.MouseButton.NoButton)
-    assert walking.open_project.bridge.document is not before
+    assert walking.parts.open_project.bridge.document is not before
 
 
 def test_another_context_draws_the_same_picture(qtbot: QtBot, walking: MainWindow) -> None:
-    before, first = picture(walking.viewport), walking.viewport.stage
-    walking.viewport.setParent(None)
-    walking.viewport.show()
-    qtbot.waitUntil(lambda: walking.viewport.stage not in (None, first))
-    assert np.array_equal(picture(walking.viewport), before)
-    walking.pages.addWidget(walking.viewport)
-    walking.pages.setCurrentWidget(walking.viewport)
-    assert np.array_equal(picture(walking.viewport), before)
+    before, first = picture(walking.parts.viewport), walking.parts.viewport.frame_painter
+    walking.parts.viewport.setParent(None)
+    walking.parts.viewport.show()
+    qtbot.waitUntil(lambda: walking.parts.viewport.frame_painter not in (None, first))
+    assert np.array_equal(picture(walking.parts.viewport), before)
+    walking.pages.addWidget(walking.parts.viewport)
+    walking.pages.setCurrentWidget(walking.parts.viewport)
+    assert np.array_equal(picture(walking.parts.viewport), before)
 
 
 def test_the_pill_stays_in_the_viewport() -> None:

@@ -20,8 +20,8 @@ from tests.ui.viewing import drag, move, picture
 
 
 def view(window: MainWindow, name: str) -> np.ndarray[tuple[int, ...], np.dtype[np.int_]]:
-    window.actions_of[f"view_{name}"].trigger()
-    return picture(window.viewport)[..., :3].astype(int)
+    window.parts.actions[f"view_{name}"].trigger()
+    return picture(window.parts.viewport)[..., :3].astype(int)
 
 
 class TestViews:
@@ -59,26 +59,26 @@ class TestViews:
         before = view(walking, "composite")
         for name in ("shadow", "outline", "matte"):
             assert (view(walking, name) != before).any()
-            checked = [each for each in PictureView if walking.actions_of[f"view_{each.value}"].isChecked()]
+            checked = [each for each in PictureView if walking.parts.actions[f"view_{each.value}"].isChecked()]
             assert checked == [PictureView(name)]
         assert (view(walking, "composite") == before).all()
 
     def test_an_unreadable_drawing_is_left_out_of_every_view(self, qtbot: QtBot, walking: MainWindow) -> None:
-        path = walking.open_project.bridge.document.layers[0].cels.drawings[1].path
+        path = walking.parts.open_project.bridge.document.layers[0].cels.drawings[1].path
         path.write_bytes(b"no picture")
-        walking.open_project.bridge.session.go_to(2)
+        walking.parts.open_project.bridge.session.go_to(2)
         for each in PictureView:
             assert view(walking, each.value).std() < 1
-        qtbot.waitUntil(lambda: path.name in walking.bar.text)
+        qtbot.waitUntil(lambda: path.name in walking.parts.bar.text)
 
     def test_a_view_follows_edits(self, walking: MainWindow) -> None:
         before = view(walking, "matte").max()
-        layer = walking.open_project.bridge.document.layers[0]
+        layer = walking.parts.open_project.bridge.document.layers[0]
         opacity = Address(properties.OF_LAYER["shadow.opacity"], layer.id)
-        walking.open_project.bridge.session.edit(
-            "Opacity", set_value(walking.open_project.bridge.document, opacity, 1.0, 1)
+        walking.parts.open_project.bridge.session.edit(
+            "Opacity", set_value(walking.parts.open_project.bridge.document, opacity, 1.0, 1)
         )
-        assert picture(walking.viewport)[..., 0].max() == 255 > before
+        assert picture(walking.parts.viewport)[..., 0].max() == 255 > before
 
     def test_what_is_behind(self) -> None:
         assert behind(PictureView.MATTE, Backdrop.CHECKER, has_background=True) is Backdrop.BLACK
@@ -91,11 +91,11 @@ class TestViews:
 
 class TestSheets:
     def test_guides_lie_where_they_should(self, walking: MainWindow) -> None:
-        actions, guides = walking.actions_of, walking.guides
+        actions, guides = walking.parts.actions, walking.parts.sheets.guides
         assert not guides.isVisible()
         actions["safe_area"].trigger()
         assert guides.isVisible()
-        assert guides.size() == walking.viewport.size()
+        assert guides.size() == walking.parts.viewport.size()
         drawn, canvas = guides.grab().toImage(), guides.canvas
         x, y = round(canvas.left() + 0.05 * canvas.width()), round(canvas.center().y() + 30)
         around = [QColor(drawn.pixelColor(x + step, y)).alpha() for step in range(-3, 4)]
@@ -109,9 +109,9 @@ class TestSheets:
         assert not guides.isVisible()
 
     def test_a_snapshot_is_taken_shown_and_wiped(self, walking: MainWindow) -> None:
-        actions, snapshot = walking.actions_of, walking.snapshot
+        actions, snapshot = walking.parts.actions, walking.parts.sheets.snapshot
         assert not actions["snapshot_show"].isEnabled()
-        taken = picture(walking.viewport)
+        taken = picture(walking.parts.viewport)
         actions["snapshot_take"].trigger()
         view(walking, "matte")
         actions["snapshot_show"].trigger()
@@ -123,9 +123,9 @@ class TestSheets:
         seen = (color.red(), color.green(), color.blue())
         assert np.abs(np.array(seen) - taken[height // 2, width // 2, :3]).max() <= 2
         actions["snapshot_wipe"].trigger()
-        move(walking.viewport, QPoint(middle.x() - 20, middle.y()))
+        move(walking.parts.viewport, QPoint(middle.x() - 20, middle.y()))
         assert snapshot.grab().toImage().pixelColor(middle).alpha() == 0
-        move(walking.viewport, QPoint(middle.x() + 20, middle.y()))
+        move(walking.parts.viewport, QPoint(middle.x() + 20, middle.y()))
         assert snapshot.grab().toImage().pixelColor(middle).alpha() == 255
         actions["snapshot_show"].trigger()
         assert not snapshot.isVisible()
@@ -133,7 +133,7 @@ class TestSheets:
 
 class TestOnionSkin:
     def test_neighbours_are_drawings_not_frames(self, walking: MainWindow) -> None:
-        document = walking.open_project.bridge.document
+        document = walking.parts.open_project.bridge.document
         held = (Exposure(1, 0), Exposure(3, 1), Exposure(4, None), Exposure(5, 2), Exposure(6, 3))
         layer = set_exposures(document, document.layers[0].id, held).layers[0]
         assert neighbours(layer, 3, 1) == (Neighbour(1, -1), Neighbour(5, 1))
@@ -150,14 +150,14 @@ class TestOnionSkin:
         assert before[0, 1, 3] == 0
 
     def test_they_are_drawn_at_rest_and_gone_with_the_frame(self, qtbot: QtBot, walking: MainWindow) -> None:
-        session, onion_skin = walking.open_project.bridge.session, walking.onion_skin
+        session, onion_skin = walking.parts.open_project.bridge.session, walking.parts.sheets.onion_skin
         session.go_to(3)
-        before = picture(walking.viewport)
-        walking.actions_of["onion_skin"].trigger()
+        before = picture(walking.parts.viewport)
+        walking.parts.actions["onion_skin"].trigger()
         assert onion_skin.images == []
-        qtbot.waitUntil(lambda: len(onion_skin.images) == 2, timeout=15000)
+        qtbot.waitUntil(lambda: len(onion_skin.images) == 2)
         assert onion_skin.isVisible()
-        assert (picture(walking.viewport) == before).all(), "the frame itself is what it was"
+        assert (picture(walking.parts.viewport) == before).all(), "the frame itself is what it was"
         drawn = onion_skin.grab().toImage()
         seen = {
             drawn.pixelColor(x, y).alpha() > 0 for x in range(0, drawn.width(), 4) for y in range(0, drawn.height(), 4)
@@ -166,29 +166,37 @@ class TestOnionSkin:
         session.go_to(4)
         assert onion_skin.images == []
         assert not onion_skin.isVisible()
-        walking.actions_of["onion_skin"].trigger()
-        qtbot.wait(300)
+        walking.parts.actions["onion_skin"].trigger()
+        # Nothing is drawn but when the hand has rested, and that is not waited for any more.
+        assert not onion_skin._rest.isActive()
+        onion_skin._go_on()
         assert onion_skin.images == []
 
     def test_nothing_is_drawn_while_the_cut_plays(self, qtbot: QtBot, walking: MainWindow) -> None:
-        walking.actions_of["onion_skin"].trigger()
-        walking.player.toggle()
-        qtbot.wait(500)
-        assert walking.onion_skin.images == []
-        walking.player.stop()
-        qtbot.waitUntil(lambda: bool(walking.onion_skin.images), timeout=15000)
+        walking.parts.actions["onion_skin"].trigger()
+        onion_skin = walking.parts.sheets.onion_skin
+        walking.parts.time.player.toggle()
+        shown: list[int] = []
+        walking.parts.bridge.frame_changed.connect(shown.append)
+        qtbot.waitUntil(lambda: len(shown) > 3)
+        # Each frame takes the neighbours of the one before away; asked for meanwhile, they wait for rest again.
+        onion_skin._go_on()
+        assert onion_skin.images == []
+        assert onion_skin._rest.isActive()
+        walking.parts.time.player.stop()
+        qtbot.waitUntil(lambda: bool(walking.parts.sheets.onion_skin.images))
 
     def test_how_many_is_chosen_and_remembered(self, qtbot: QtBot, walking: MainWindow) -> None:
-        walking.open_project.bridge.session.go_to(3)
-        walking.menus.onion.actions()[1].trigger()
-        assert walking.actions_of["onion_skin"].isChecked()
-        assert walking.settings.word("onion_drawings", "") == "2"
-        qtbot.waitUntil(lambda: len(walking.onion_skin.images) == 4, timeout=15000)
+        walking.parts.open_project.bridge.session.go_to(3)
+        walking.parts.menus.onion.actions()[1].trigger()
+        assert walking.parts.actions["onion_skin"].isChecked()
+        assert walking.parts.settings.word("onion_drawings", "") == "2"
+        qtbot.waitUntil(lambda: len(walking.parts.sheets.onion_skin.images) == 4)
 
 
 class TestTyping:
     def test_what_is_typed_while_dragging_is_the_value(self, qtbot: QtBot, walking: MainWindow) -> None:
-        viewport, session = walking.viewport, walking.open_project.bridge.session
+        viewport, session = walking.parts.viewport, walking.parts.open_project.bridge.session
         viewport.setFocus()
         declination = Address(properties.GROUND_DECLINATION)
         drag(qtbot, viewport, "ground.declination", QPoint(0, 25), let_go=False)
@@ -197,18 +205,18 @@ class TestTyping:
         QTest.keyClick(viewport, Qt.Key.Key_Backspace)
         QTest.keyClicks(viewport, "2.")
         QTest.keyClicks(viewport, "5")
-        assert "42.5" in viewport.hand.words
+        assert "42.5" in viewport.controller.words
         move(viewport, QPoint(20, 20))
         assert value_of(session.document, declination, 1) == 42.5
-        assert walking.open_project.bridge.frame == 1, "the full stop is no command while a handle is held"
+        assert walking.parts.open_project.bridge.frame == 1, "the full stop is no command while a handle is held"
         QTest.keyClick(viewport, Qt.Key.Key_Return)
-        assert not viewport.hand.is_busy
+        assert not viewport.controller.is_busy
         assert value_of(session.document, declination, 1) == 42.5
         session.undo()
         assert value_of(session.document, declination, 1) != 42.5
 
     def test_escape_takes_the_typed_value_back(self, qtbot: QtBot, walking: MainWindow) -> None:
-        viewport, session = walking.viewport, walking.open_project.bridge.session
+        viewport, session = walking.parts.viewport, walking.parts.open_project.bridge.session
         before = session.document
         drag(qtbot, viewport, "ground.position", QPoint(10, 10), let_go=False)
         QTest.keyClicks(viewport, "50")
@@ -223,8 +231,8 @@ class TestTyping:
     def test_places_are_typed_by_their_coordinates(
         self, walking: MainWindow, text: str, place: tuple[float | None, float | None] | None
     ) -> None:
-        document = walking.open_project.bridge.document
-        handle = walking.viewport.hand.handles.find("ground.position")
+        document = walking.parts.open_project.bridge.document
+        handle = walking.parts.viewport.controller.handles.find("ground.position")
         assert handle is not None
         position = Address(properties.GROUND_POSITION)
         x, y = np.asarray(value_of(document, position, 1), float)
@@ -238,6 +246,6 @@ class TestTyping:
 
     @pytest.mark.parametrize("text", ["", "-", "4+", "x", "1,2,3,4,5"])
     def test_half_a_number_changes_nothing(self, walking: MainWindow, text: str) -> None:
-        handle = walking.viewport.hand.handles.find("ground.declination")
+        handle = walking.parts.viewport.controller.handles.find("ground.declination")
         assert handle is not None
-        assert with_typed(handle, walking.open_project.bridge.document, 1, text) is None
+        assert with_typed(handle, walking.parts.open_project.bridge.document, 1, text) is None

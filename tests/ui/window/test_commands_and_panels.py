@@ -17,6 +17,7 @@ from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui.viewing import OwnClipboard
 
 CTRL_SHIFT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 AWAITED = {
@@ -42,7 +43,9 @@ def shown_docks(window: MainWindow) -> set[str]:
 class TestActions:
     def test_only_commands_of_parts_that_are_not_there_are_hidden(self, window: MainWindow) -> None:
         hidden = {
-            command.name for command in window.actions_of.commands if not window.actions_of.is_answered(command.name)
+            command.name
+            for command in window.parts.actions.commands
+            if not window.parts.actions.is_answered(command.name)
         }
         assert hidden <= AWAITED, "commands without Actions.on or Actions.on_toggled"
 
@@ -76,38 +79,38 @@ class TestActions:
         assert done == ["picture", "curves", "picture"]
 
     def test_tool_tips_carry_the_keys(self, window: MainWindow) -> None:
-        for command in window.actions_of.commands:
+        for command in window.parts.actions.commands:
             for key in command.keys[:1]:
                 native = QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
-                assert f"({native})" in window.actions_of[command.name].toolTip()
+                assert f"({native})" in window.parts.actions[command.name].toolTip()
 
 
 class TestTime:
     def test_the_playhead_goes_from_drawing_to_drawing_and_from_marker_to_marker(self, walking: MainWindow) -> None:
-        session, actions = walking.open_project.bridge.session, walking.actions_of
+        session, actions = walking.parts.open_project.bridge.session, walking.parts.actions
         document = session.document
         layer = document.layers[0]
         held = set_exposures(document, layer.id, (Exposure(1, 0), Exposure(3, 1), Exposure(6, None)))
         session.edit("Hold", set_marker(held, Marker(2, "step")))
         for name, frame in (("drawing_next", 3), ("drawing_next", 6), ("drawing_previous", 3), ("marker_previous", 2)):
             actions[name].trigger()
-            assert walking.open_project.bridge.frame == frame, name
+            assert walking.parts.open_project.bridge.frame == frame, name
         actions["marker_next"].trigger()
-        assert walking.open_project.bridge.frame == 2, "there is no further one"
+        assert walking.parts.open_project.bridge.frame == 2, "there is no further one"
 
     def test_a_frame_is_typed(self, qtbot: QtBot, active: MainWindow) -> None:
         QTest.keyClick(active, Qt.Key.Key_G, Qt.KeyboardModifier.ControlModifier)
-        field = active.transport.frame_field
+        field = active.parts.time.transport.frame_field
         qtbot.waitUntil(field.hasFocus)
         QTest.keyClicks(field, "4")
         QTest.keyClick(field, Qt.Key.Key_Return)
-        assert active.open_project.bridge.frame == 4
+        assert active.parts.open_project.bridge.frame == 4
 
 
 class TestSearch:
     def test_it_opens_finds_and_runs(self, qtbot: QtBot, active: MainWindow) -> None:
-        active.viewport.setFocus()
-        qtbot.waitUntil(active.viewport.hasFocus)
+        active.parts.viewport.setFocus()
+        qtbot.waitUntil(active.parts.viewport.hasFocus)
         QTest.keyClick(active, Qt.Key.Key_P, CTRL_SHIFT)
         search = search_of(active)
         qtbot.waitUntil(search.field.hasFocus)
@@ -115,9 +118,9 @@ class TestSearch:
         QTest.keyClicks(search.field, "last fr")
         assert names_found(search)[0] == "Last Frame"
         QTest.keyClick(search.field, Qt.Key.Key_Return)
-        qtbot.waitUntil(lambda: active.open_project.bridge.frame == 6)
+        qtbot.waitUntil(lambda: active.parts.open_project.bridge.frame == 6)
         assert not search.isVisible()
-        qtbot.waitUntil(active.viewport.hasFocus)
+        qtbot.waitUntil(active.parts.viewport.hasFocus)
 
     def test_both_languages_are_found_in_both(self, qtbot: QtBot, active: MainWindow, english: Language) -> None:
         search = search_of(active)
@@ -167,11 +170,11 @@ class TestSearch:
 class TestSheet:
     def test_f1_opens_and_closes_it(self, qtbot: QtBot, active: MainWindow) -> None:
         QTest.keyClick(active, Qt.Key.Key_F1)
-        sheet = active.keyboard.show_sheet()
+        sheet = active.parts.keyboard.show_sheet()
         assert not sheet.isVisible(), "the second time closes the one that F1 opened"
 
     def test_rows_are_searched_by_words_of_both_languages_and_by_keys(self, active: MainWindow) -> None:
-        sheet = active.keyboard.show_sheet()
+        sheet = active.parts.keyboard.show_sheet()
         for typed, words in (
             ("save as", "Save As"),
             ("ctrl+shift+s", "Save As"),
@@ -187,7 +190,7 @@ class TestSheet:
 
 class TestEditor:
     def test_a_key_of_another_command_moves_only_when_asked(self, active: MainWindow, settings: Settings) -> None:
-        editor = active.keyboard.edit()
+        editor = active.parts.keyboard.edit()
         editor.choose("fit")
         editor.keys.field.setKeySequence(QKeySequence("Ctrl+S"))
         editor.keys.field.editingFinished.emit()
@@ -195,24 +198,24 @@ class TestEditor:
         assert editor.shortcuts.owner("Ctrl+S") == "save"
         editor.keys.move_here.click()
         assert editor.shortcuts.owner("Ctrl+S") == "fit"
-        assert active.actions_of["save"].shortcut() == QKeySequence("Ctrl+S"), "nothing changes before OK"
+        assert active.parts.actions["save"].shortcut() == QKeySequence("Ctrl+S"), "nothing changes before OK"
         editor.accept()
-        assert QKeySequence("Ctrl+S") in active.actions_of["fit"].shortcuts()
-        assert active.actions_of["save"].shortcuts() == []
-        assert active.actions_of["save"].toolTip() == "Save"
+        assert QKeySequence("Ctrl+S") in active.parts.actions["fit"].shortcuts()
+        assert active.parts.actions["save"].shortcuts() == []
+        assert active.parts.actions["save"].toolTip() == "Save"
 
     def test_a_recorded_key_is_pressed_and_works(self, qtbot: QtBot, active: MainWindow) -> None:
-        editor = active.keyboard.edit()
+        editor = active.parts.keyboard.edit()
         editor.choose("last")
         editor.keys.field.setFocus()
         QTest.keyClick(editor.keys.field, Qt.Key.Key_F7)
         qtbot.waitUntil(lambda: editor.shortcuts.owner("F7") == "last")
         editor.accept()
         QTest.keyClick(active, Qt.Key.Key_F7)
-        assert active.open_project.bridge.frame == 6
+        assert active.parts.open_project.bridge.frame == 6
 
     def test_keys_of_the_picture_and_unsure_keys_are_said(self, active: MainWindow) -> None:
-        editor = active.keyboard.edit()
+        editor = active.parts.keyboard.edit()
         editor.choose("about")
         for key, sentence in (("Space", "belongs to the picture"), (";", "Not every keyboard has ;")):
             editor.keys.field.setKeySequence(QKeySequence(key))
@@ -225,17 +228,17 @@ class TestEditor:
     def test_sets_and_own_keys_are_remembered(
         self, qtbot: QtBot, active: MainWindow, open_project: OpenProject, settings: Settings
     ) -> None:
-        editor = active.keyboard.edit()
+        editor = active.parts.keyboard.edit()
         editor.sets.setCurrentIndex(1)
         editor.choose("about")
         editor.keys.given.emit("F12")
         editor.accept()
-        assert active.actions_of["play"].shortcut() == QKeySequence("P")
+        assert active.parts.actions["play"].shortcut() == QKeySequence("P")
         active.close_unasked()
-        another = MainWindow(open_project, settings)
-        assert another.actions_of["play"].shortcut() == QKeySequence("P")
-        assert another.actions_of["about"].shortcut() == QKeySequence("F12")
-        assert another.keyboard.shortcuts.key_set.name.en == "OpenToonz"
+        another = MainWindow(open_project, settings, OwnClipboard())
+        assert another.parts.actions["play"].shortcut() == QKeySequence("P")
+        assert another.parts.actions["about"].shortcut() == QKeySequence("F12")
+        assert another.parts.keyboard.shortcuts.key_set.name.en == "OpenToonz"
         another.close_unasked()
         another.deleteLater()
 
@@ -244,14 +247,14 @@ class TestEditor:
     ) -> None:
         settings.set_word("own_shortcuts", "{{")
         active.close_unasked()
-        another = MainWindow(open_project, settings)
-        assert "shortcuts could not be read" in another.bar.text
-        assert another.actions_of["save"].shortcut() == QKeySequence("Ctrl+S")
+        another = MainWindow(open_project, settings, OwnClipboard())
+        assert "shortcuts could not be read" in another.parts.bar.text
+        assert another.parts.actions["save"].shortcut() == QKeySequence("Ctrl+S")
         another.close_unasked()
         another.deleteLater()
 
     def test_shortcuts_go_into_a_file_and_come_back(self, active: MainWindow, tmp_path: Path) -> None:
-        editor = active.keyboard.edit()
+        editor = active.parts.keyboard.edit()
         editor.choose("about")
         editor.keys.given.emit("F12")
         editor.export_to(tmp_path / "mine")
@@ -266,7 +269,7 @@ class TestEditor:
         editor.reject()
 
     def test_commands_are_searched(self, active: MainWindow) -> None:
-        editor = active.keyboard.edit()
+        editor = active.parts.keyboard.edit()
         for typed in ("save as", "Ctrl+Shift+S", "名前を付"):
             editor.field.setText(typed)
             shown = [name for name, item in editor._items.items() if not item.isHidden()]
@@ -277,30 +280,30 @@ class TestEditor:
 
 class TestPanels:
     def test_panels_are_hidden_and_come_back_as_they_were(self, active: MainWindow) -> None:
-        styles = next(dock for dock in active.docks if dock.objectName() == "styles")
+        styles = next(dock for dock in active.docks.all if dock.objectName() == "styles")
         styles.close()
         before = shown_docks(active)
-        active.actions_of["hide_docks"].trigger()
+        active.parts.actions["hide_docks"].trigger()
         assert shown_docks(active) == set()
-        active.actions_of["hide_docks"].trigger()
+        active.parts.actions["hide_docks"].trigger()
         assert shown_docks(active) == before
 
     def test_tab_hides_them_while_nothing_has_the_keyboard_and_brings_them_back(
         self, qtbot: QtBot, active: MainWindow
     ) -> None:
-        active.viewport.setFocus()
-        QTest.keyClick(active.viewport, Qt.Key.Key_Tab)
+        active.parts.viewport.setFocus()
+        QTest.keyClick(active.parts.viewport, Qt.Key.Key_Tab)
         assert shown_docks(active), "over the picture Tab goes from handle to handle"
-        assert active.viewport.hand.selected_id is not None
-        active.viewport.clearFocus()
+        assert active.parts.viewport.controller.selected_id is not None
+        active.parts.viewport.clearFocus()
         QTest.keyClick(active, Qt.Key.Key_Tab)
         qtbot.waitUntil(lambda: not shown_docks(active))
-        active.viewport.setFocus()
-        QTest.keyClick(active.viewport, Qt.Key.Key_Tab)
+        active.parts.viewport.setFocus()
+        QTest.keyClick(active.parts.viewport, Qt.Key.Key_Tab)
         qtbot.waitUntil(lambda: bool(shown_docks(active)))
 
     def test_tab_still_goes_from_field_to_field(self, active: MainWindow) -> None:
-        field = active.transport.frame_field
+        field = active.parts.time.transport.frame_field
         field.setFocus()
         QTest.keyClick(field, Qt.Key.Key_Tab)
         assert not field.hasFocus()
@@ -308,34 +311,34 @@ class TestPanels:
 
     def test_the_layout_is_reset(self, qtbot: QtBot, active: MainWindow) -> None:
         before = shown_docks(active)
-        sizes = [dock.size() for dock in active.docks[:2]]
-        active.docks[1].setFloating(True)
-        active.docks[0].close()
-        active.actions_of["hide_docks"].trigger()
-        active.actions_of["reset_layout"].trigger()
+        sizes = [dock.size() for dock in active.docks.all[:2]]
+        active.docks.all[1].setFloating(True)
+        active.docks.all[0].close()
+        active.parts.actions["hide_docks"].trigger()
+        active.parts.actions["reset_layout"].trigger()
         assert shown_docks(active) == before
-        assert not active.docks[1].isFloating()
-        assert not active.actions_of["hide_docks"].isChecked()
-        qtbot.waitUntil(lambda: [dock.size() for dock in active.docks[:2]] == sizes)
+        assert not active.docks.all[1].isFloating()
+        assert not active.parts.actions["hide_docks"].isChecked()
+        qtbot.waitUntil(lambda: [dock.size() for dock in active.docks.all[:2]] == sizes)
 
     def test_hidden_panels_are_there_again_the_next_time(
         self, qtbot: QtBot, active: MainWindow, open_project: OpenProject, settings: Settings
     ) -> None:
         before = shown_docks(active)
-        active.actions_of["hide_docks"].trigger()
+        active.parts.actions["hide_docks"].trigger()
         active.close_unasked()
-        another = MainWindow(open_project, settings)
+        another = MainWindow(open_project, settings, OwnClipboard())
         assert shown_docks(another) == before
         another.close_unasked()
         another.deleteLater()
 
     def test_the_view_menu_lists_them(self, window: MainWindow) -> None:
-        listed = [action.text() for action in window.menus.panels.actions()]
-        assert listed[: len(window.docks)] == [dock.windowTitle() for dock in window.docks]
+        listed = [action.text() for action in window.parts.menus.panels.actions()]
+        assert listed[: len(window.docks.all)] == [dock.windowTitle() for dock in window.docks.all]
 
 
 def test_no_two_entries_of_a_menu_share_a_letter(window: MainWindow) -> None:
-    menus = [window.menus.view, window.menus.views, window.menus.panels]
+    menus = [window.parts.menus.view, window.parts.menus.views, window.parts.menus.panels]
     menus += [menu for action in window.menuBar().actions() if isinstance(menu := action.menu(), QMenu)]
     for menu in menus:
         letters = [action.text().split("&")[1][0].lower() for action in menu.actions() if "&" in action.text()]

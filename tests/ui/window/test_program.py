@@ -43,13 +43,13 @@ def test_changing_the_language_does_not_end_the_program(
 
 
 def test_the_layout_is_remembered(qapp: QApplication, settings: Settings, walking: MainWindow, cels: Path) -> None:
-    walking.docks[0].hide()
+    walking.docks.all[0].hide()
     walking.close_unasked()
     program = Application(qapp, settings)
     program.show()
-    program.window.project.bring([cels])
-    assert program.window.docks[0].isHidden()
-    assert not program.window.docks[1].isHidden()
+    program.window.parts.project.bring([cels])
+    assert program.window.docks.all[0].isHidden()
+    assert not program.window.docks.all[1].isHidden()
     program.put_away()
 
 

@@ -81,27 +81,27 @@ class Person:
         self.see_picture()
 
     def see_picture(self) -> None:
-        viewport = self.window.viewport
-        self.qtbot.waitUntil(lambda: viewport.stage is not None and viewport.stage.pictures_drawn > 0)
+        viewport = self.window.parts.viewport
+        self.qtbot.waitUntil(lambda: viewport.frame_painter is not None and viewport.frame_painter.pictures_drawn > 0)
         QApplication.processEvents()
 
     def go_to(self, frame: int) -> None:
         """Type a frame."""
-        field = self.window.transport.frame_field
+        field = self.window.parts.time.transport.frame_field
         field.setFocus()
         field.selectAll()
         self.qtbot.keyClicks(field, str(frame))
         self.qtbot.keyClick(field, Qt.Key.Key_Return)
-        assert self.window.open_project.bridge.frame == frame
+        assert self.window.parts.open_project.bridge.frame == frame
 
     def do(self, *names: str) -> None:
         for name in names:
-            self.window.actions_of[name].trigger()
+            self.window.parts.actions[name].trigger()
             QApplication.processEvents()
 
     def drag_key(self, frame: int, frames_on: int) -> None:
         """Drag a key of the lamp along the timeline."""
-        timeline = self.window.timeline
+        timeline = self.window.parts.time.timeline
         row = next(index for index, each in enumerate(timeline.rows.rows) if each.addresses == (LIGHT,))
         start = QPointF(timeline.scale.middle_of(frame), timeline.rows.top_of(row) + timeline.rows.row_px / 2)
         way = QPointF(frames_on * timeline.scale.cell_px, 0)
@@ -165,17 +165,17 @@ def keep_picture_of_loading(person: Person, path: Path) -> None:
         watch(LoadPhase.OPENING, 37, 120)
         go_on.wait(30)
 
-    person.window.project.loading.start(Load(path.name, read, lambda _nothing: None))
+    person.window.parts.project.loading.start(Load(path.name, read, lambda _nothing: None))
     QTest.qWait(1500)
     person.keep_picture("loading")
-    person.window.project.loading.cancel_button.click()
+    person.window.parts.project.loading.cancel_button.click()
     go_on.set()
 
 
 def all_steps(person: Person, name: str) -> int:
     """Undo or redo as long as there is something, and return how often."""
     count = 0
-    while person.window.actions_of[name].isEnabled():
+    while person.window.parts.actions[name].isEnabled():
         person.do(name)
         count += 1
     return count
@@ -204,7 +204,7 @@ def test_a_whole_session(
     person = meet(size, language)
     person.keep_picture("welcome")
     person.drop(source)
-    session, viewport = person.program.open_project.bridge.session, person.window.viewport
+    session, viewport = person.program.open_project.bridge.session, person.window.parts.viewport
     opened = session.document
     person.keep_picture("opened")
     if FOLDER:
@@ -217,7 +217,7 @@ def test_a_whole_session(
     person.qtbot.mouseRelease(viewport, LEFT)
     assert value_of(session.document, LIGHT, 1) != value_of(opened, LIGHT, 1)
 
-    row = next(each for each in person.window.inspector.rows if each.address == LIGHT)
+    row = next(each for each in person.window.parts.panels.inspector.rows if each.address == LIGHT)
     row.key.click()
     person.go_to(6)
     drag(person.qtbot, viewport, "light.lamp", QPoint(-90, -20))
@@ -235,13 +235,13 @@ def test_a_whole_session(
 
     worked = session.document
     count = all_steps(person, "undo")
-    assert person.window.open_project.is_blank
+    assert person.window.parts.open_project.is_blank
     person.keep_picture("all_undone")
     assert all_steps(person, "redo") == count
     assert session.document == worked
 
     project = tmp_path / "cut.kage"
-    monkeypatch.setattr(person.window.project.dialogs, "project_to_save", lambda _name: project)
+    monkeypatch.setattr(person.window.parts.project.dialogs, "project_to_save", lambda _name: project)
     person.do("save")
     assert load(project) == worked
     person.keep_picture("saved")
@@ -266,7 +266,7 @@ def test_a_whole_session(
     export.folder.setText(str(tmp_path / "out"))
     person.keep_picture("export")
     export.go.click()
-    person.qtbot.waitUntil(lambda: not person.window.exporting.is_running, timeout=60_000)
+    person.qtbot.waitUntil(lambda: not person.window.parts.exporting.is_running, timeout=60_000)
     person.keep_picture("exported")
     written = sorted((tmp_path / "out").rglob("*_shadow_*.png"))
     assert len(written) == document.canvas.length_frames

@@ -43,7 +43,7 @@ class Replies:
 
 def reply(window: MainWindow, path: Path | None = None, answer: Answer = Answer.CANCEL) -> Replies:
     replies = Replies(path, answer)
-    window.project.dialogs = replies  # type: ignore[assignment]
+    window.parts.project.dialogs = replies  # type: ignore[assignment]
     return replies
 
 
@@ -58,65 +58,65 @@ def drop(window: MainWindow, *paths: Path, over: QWidget | None = None) -> None:
 
 
 def test_an_empty_window_says_where_to_begin(window: MainWindow) -> None:
-    assert window.pages.currentWidget() is window.welcome
-    assert not window.actions_of["export"].isEnabled()
-    assert not window.transport.isVisible()
+    assert window.pages.currentWidget() is window.parts.welcome
+    assert not window.parts.actions["export"].isEnabled()
+    assert not window.parts.time.transport.isVisible()
     assert window.windowTitle() == "Untitled[*] — Kagezou"
     assert not window.isWindowModified()
 
 
 def test_a_folder_dropped_on_the_window_becomes_a_layer(qtbot: QtBot, window: MainWindow, cels: Path) -> None:
     drop(window, cels)
-    qtbot.waitUntil(lambda: window.viewport.stage is not None)
-    assert [layer.name for layer in window.open_project.bridge.document.layers] == ["walker"]
-    assert window.open_project.bridge.document.canvas.length_frames == 6
+    qtbot.waitUntil(lambda: window.parts.viewport.frame_painter is not None)
+    assert [layer.name for layer in window.parts.open_project.bridge.document.layers] == ["walker"]
+    assert window.parts.open_project.bridge.document.canvas.length_frames == 6
     assert shadow_is_on_canvas(window)
     assert window.isWindowModified()
-    drop(window, cels, over=window.layers.view.viewport())
-    assert [layer.name for layer in window.open_project.bridge.document.layers] == ["walker", "walker 2"]
-    window.actions_of["undo"].trigger()
-    window.actions_of["undo"].trigger()
-    assert window.pages.currentWidget() is window.welcome
+    drop(window, cels, over=window.parts.panels.layers.view.viewport())
+    assert [layer.name for layer in window.parts.open_project.bridge.document.layers] == ["walker", "walker 2"]
+    window.parts.actions["undo"].trigger()
+    window.parts.actions["undo"].trigger()
+    assert window.pages.currentWidget() is window.parts.welcome
 
 
 def test_something_useless_dropped_is_said(window: MainWindow, tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("x", encoding="utf-8")
     drop(window, tmp_path / "notes.txt")
-    assert "notes.txt" in window.bar.text
-    assert window.bar.isVisible()
+    assert "notes.txt" in window.parts.bar.text
+    assert window.parts.bar.isVisible()
 
 
 def test_save_open_and_recent(walking: MainWindow, tmp_path: Path, cels: Path) -> None:
     project = tmp_path / "cut 12"
     reply(walking, project)
-    document = set_value(walking.open_project.bridge.document, Address(properties.GROUND_DECLINATION), 45.0, 1)
-    walking.open_project.bridge.session.edit("Lower", document)
+    document = set_value(walking.parts.open_project.bridge.document, Address(properties.GROUND_DECLINATION), 45.0, 1)
+    walking.parts.open_project.bridge.session.edit("Lower", document)
     assert walking.isWindowModified()
-    walking.actions_of["save"].trigger()
+    walking.parts.actions["save"].trigger()
     assert not walking.isWindowModified()
     assert walking.windowTitle() == "cut 12[*] — Kagezou"
     assert project_file.load(project.with_suffix(".kage")) == document
-    assert walking.settings.recent == [project.with_suffix(".kage")]
+    assert walking.parts.settings.recent == [project.with_suffix(".kage")]
 
     reply(walking, cels)
-    walking.actions_of["new"].trigger()
-    assert walking.open_project.path is None
+    walking.parts.actions["new"].trigger()
+    assert walking.parts.open_project.path is None
     assert walking.isWindowModified()
     replies = reply(walking, project.with_suffix(".kage"), Answer.DISCARD)
-    walking.actions_of["open"].trigger()
+    walking.parts.actions["open"].trigger()
     assert replies.asked == ["unsaved", "project_to_open"]
-    assert walking.open_project.bridge.document == document
-    assert walking.open_project.is_saved
+    assert walking.parts.open_project.bridge.document == document
+    assert walking.parts.open_project.is_saved
     assert shadow_is_on_canvas(walking)
 
 
 def test_a_project_that_cannot_be_opened_leaves_everything(walking: MainWindow, tmp_path: Path) -> None:
-    before = walking.open_project.bridge.document
+    before = walking.parts.open_project.bridge.document
     (tmp_path / "broken.kage").write_text("{", encoding="utf-8")
     reply(walking, tmp_path / "broken.kage")
-    walking.actions_of["open"].trigger()
-    assert walking.open_project.bridge.document is before
-    assert "broken.kage" in walking.bar.text
+    walking.parts.actions["open"].trigger()
+    assert walking.parts.open_project.bridge.document is before
+    assert "broken.kage" in walking.parts.bar.text
 
 
 @pytest.mark.parametrize(
@@ -126,8 +126,8 @@ def test_a_project_that_cannot_be_opened_leaves_everything(walking: MainWindow, 
 def test_closing_asks_when_something_is_unsaved(
     walking: MainWindow, tmp_path: Path, answer: Answer, *, closes: bool, is_saved: bool
 ) -> None:
-    document = set_value(walking.open_project.bridge.document, Address(properties.GROUND_ROLL), 5.0, 1)
-    walking.open_project.bridge.session.edit("Roll", document)
+    document = set_value(walking.parts.open_project.bridge.document, Address(properties.GROUND_ROLL), 5.0, 1)
+    walking.parts.open_project.bridge.session.edit("Roll", document)
     replies = reply(walking, tmp_path / "cut.kage", answer)
     assert walking.close() is closes
     assert replies.asked[0] == "unsaved"
@@ -141,46 +141,46 @@ def test_closing_a_saved_project_asks_nothing(walking: MainWindow) -> None:
 
 
 def test_a_broken_cel_is_named_and_the_rest_is_shown(qtbot: QtBot, walking: MainWindow, cels: Path) -> None:
-    walking.project.bring([cels])
-    document = walking.open_project.bridge.document
+    walking.parts.project.bring([cels])
+    document = walking.parts.open_project.bridge.document
     write_garbage(cels / "walk_0003.png")
-    walking.open_project.bridge.session.go_to(3)
-    qtbot.waitUntil(lambda: "walk_0003.png" in walking.bar.text)
-    assert walking.bar.isVisible()
-    assert document is walking.open_project.bridge.document
-    walking.open_project.bridge.session.go_to(4)
-    qtbot.waitUntil(lambda: walking.bar.text == "")
+    walking.parts.open_project.bridge.session.go_to(3)
+    qtbot.waitUntil(lambda: "walk_0003.png" in walking.parts.bar.text)
+    assert walking.parts.bar.isVisible()
+    assert document is walking.parts.open_project.bridge.document
+    walking.parts.open_project.bridge.session.go_to(4)
+    qtbot.waitUntil(lambda: walking.parts.bar.text == "")
     assert shadow_is_on_canvas(walking)
 
 
 def test_a_missing_cel_leaves_the_other_layer(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:
     still = tmp_path / "still.png"
     still.write_bytes((cels / "walk_0001.png").read_bytes())
-    walking.project.bring([still])
+    walking.parts.project.bring([still])
     still.unlink()
-    walking.viewport.reread()
-    qtbot.waitUntil(lambda: "still.png" in walking.bar.text)
+    walking.parts.viewport.reread()
+    qtbot.waitUntil(lambda: "still.png" in walking.parts.bar.text)
     assert shadow_is_on_canvas(walking)
 
 
 def test_undo_and_redo_are_named_and_follow_the_frame(qtbot: QtBot, walking: MainWindow) -> None:
-    walking.open_project.bridge.session.go_to(4)
-    drag(qtbot, walking.viewport, "ground.position", QPoint(10, 5))
-    walking.open_project.bridge.session.go_to(1)
-    walking.actions_of["undo"].trigger()
-    assert walking.open_project.bridge.frame == 4
-    assert walking.actions_of["redo"].text() == "&Redo Move Ground"
+    walking.parts.open_project.bridge.session.go_to(4)
+    drag(qtbot, walking.parts.viewport, "ground.position", QPoint(10, 5))
+    walking.parts.open_project.bridge.session.go_to(1)
+    walking.parts.actions["undo"].trigger()
+    assert walking.parts.open_project.bridge.frame == 4
+    assert walking.parts.actions["redo"].text() == "&Redo Move Ground"
     assert walking.isWindowModified() is False
 
 
 def test_frame_commands(walking: MainWindow) -> None:
-    bridge, actions = walking.open_project.bridge, walking.actions_of
+    bridge, actions = walking.parts.open_project.bridge, walking.parts.actions
     for name, frame in (("forward", 2), ("last", 6), ("back", 5), ("first", 1), ("forward_10", 6), ("back_10", 1)):
         actions[name].trigger()
         assert bridge.frame == frame, name
-    walking.inspector.row("ground.roll").toggle_key()
+    walking.parts.panels.inspector.row("ground.roll").edited.toggle_key()
     bridge.session.go_to(4)
-    walking.inspector.row("ground.roll").toggle_key()
+    walking.parts.panels.inspector.row("ground.roll").edited.toggle_key()
     actions["key_previous"].trigger()
     assert bridge.frame == 1
     actions["key_next"].trigger()
@@ -190,21 +190,21 @@ def test_frame_commands(walking: MainWindow) -> None:
 def test_backdrops_change_the_picture(walking: MainWindow) -> None:
     seen = set()
     for backdrop in (Backdrop.CHECKER, Backdrop.GREY, Backdrop.WHITE):
-        walking.viewport.show_backdrop(backdrop)
-        seen.add(picture(walking.viewport).tobytes())
+        walking.parts.viewport.show_backdrop(backdrop)
+        seen.add(picture(walking.parts.viewport).tobytes())
     assert len(seen) == 3
 
 
 def test_delete_removes_the_layer_while_the_list_has_the_focus(qtbot: QtBot, walking: MainWindow) -> None:
     walking.activateWindow()
-    walking.layers.view.setFocus()
-    qtbot.waitUntil(walking.layers.view.hasFocus)
-    walking.actions_of["delete"].trigger()
-    assert walking.open_project.bridge.document.layers == ()
+    walking.parts.panels.layers.view.setFocus()
+    qtbot.waitUntil(walking.parts.panels.layers.view.hasFocus)
+    walking.parts.actions["delete"].trigger()
+    assert walking.parts.open_project.bridge.document.layers == ()
 
 
 def start_export(window: MainWindow, folder: Path) -> None:
-    window.actions_of["export"].trigger()
+    window.parts.actions["export"].trigger()
     dialog = window.findChild(ExportDialog)
     assert dialog is not None
     dialog.folder.setText(str(folder))
@@ -213,27 +213,27 @@ def start_export(window: MainWindow, folder: Path) -> None:
 
 def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tmp_path: Path) -> None:
     start_export(walking, tmp_path / "out")
-    assert walking.exporting.is_running
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=30000)
+    assert walking.parts.exporting.is_running
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     files = sorted((tmp_path / "out" / "walker_shadow").glob("*.png"))
     assert [file.name for file in files] == [f"walker_shadow_{frame:04d}.png" for frame in range(1, 7)]
-    assert "Exported 6 files" in walking.bar.text
+    assert "Exported 6 files" in walking.parts.bar.text
 
 
 def test_an_export_that_cannot_be_made_is_said(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:
     (cels / "walk_0002.png").unlink()
     start_export(walking, tmp_path / "out")
-    qtbot.waitUntil(lambda: not walking.exporting.is_running, timeout=30000)
-    assert "walk_0002.png" in walking.bar.text
+    qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
+    assert "walk_0002.png" in walking.parts.bar.text
 
 
 def test_a_driver_that_is_too_old_is_said_in_words(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, window: MainWindow, cels: Path
 ) -> None:
     monkeypatch.setattr(picture_widget, "NEEDED_VERSION", (9, 9))
-    window.project.bring([cels])
-    qtbot.waitUntil(lambda: "OpenGL" in window.bar.text)
-    assert "needs 3.3" in window.bar.text
+    window.parts.project.bring([cels])
+    qtbot.waitUntil(lambda: "OpenGL" in window.parts.bar.text)
+    assert "needs 3.3" in window.parts.bar.text
 
 
 def test_another_language_makes_another_window_over_the_same_project(
@@ -242,14 +242,14 @@ def test_another_language_makes_another_window_over_the_same_project(
     walking.close_unasked()
     program = Application(qapp, settings)
     program.show()
-    program.window.project.bring([cels])
+    program.window.parts.project.bring([cels])
     document, old = program.open_project.bridge.document, program.window
     program.speak("ja")
     assert program.window is not old
     assert program.open_project.bridge.document is document
-    assert program.window.actions_of["save"].text() == "保存(&S)"
-    assert program.window.inspector.row("tilt").label.text() == "体の傾き"
-    qtbot.waitUntil(lambda: program.window.viewport.stage is not None)
+    assert program.window.parts.actions["save"].text() == "保存(&S)"
+    assert program.window.parts.panels.inspector.row("tilt").label.text() == "体の傾き"
+    qtbot.waitUntil(lambda: program.window.parts.viewport.frame_painter is not None)
     assert shadow_is_on_canvas(program.window)
     program.put_away()
 
@@ -265,16 +265,16 @@ def test_the_demo_is_made_once_and_opened(
         progress(1, 1)
         made.append(folder)
         folder.mkdir()
-        window.open_project.new(()).at_once()
-        project_file.save(window.open_project.bridge.document, folder / "demo.kage")
+        window.parts.open_project.new(()).at_once()
+        project_file.save(window.parts.open_project.bridge.document, folder / "demo.kage")
         return folder / "demo.kage"
 
     program = Application(qapp, settings, make)
-    assert program.window.demo is not None
-    program.window.demo._folder = tmp_path / "demo"
+    assert program.window.parts.demo is not None
+    program.window.parts.demo._folder = tmp_path / "demo"
     program.show()
     for _ in range(2):
-        program.window.welcome.demo_asked.emit()
+        program.window.parts.welcome.demo_asked.emit()
         qtbot.waitUntil(lambda: program.open_project.path == tmp_path / "demo" / "demo.kage")
         program.open_project.clear()
     assert len(made) == 1
@@ -282,14 +282,14 @@ def test_the_demo_is_made_once_and_opened(
 
 
 def test_a_message_never_moves_the_picture(qtbot: QtBot, walking: MainWindow) -> None:
-    before = walking.viewport.geometry()
-    walking.bar.say("note", "Something to know", Severity.NOTE)
+    before = walking.parts.viewport.geometry()
+    walking.parts.bar.say("note", "Something to know", Severity.NOTE)
     QApplication.processEvents()
-    assert walking.bar.isVisible()
+    assert walking.parts.bar.isVisible()
     assert walking.top_bars.isVisible()
     assert walking.top_bars.width() == walking.pages.width()
-    assert walking.viewport.geometry() == before
-    qtbot.waitUntil(lambda: walking.bar.height() >= walking.bar.minimumSizeHint().height())
-    assert walking.top_bars.height() == walking.bar.height()
-    walking.bar.clear()
+    assert walking.parts.viewport.geometry() == before
+    qtbot.waitUntil(lambda: walking.parts.bar.height() >= walking.parts.bar.minimumSizeHint().height())
+    assert walking.top_bars.height() == walking.parts.bar.height()
+    walking.parts.bar.clear()
     qtbot.waitUntil(lambda: not walking.top_bars.isVisible())

@@ -9,7 +9,7 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.frames import export_frames
-from kagezou.export.jobs import planned
+from kagezou.export.planning import planned
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.box import Box
 from kagezou.io.files.atomic import write_bytes
@@ -76,7 +76,7 @@ def _pieces(document: Document, request: ExportRequest) -> list[_Piece]:
     seen: set[PictureSource] = set()
     pieces: list[_Piece] = []
     for job in jobs:
-        sources = tuple(source for source in job.mattes if source not in seen)
+        sources = tuple(source for source in job.content.sources.mattes if source not in seen)
         seen.update(sources)
         pieces.append(_Piece(sources, _shadow_in(job.targets[0].path), len(job.targets)))
     return pieces

@@ -90,13 +90,13 @@ def make_demo(folder: Path, workers: int, progress: Callable[[int, int], None]) 
     make_drawings(folder / "drawings", workers, progress)
     background = folder / "meadow.png"
     write_rgba(background, painted(SIZE_PX, SIZE_PX))
-    document = staged(folder / "drawings", background)
+    document = imported(folder / "drawings", background)
     project = folder / "demo.kage"
     save(document, project)
     return Demo(project, document)
 
 
-def staged(drawings: Path, background: Path | None) -> Document:
+def imported(drawings: Path, background: Path | None) -> Document:
     """Return the document of the demo's drawings, with its light on the move."""
     document = new_document([CharacterSource(CHARACTER, drawings)], background=background).document
     for path, value in _CONSTANTS.items():

@@ -36,7 +36,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Measure and report."""
     from kagezou.cli.bench import operations, throughput
     from kagezou.cli.bench.hills import write_hills
@@ -49,17 +49,17 @@ def run(options: Namespace, doors: EntryPoints) -> int:
         cels = CelCache()
         for drawing in document.layers[0].cels.drawings:
             cels.cel(drawing.source)
-        with doors.open_context() as context:
+        with entry_points.open_context() as context:
             renderer = Renderer(cels)
             name = context.info.renderer
             drawn = operations.measured(document, renderer, write_hills(Path(folder, "hills.ply")))
             renderer.close()
         cels.clear()
         one = (document.layers[0].name,)
-        export = throughput.measured(document, one, Path(folder, "one"), workers, doors.open_context)
+        export = throughput.measured(document, one, Path(folder, "one"), workers, entry_points.open_context)
         pair = _pair(options, Path(folder), workers)
         both = tuple(layer.name for layer in pair.layers)
-        export_two = throughput.measured(pair, both, Path(folder, "two"), workers, doors.open_context)
+        export_two = throughput.measured(pair, both, Path(folder, "two"), workers, entry_points.open_context)
     size_px = (document.canvas.width_px, document.canvas.height_px)
     if options.json:
         rates: dict[str, Json] = {

@@ -29,7 +29,7 @@ def add_arguments(parser: Parser) -> None:
     window.add_argument("--no-window", dest="window", action="store_false", help="do not open the window")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Make the demo, render it, and show it."""
     from kagezou.cli.demo.stage import make_demo
     from kagezou.export.frames import export_frames
@@ -42,7 +42,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:
         demo = make_demo(folder, workers, line.update)
     request = ExportRequest(folder / "render", composite=True, workers=workers)
     with stopping_gently() as interruption, ProgressLine("rendering") as line:
-        summary = export_frames(demo.document, request, doors.open_context, line.update, interruption.is_set)
+        summary = export_frames(demo.document, request, entry_points.open_context, line.update, interruption.is_set)
     code = verdict(summary, interruption)
     if code:
         return code
@@ -50,14 +50,14 @@ def run(options: Namespace, doors: EntryPoints) -> int:
     for target in summary.folders:
         give(f"frames     {shown(target)}")
     sys.stdout.flush()
-    if not _window_is_wanted(options.window, doors):
+    if not _window_is_wanted(options.window, entry_points):
         tell(f"to open it in the window: kagezou {shown(demo.project)}")
         return 0
     tell("opening the window; close it to come back")
-    return doors.open_window(demo.project)
+    return entry_points.open_window(demo.project)
 
 
-def _window_is_wanted(wish: bool | None, doors: EntryPoints) -> bool:  # noqa: FBT001 - three-valued: yes, no, as it fits
+def _window_is_wanted(wish: bool | None, entry_points: EntryPoints) -> bool:  # noqa: FBT001 - three-valued: yes, no, as it fits
     if wish is not None:
         return wish
-    return doors.has_display and (sys.stdin.isatty() or sys.stdout.isatty())
+    return entry_points.has_display and (sys.stdin.isatty() or sys.stdout.isatty())

@@ -29,18 +29,18 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(PROBE, dest="probe", action="store_true", help=SUPPRESS)
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Look at everything and report."""
     from kagezou.cli import examination
 
     if options.probe:
-        return _probe(doors)
+        return _probe(entry_points)
     graphics = _graphics()
     report: dict[str, Json] = {
         "versions": examination.versions(),
         "system": examination.system(),
         "graphics": graphics,
-        "window": examination.window(has_display=doors.has_display),
+        "window": examination.window(has_display=entry_points.has_display),
         "formats": examination.formats(),
         "folders": examination.folders(),
         "text": examination.text(),
@@ -83,12 +83,12 @@ def _shown(value: Json) -> str:
             return str(value)
 
 
-def _probe(doors: EntryPoints) -> int:
+def _probe(entry_points: EntryPoints) -> int:
     """Open a context, set up everything that draws, and print what draws: what the parent may not survive itself."""
     from kagezou.io.images.cel_cache import CelCache
     from kagezou.render.renderer import Renderer
 
-    with doors.open_context() as context:
+    with entry_points.open_context() as context:
         info = context.info
         Renderer(CelCache(0)).close()
     give_json(

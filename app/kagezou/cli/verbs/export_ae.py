@@ -2,6 +2,7 @@
 
 from argparse import Namespace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
@@ -11,6 +12,9 @@ from kagezou.cli.reporting import verdict
 from kagezou.cli.terminal import ProgressLine, give, give_json, note
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
+
+if TYPE_CHECKING:
+    from kagezou.export.after_effects.export import HandedOff
 
 DESCRIPTION = """\
 Write one folder for After Effects (CC 2018 or newer, any language): gap-free sequences of every shadow, characters and
@@ -45,9 +49,10 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Hand off what is asked for."""
-    from kagezou.export.after_effects.export import HandOffRequest, export_to_after_effects
+    from kagezou.export.after_effects.export import HandOffRequest
+    from kagezou.export.exporters.hand_off import HAND_OFF
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
     from kagezou.locations import resource_folder
@@ -70,11 +75,19 @@ def run(options: Namespace, doors: EntryPoints) -> int:
     )
     document = load(options.project)
     with stopping_gently() as interruption, ProgressLine("rendering") as line:
-        done = export_to_after_effects(document, request, doors.open_context, line.update, interruption.is_set)
+        done = HAND_OFF.export(document, request, entry_points.open_context, line.update, interruption.is_set)
+    _report(done, as_json=options.json)
+    return max(verdict(each, interruption) for each in done.exports)
+
+
+def _report(done: "HandedOff", *, as_json: bool) -> None:
+    """Print the script, or one object; notes go to stderr."""
+    from kagezou.io.files.faults import shown
+
     for sentence in done.notes:
         note(sentence)
     script = "" if done.script is None else shown(done.script)
-    if options.json:
+    if as_json:
         give_json({
             "script": script,
             "files": sum(each.files for each in done.exports),
@@ -86,4 +99,3 @@ def run(options: Namespace, doors: EntryPoints) -> int:
         })  # fmt: skip
     elif script:
         give(script)
-    return max(verdict(each, interruption) for each in done.exports)

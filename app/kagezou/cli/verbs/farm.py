@@ -36,10 +36,11 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the bundle."""
     from kagezou.animation.frames import parse_frames
-    from kagezou.export.farm import TEMPLATE, FarmRequest, write_bundle
+    from kagezou.export.exporters.farm_job import FARM_JOB, BundleRequest
+    from kagezou.export.farm import TEMPLATE, FarmRequest
     from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
@@ -58,6 +59,8 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
         layered=options.layered,
     )
     document = load(project)
-    write_bundle(document, FarmRequest(project, export, options.chunk, options.program), options.bundle)
+    job = FarmRequest(project, export, options.chunk, options.program)
+    request = BundleRequest(job, options.bundle)
+    FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
     give(shown(options.bundle / TEMPLATE))
     return 0

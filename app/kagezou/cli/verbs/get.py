@@ -23,7 +23,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="one object with path, unit, frame, value and keys")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load the project and print the value."""
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import resolve, track_of

@@ -55,7 +55,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--force", action="store_true", help="replace a project that is there")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Make the project and write it."""
     from kagezou.importing.sheet_project import timed_from_beside
     from kagezou.importing.staging import CharacterSource, new_document
@@ -73,11 +73,11 @@ def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every 
         from kagezou.io.sheets.xdts import read_timesheet
 
         sources = list(sources_beside(options.timesheet.absolute(), read_timesheet(options.timesheet)))
-    staged = new_document(sources, background=options.background, size=options.size, frame_rate=options.fps)
+    imported = new_document(sources, background=options.background, size=options.size, frame_rate=options.fps)
     if options.timesheet is None:
-        staged = timed_from_beside(staged, sources)
-    notes = list(staged.notes)
-    document = staged.document
+        imported = timed_from_beside(imported, sources)
+    notes = list(imported.notes)
+    document = imported.document
     if options.timesheet is not None:
         from kagezou.importing.staging import with_timesheet
 

@@ -59,7 +59,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--up", choices=("y", "z"), help="the axis of the file that points up (what the file says)")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
     from kagezou.io.project.file import load, save
 

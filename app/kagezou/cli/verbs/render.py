@@ -59,10 +59,11 @@ def add_arguments(parser: Parser) -> None:
     )
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
     from kagezou.animation.frames import parse_frames
-    from kagezou.export.frames import export_frames
+    from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
+    from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
     from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.project.file import load
     from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
@@ -81,12 +82,13 @@ def run(options: Namespace, doors: EntryPoints) -> int:
         workers=options.workers or processors(),
         keep_going=options.keep_going,
     )
+    exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
     lines = JobLines() if options.openjd else ProgressLine("rendering")
     with stopping_gently() as interruption, lines as line:
         document = load(options.project)
         if options.path_mapping is not None:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
-        summary = export_frames(document, request, doors.open_context, line.update, interruption.is_set)
+        summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
         if isinstance(lines, JobLines) and summary.failures:
             lines.fail(summary.failures[0].message)
     if not options.openjd:

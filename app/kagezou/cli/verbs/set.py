@@ -41,7 +41,7 @@ def add_arguments(parser: Parser) -> None:
     )
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation
     from kagezou.document.edits import set_constant, set_key

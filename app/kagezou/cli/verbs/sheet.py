@@ -30,7 +30,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frame", type=int, default=1, metavar="N", help="the frame shown (1)")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Draw the sheet and write it."""
     from kagezou.cli.contact_sheet import STEP_NAMES, roomy, sheet_of
     from kagezou.importing.staging import CharacterSource
@@ -38,13 +38,13 @@ def run(options: Namespace, doors: EntryPoints) -> int:
     from kagezou.io.images.writing import write_rgba
     from kagezou.render.renderer import Renderer
 
-    staged = [roomy([CharacterSource(name, source)]) for name, source in options.character]
-    with doors.open_context():
+    imported = [roomy([CharacterSource(name, source)]) for name, source in options.character]
+    with entry_points.open_context():
         renderer = Renderer(CelCache())
-        sheet = sheet_of([each.document for each in staged], renderer, options.frame)
+        sheet = sheet_of([each.document for each in imported], renderer, options.frame)
         renderer.close()
     write_rgba(options.output, sheet)
-    for sentence in (each for one in staged for each in one.notes):
+    for sentence in (each for one in imported for each in one.notes):
         note(sentence)
     give(", ".join(STEP_NAMES))
     return 0

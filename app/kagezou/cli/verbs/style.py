@@ -32,7 +32,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frame", type=int, default=1, metavar="N", help="where keyed properties get their key (1)")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """List the styles, or load, change and write the project."""
     from kagezou.document.style import apply_style
     from kagezou.io.project.file import load, save

@@ -24,7 +24,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--force", action="store_true", help="replace a timesheet that is there")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Write the timesheet."""
     from kagezou.errors import OutputProblem, UsageProblem
     from kagezou.importing.timesheet_on_document import sheet_of

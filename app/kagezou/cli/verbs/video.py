@@ -30,10 +30,11 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
 
-def run(options: Namespace, doors: EntryPoints) -> int:
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the video."""
     from kagezou.animation.frames import parse_frames
-    from kagezou.export.video import VideoRequest, export_video
+    from kagezou.export.exporters.video_file import VIDEO_FILE
+    from kagezou.export.video import VideoRequest
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
 
@@ -45,7 +46,7 @@ def run(options: Namespace, doors: EntryPoints) -> int:
     )
     with stopping_gently() as interruption, ProgressLine("filming") as line:
         document = load(options.project)
-        done = export_video(document, request, doors.open_context, line.update, interruption.is_set)
+        done = VIDEO_FILE.export(document, request, entry_points.open_context, line.update, interruption.is_set)
     if not done.is_whole:
         tell("stopped; the video is not written")
         return interruption.exit_code

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Final
 
 from kagezou.document import properties
 from kagezou.document.address import Address, track_of
@@ -18,12 +17,29 @@ from kagezou.export.after_effects import comp as ae
 from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import CelFootage
 from kagezou.export.after_effects.guides import guides_of
-from kagezou.export.receivers import GROUND
-
-SET: Final = "set"
-"""Stands for the set where layers have their ids, which are all of another form."""
+from kagezou.export.after_effects.renderings import RECEIVED, SHADOW_MATTES, SHADOWS, Rendering
+from kagezou.export.subjects import GROUND, SET
 
 Remap = tuple[tuple[float, int | None], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RenderedFootage:
+    """A sequence that was rendered.
+
+    Parameters
+    ----------
+    first
+        The first file.
+    count
+        How many files there are.
+    pictures
+        For one picture a drawing the picture of each frame, from 0.
+    """
+
+    first: Path
+    count: int
+    pictures: tuple[int, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +50,8 @@ class Written:
     ----------
     folder
         Where the script will lie.
-    shadows
-        Kind ("shadow" for the shadows themselves, "received" for those on characters, else a matte with "matte:" before
-        it) and layer id → first file, number of files, and for one picture a drawing the picture of each frame.
+    rendered
+        What was rendered, and whose it is (see `Subject`) → its footage.
     cels
         Layer id → the drawings.
     background
@@ -46,7 +61,7 @@ class Written:
     """
 
     folder: Path
-    shadows: Mapping[tuple[str, str], tuple[Path, int, tuple[int, ...] | None]]
+    rendered: Mapping[tuple[Rendering, str], RenderedFootage]
     cels: Mapping[str, CelFootage]
     background: Path | None
     lit: bool = False
@@ -88,12 +103,10 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
     for layer_id, cels in written.cels.items():
         tag, title = f"cels:{layer_id}", names[layer_id]
         made.append(_item(tag, title, cels.first, written.folder, count=cels.count, into="Characters"))
-    for (kind, layer_id), (first, count, _) in written.shadows.items():
-        is_matte = kind.startswith("matte:")
-        what = "" if kind == "matte:receivers" else f" {kind.removeprefix('matte:')}"
-        title = f"{names[layer_id]}{what}{' matte' if is_matte else ''}"
-        into = "Mattes" if is_matte else "Shadows"
-        made.append(_item(f"{kind}:{layer_id}", title, first, written.folder, count=count, into=into))
+    for (rendering, owner), footage in written.rendered.items():
+        tag, title = f"{rendering.tag}:{owner}", rendering.footage_name.format(names[owner])
+        into = "Mattes" if rendering.is_matte else "Shadows"
+        made.append(_item(tag, title, footage.first, written.folder, count=footage.count, into=into))
     return tuple(made)
 
 
@@ -113,7 +126,7 @@ def _shadows(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
         for layer in document.layers
     ]
     for owner, name, blend, opacity in owners:
-        if ("shadow", owner) in written.shadows:
+        if (SHADOWS, owner) in written.rendered:
             made.append(
                 ae.CompLayer(
                     tag=f"shadow:{owner}",
@@ -121,7 +134,7 @@ def _shadows(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
                     footage=f"shadow:{owner}",
                     blend=blend.upper(),
                     opacity=channel_of(track_of(document, opacity), 0, rate, 100.0),
-                    remap=_remap(written.shadows["shadow", owner][2], rate),
+                    remap=_remap(written.rendered[SHADOWS, owner].pictures, rate),
                     markers=_notes(document, owner),
                 )
             )
@@ -143,7 +156,7 @@ def _characters(document: Document, written: Written) -> tuple[ae.CompLayer, ...
                     remap=_exposures(document, layer, written.cels[layer.id], rate),
                 )
             )
-        if ("received", layer.id) in written.shadows:
+        if (RECEIVED, layer.id) in written.rendered:
             made.append(_received(document, layer, written))
     return tuple(made)
 
@@ -157,28 +170,28 @@ def _received(document: Document, layer: Layer, written: Written) -> ae.CompLaye
         footage=f"received:{layer.id}",
         blend=value_at(caster.tracks, properties.BLEND, 1).upper(),
         opacity=ae.Channel(100.0),
-        remap=_remap(written.shadows["received", layer.id][2], document.canvas.frame_rate),
+        remap=_remap(written.rendered[RECEIVED, layer.id].pictures, document.canvas.frame_rate),
     )
 
 
 def _lit(document: Document, written: Written) -> tuple[ae.Comp, ...]:
     """Return the composition of what no shadow lies on: the shadows, turned black, over white."""
-    mattes = [each for each in written.shadows if each[0] == "matte:shadow"]
+    mattes = {owner: each for (rendering, owner), each in written.rendered.items() if rendering == SHADOW_MATTES}
     if not mattes or not written.lit:
         return ()
     names = {SET: "Set"} | {layer.id: layer.name for layer in document.layers}
     rate = document.canvas.frame_rate
     layers = tuple(
         ae.CompLayer(
-            tag=f"lit:{layer_id}",
-            name=names[layer_id],
-            footage=f"{kind}:{layer_id}",
+            tag=f"lit:{owner}",
+            name=names[owner],
+            footage=f"{SHADOW_MATTES.tag}:{owner}",
             blend="NORMAL",
             opacity=ae.Channel(100.0),
-            remap=_remap(written.shadows[kind, layer_id][2], rate),
+            remap=_remap(footage.pictures, rate),
             inverted=True,
         )
-        for kind, layer_id in mattes
+        for owner, footage in mattes.items()
     )
     return (ae.Comp("lit", "Lit area", layers, white=True),)
 

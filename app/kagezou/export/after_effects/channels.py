@@ -37,8 +37,9 @@ def channel_of(track: Track, component: int, rate: Fraction, scale: float = 1.0)
             ChannelKey(
                 time=seconds(key.frame, rate),
                 value=_component(key, component) * scale,
-                # A hold says nothing of how the next key is reached.
-                into="LINEAR" if before is Interpolation.HOLD else _TYPES[before],
+                # Also behind a hold: After Effects itself makes keys there with an incoming hold, and the outgoing side
+                # of a key alone decides whether it is held.
+                into=_TYPES[before],
                 out=_TYPES[key.interpolation],
                 ease_in=_ease(key.ease_in, component, rate, scale),
                 ease_out=_ease(key.ease_out, component, rate, scale),

@@ -3,29 +3,20 @@
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
-from types import MappingProxyType
 from typing import Final
 
 from kagezou.document.model import Document, Layer
 from kagezou.errors import OutputProblem, UsageProblem
-from kagezou.export.after_effects.building import SET, Written, hand_off
+from kagezou.export.after_effects.building import RenderedFootage, Written, hand_off
 from kagezou.export.after_effects.drawings import CelFootage, are_within, copied, have_alpha, referenced, remove_beyond
-from kagezou.export.after_effects.mattes import MATTES, at_full_opacity, matte_document
+from kagezou.export.after_effects.mattes import MATTES
+from kagezou.export.after_effects.renderings import Rendering, renderings_of
 from kagezou.export.after_effects.script import script_of
 from kagezou.export.frames import export_frames
-from kagezou.export.jobs import ever_receives, pictures_of, planned
-from kagezou.export.names import digits_for, safe_names
-from kagezou.export.receivers import GROUND, receivers_of
-from kagezou.export.request import (
-    RECEIVED,
-    RECEIVERS,
-    SHADOWS,
-    SUFFIXES,
-    Cancelled,
-    ExportRequest,
-    Progress,
-    Summary,
-)
+from kagezou.export.names import safe_names
+from kagezou.export.planning import planned
+from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
+from kagezou.export.sequences import sequences_of
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.reading import read_cel
@@ -38,9 +29,6 @@ _AE_LONGEST_S: Final = 10800
 _AE_SIZES_PX: Final = (4, 30000)
 _AE_RATES: Final = (1, 99)
 FORMATS: Final = ("png", "exr")
-_OF_RECEIVERS: Final = f"matte:{RECEIVERS}"
-_ONLY: Final = MappingProxyType({"received": RECEIVED, _OF_RECEIVERS: RECEIVERS})
-"""What is asked for alone, by kind; anything else are shadows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,10 +116,10 @@ def export_to_after_effects(
     request = replace(request, folder=request.folder.absolute())
     run = _ScriptRun(document, request, progress, cancelled)
     run.check_places()
-    summaries = [run.export(kind, each, open_context) for kind, each in run.documents().items()]
+    summaries = [run.export(each, open_context) for each in run.renderings]
     if any(summary.cancelled for summary in summaries):
         return HandedOff(None, tuple(summaries), (), time.monotonic() - started)
-    written = Written(request.folder, run.shadows, run.cels(), run.background(), lit="lit" in request.mattes)
+    written = Written(request.folder, run.footage, run.cels(), run.background(), lit="lit" in request.mattes)
     file = safe_names([request.name])[request.name] + ".jsx"
     text = script_of(hand_off(document, request.name, file, written))
     write_bytes(request.folder / file, text.encode("ascii"))
@@ -167,36 +155,24 @@ class _ScriptRun:
         self._names = safe_names(layer.name for layer in document.layers)
         self._tell = progress
         self._before = 0
-        self._all = sum(planned(each, self._frames_of(kind)).files for kind, each in self.documents().items())
-        self.shadows: dict[tuple[str, str], tuple[Path, int, tuple[int, ...] | None]] = {}
+        self.renderings = renderings_of(document, request.mattes)
+        self._versions = {each: each.version(document) for each in self.renderings}
+        self._all = sum(planned(version, self._frames_of(each)).files for each, version in self._versions.items())
+        self.footage: dict[tuple[Rendering, str], RenderedFootage] = {}
         self.notes: list[Message] = []
 
-    def documents(self) -> dict[str, Document]:
-        """Return what is to be rendered: the shadows and the mattes."""
-        asked = [matte for matte in self._request.mattes if matte != RECEIVERS]
-        mattes = dict.fromkeys("shadow" if matte == "lit" else matte for matte in asked)
-        made = {"shadow": at_full_opacity(self._document)}
-        if any(ever_receives(layer) for layer in self._document.layers):
-            # At the opacity of those who cast, which one property there could not tell.
-            made["received"] = self._document
-        made.update({f"matte:{matte}": matte_document(self._document, matte) for matte in mattes})
-        if RECEIVERS in self._request.mattes:
-            made[_OF_RECEIVERS] = self._document
-        return made
-
-    def export(self, kind: str, document: Document, open_context: OpenContext) -> Summary:
-        """Render one kind of sequences."""
-        request = self._frames_of(kind)
+    def export(self, rendering: Rendering, open_context: OpenContext) -> Summary:
+        """Render one version of the document."""
         summary = export_frames(
-            document,
-            request,
+            self._versions[rendering],
+            self._frames_of(rendering),
             open_context,
             lambda done, _all: self._tell(self._before + done, self._all),
             self._cancelled,
         )
         self._before += summary.files
         if not summary.cancelled:
-            self._note_folders(kind, document, request)
+            self._note_footage(rendering)
         return summary
 
     def check_places(self) -> None:
@@ -241,38 +217,27 @@ class _ScriptRun:
     def _copies_of(self, layer: Layer) -> Path:
         return self._request.folder / "characters" / self._names[layer.name]
 
-    def _frames_of(self, kind: str) -> ExportRequest:
+    def _frames_of(self, rendering: Rendering) -> ExportRequest:
         request = self._request
-        is_matte = kind.startswith("matte:")
-        folder = request.folder / (f"matte_{kind.removeprefix('matte:')}" if is_matte else "shadows")
         return ExportRequest(
-            folder=folder,
+            folder=request.folder / rendering.folder,
             format=request.format,
             depth=request.depth if request.format == "png" else 16,
             skip_existing=request.skip_existing,
             workers=request.workers,
             once=request.per_drawing,
-            only=_ONLY.get(kind, SHADOWS),
+            only=rendering.only,
         )
 
-    def _note_folders(self, kind: str, document: Document, request: ExportRequest) -> None:
-        plan = planned(document, replace(request, once=False))
-        by_name = {layer.name: layer.id for layer in document.layers}
-        digits = digits_for(document.canvas.length_frames)
-        end = "received" if kind == "received" else "shadow"
-        folders = {by_name[name]: request.folder / f"{safe}_{end}" for name, safe in plan.names.items()}
-        # What is no layer's is the shadow of the set.
-        of_set = [folder for folder in plan.folders if folder not in folders.values()]
-        if kind in ("shadow", "matte:shadow") and of_set:
-            folders[SET] = of_set[0]
-        if kind == _OF_RECEIVERS:
-            folders = {each.piece_id or GROUND: request.folder / each.label for each in receivers_of(document)}
-        for layer_id, folder in folders.items():
-            pictures = pictures_of(plan, folder) if request.once else None
+    def _note_footage(self, rendering: Rendering) -> None:
+        """Keep what a rendering left in its folder, and remove what an earlier, longer one did."""
+        document, request = self._versions[rendering], replace(self._frames_of(rendering), once=False)
+        plan = planned(document, request) if self._request.per_drawing else None
+        for sequence in filter(rendering.takes, sequences_of(document, request)):
+            pictures = None if plan is None else plan.pictures_of(sequence)
             count = document.canvas.length_frames if pictures is None else max(pictures) + 1
-            first = folder / f"{folder.name}_{1:0{digits}d}{SUFFIXES[request.format]}"
-            remove_beyond(folder, folder.name, digits, count)
-            self.shadows[kind, layer_id] = (first, count, pictures)
+            remove_beyond(sequence.folder, sequence.label, sequence.digits, count)
+            self.footage[rendering, sequence.subject.owner] = RenderedFootage(sequence.file(1), count, pictures)
 
 
 def _note_of_copies(layer: Layer, length: int) -> Message:

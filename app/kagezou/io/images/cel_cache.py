@@ -51,8 +51,8 @@ class CelCache:
     """Drawings read from files, bounded by memory, the least lately used going first; any thread may ask.
 
     A picture is known by its file's path, size and time of change, and its part of the file, so an edited one is read
-    again. Two threads that ask for one drawing wait for one decoding. A failure is told to those who waited for it and
-    then forgotten.
+    again. Two threads that ask for one drawing wait for one decoding. A failure is reported to those who waited for
+    it and then forgotten.
 
     Parameters
     ----------

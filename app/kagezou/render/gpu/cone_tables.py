@@ -40,7 +40,7 @@ class ConeTables:
         occlusions
             With their flags, those of the eye first.
         world_from_local
-            (4, 4), a shift: from the coordinates in which places are told.
+            (4, 4), a shift: from the coordinates in which places are given.
         ball
             Middle (3,) and radius of a part of the world that holds all that is asked about.
         """

@@ -7,7 +7,7 @@ from weakref import ref
 
 
 class Kept(Protocol):
-    """What lies on a shelf."""
+    """What is kept of one source."""
 
     @property
     def nbytes(self) -> int:
@@ -37,7 +37,7 @@ class MadeOfCache(Generic[T]):
         self._gone: deque[tuple[int, ref[object]]] = deque()
 
     def made_of(self, source: object, make: Callable[[], T]) -> T:
-        """Return what was made of ``source``, which is told by identity; made now if it is not there."""
+        """Return what was made of ``source``, which is compared by identity; made now if it is not there."""
         key = id(source)
         known = self._kept.get(key)
         # The id of an object that is gone may have passed to another.

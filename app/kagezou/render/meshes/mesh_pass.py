@@ -47,7 +47,7 @@ class MeshLit:
 
     Parameters
     ----------
-    view, stage
+    view, set_seen
         What is seen of them, and of the other pieces.
     light, occlusions
         The light, and what the bodies of other pieces take of it.
@@ -58,7 +58,7 @@ class MeshLit:
     """
 
     view: MeshView
-    stage: SetAsSeen
+    set_seen: SetAsSeen
     light: Vector4
     occlusions: dict[int, Occlusion]
     light_map: LightMap | None
@@ -94,7 +94,7 @@ class MeshLit:
         return self.view.local_form(equation if above else -equation)
 
     def _occlusions(self) -> Iterator[tuple[Occlusion, int]]:
-        for occlusion in self.stage.eye_occlusions:
+        for occlusion in self.set_seen.eye_occlusions:
             yield occlusion, 0
         for occlusion in self.occlusions.values():
             yield occlusion, LIGHT
@@ -139,10 +139,10 @@ class MeshPass:
             self._on_card.close()
             self._on_card = None
 
-    def view(self, stage: SetAsSeen, canvas: Box) -> MeshView | None:
-        """Return what is seen of the meshes of a stage; None where it has none."""
+    def view(self, set_seen: SetAsSeen, canvas: Box) -> MeshView | None:
+        """Return what is seen of the meshes of a set_seen; None where it has none."""
         placed = [
-            PlacedMesh(self._meshes.mesh(piece.mesh.path), piece) for piece in stage.pieces if piece.mesh is not None
+            PlacedMesh(self._meshes.mesh(piece.mesh.path), piece) for piece in set_seen.pieces if piece.mesh is not None
         ]
         placed = [each for each in placed if len(each.mesh.triangles)]
         if not placed:
@@ -150,7 +150,7 @@ class MeshPass:
         if self._on_card is None or not self._on_card.is_of(placed):
             self.forget()
             self._on_card = MeshBuffers(placed)
-        return self._views.view(self._on_card, stage.camera, canvas)
+        return self._views.view(self._on_card, set_seen.camera, canvas)
 
     def pictures(self, view: MeshView, displays: Iterable[Display]) -> tuple[SetPicture, ...]:
         """Return what is to be shown of the meshes themselves."""
@@ -159,19 +159,19 @@ class MeshPass:
     def lit(
         self,
         view: MeshView,
-        stage: SetAsSeen,
+        set_seen: SetAsSeen,
         light: Vector4,
         ground: Plane | None,
         wanted: Callable[[PieceScene], bool],
     ) -> MeshLit:
-        """Return the meshes of a stage under a light that pieces take where they are wanted."""
-        around = Surroundings(ground, bool(stage.bodies))
+        """Return the meshes of a set_seen under a light that pieces take where they are wanted."""
+        around = Surroundings(ground, bool(set_seen.bodies))
         light_map = self._maps.map_of(view, light, around, wanted)
-        return MeshLit(view, stage, light, stage.occlusions(light, wanted), light_map, ground)
+        return MeshLit(view, set_seen, light, set_seen.occlusions(light, wanted), light_map, ground)
 
     def screen(self, lit: MeshLit, face: Face | RoundFace) -> Screen:
         """Return what the meshes do to another face."""
-        return Screen(face, lit.view, self._pasts.past(lit.view, lit.stage, face), lit.light_map)
+        return Screen(face, lit.view, self._pasts.past(lit.view, lit.set_seen, face), lit.light_map)
 
     def draw(self, lit: MeshLit, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Box | None:
         """Add what a character casts to ``target``; return the box that may hold it."""

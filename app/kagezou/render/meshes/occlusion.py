@@ -136,11 +136,11 @@ class Pasts:
         self._kept.clear()
         self._of = None
 
-    def past(self, view: MeshView, stage: SetAsSeen, face: Face | RoundFace) -> Past:
-        """Return how much of a face of a stage no mesh hides."""
-        if self._of is None or self._of[0] is not view or self._of[1] is not stage:
+    def past(self, view: MeshView, set_seen: SetAsSeen, face: Face | RoundFace) -> Past:
+        """Return how much of a face of a set_seen no mesh hides."""
+        if self._of is None or self._of[0] is not view or self._of[1] is not set_seen:
             self.forget()
-            self._of = (view, stage)
+            self._of = (view, set_seen)
         past = self._kept.get(id(face))
         if past is None:
             past = self._kept[id(face)] = self._drawn(view, face)

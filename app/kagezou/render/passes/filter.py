@@ -23,7 +23,7 @@ from kagezou.render.passes.plane_cast import PlaneCast
 from kagezou.render.prepare.area_level import Counted, area_preserving_level
 from kagezou.render.prepare.area_level import Floats as Texels
 from kagezou.render.prepare.band_atlas import Strip
-from kagezou.render.prepare.blur_tiles import busy_tiles
+from kagezou.render.prepare.blur_tiles import blur_tiles
 from kagezou.render.prepare.filter_boxes import box_near_contact, box_seen, sure_values
 from kagezou.render.prepare.filter_charts import Receivers, charted, counted_texels
 from kagezou.render.prepare.filter_job import (
@@ -107,11 +107,11 @@ class ShapePass:
             self._plane.fill(job, matte, chart, shadow)
         # All strips are read at once: each reading waits for everything drawn before it.
         before = shadow.read_floats(used)
-        busy = [busy_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
+        blurred_tiles = [blur_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
         half.clear(used)
         blurred.clear(used)
-        self._blur_strips(job, (shadow, half), _ALONG_V, [across for across, _ in busy])
-        self._blur_strips(job, (half, blurred), _ALONG_U, [along for _, along in busy])
+        self._blur_strips(job, (shadow, half), _ALONG_V, [across for across, _ in blurred_tiles])
+        self._blur_strips(job, (half, blurred), _ALONG_U, [along for _, along in blurred_tiles])
         after = blurred.read_floats(used)
         counted = [
             _counted(strip, before, after, counted_texels(job, receivers, chart, strip, _MARGIN_TEXELS))
@@ -179,11 +179,11 @@ class ShapePass:
         return self._caster.unite(cast, matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
 
     def _blur_strips(
-        self, job: FilterJob, way: tuple[Target, Target], direction: frozenset[str], busy: Sequence[TileBoxes]
+        self, job: FilterJob, way: tuple[Target, Target], direction: frozenset[str], blurred_tiles: Sequence[TileBoxes]
     ) -> None:
         """Blur every strip from one atlas into the other: first across the contact line, then along it."""
         source, goal = way
-        for strip, tiles in zip(job.strips, busy, strict=True):
+        for strip, tiles in zip(job.strips, blurred_tiles, strict=True):
             program = self._blur[direction | {f"REACH {_reach_of(strip)}"}]
             known = strip.box if direction == _ALONG_V else strip.shown
             goal.bind(strip.shown)

@@ -75,7 +75,7 @@ class PlaneCast:
         whole = self._whole_of(width, height, of_ground=is_first)
         whole.clear(box)
         plane_from_whole = np.array([[texel, 0.0, first[0] * texel], [0.0, texel, first[1] * texel], [0.0, 0.0, 1.0]])
-        # The shape alone is filtered; how strong it is under a low light is told where it is shown.
+        # The shape alone is filtered; its strength under a low light is applied where it is shown.
         window = Window(box, plane_from_whole, _cells_at(level), is_shape_only=True)
         if is_first:
             self._cast(BlurView.of_ground(job, box), matte, whole, window)

@@ -46,7 +46,7 @@ class ShadowImages:
 
     def __init__(self, boxes: Boxes) -> None:
         self._boxes = boxes
-        self._programs = Variants("common/box.vert", "common/coloring.frag")
+        self._programs = Variants("common/box.vert", "common/shade.frag")
         self._targets: dict[Format, Target] = {}
 
     def image(self, canvas: Box, drawn: Drawn | None, coloring: Coloring, depth: int) -> ShadowImage:

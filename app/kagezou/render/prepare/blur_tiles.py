@@ -10,7 +10,7 @@ from kagezou.render.prepare.shadow_tiles import TILE_PX, Boxes, runs_of
 Mask = NDArray[np.bool_]
 
 
-def busy_tiles(strip: Strip, shadow: NDArray[np.float32], reach_texels: int) -> tuple[Boxes, Boxes]:
+def blur_tiles(strip: Strip, shadow: NDArray[np.float32], reach_texels: int) -> tuple[Boxes, Boxes]:
     """Return the boxes of the atlas in which a strip's blur across the contact line, and then along it, is not zero.
 
     Parameters

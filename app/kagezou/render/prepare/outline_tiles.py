@@ -83,7 +83,7 @@ def _codes(look: SeenChart, reach: Reach, blur: Blur, corners: Matrix) -> tuple[
     low, high = plane.min(axis=0) - moved, plane.max(axis=0) + moved
     tiles = _Tiles(low[:, bounded], high[:, bounded])
     for strip, values in look.strips:
-        tiles.look_at(strip, values, reach, is_whole=blur.is_even)
+        tiles.measured_figure(strip, values, reach, is_whole=blur.is_even)
     codes = np.full(low.shape[1], OUTLINE)
     codes[bounded] = tiles.codes
     # Where the blur is narrow the shadow as it was cast is seen too, which the strips do not tell of.
@@ -124,7 +124,7 @@ class _Tiles:
         whole = self._seen_px >= (self._high[1] - self._low[1]) * (1 - 1e-9)
         return np.where(self._is_empty, EMPTY, np.where(self._is_full & whole, FULL, OUTLINE))
 
-    def look_at(self, strip: Strip, values: NDArray[np.float32], reach: Reach, *, is_whole: bool) -> None:
+    def measured_figure(self, strip: Strip, values: NDArray[np.float32], reach: Reach, *, is_whole: bool) -> None:
         """SeenChart at the tiles that a strip shows, or at all if it is the only one."""
         core, texel = strip.band.core, strip.band.texel_px
         near, far = np.maximum(self._low[1], core.low), np.minimum(self._high[1], core.high)

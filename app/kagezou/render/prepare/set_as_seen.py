@@ -75,7 +75,7 @@ class SetAsSeen:
 
     @staticmethod
     def round_mask(face: RoundFace) -> Mask:
-        """Return the mask of a round face; what other bodies take of it is told on its surface."""
+        """Return the mask of a round face; what other bodies take of it is found on its surface."""
         return Mask(face.outline, () if face.end is None else (face.end,), ())
 
     def mask(self, face: Face, unlit: Sequence[Group]) -> Mask:

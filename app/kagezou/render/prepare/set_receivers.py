@@ -20,18 +20,18 @@ def casts(piece: PieceScene) -> bool:
     return piece.casts
 
 
-def receivers_of(stage: SetAsSeen, light: Vector4) -> Receivers:
+def receivers_of(set_seen: SetAsSeen, light: Vector4) -> Receivers:
     """Return the bodies that receive, and what those that block take of the ground."""
-    bodies = {index: body for index, body in enumerate(stage.bodies) if stage.owners[index].receives}
-    occlusions = stage.occlusions(light, blocks)
-    ground = next((face for face in stage.faces if face.body == GROUND), None)
+    bodies = {index: body for index, body in enumerate(set_seen.bodies) if set_seen.owners[index].receives}
+    occlusions = set_seen.occlusions(light, blocks)
+    ground = next((face for face in set_seen.faces if face.body == GROUND), None)
     return Receivers(bodies, () if ground is None else ground.unlit(occlusions))
 
 
-def views_of(stage: SetAsSeen, job: FilterJob) -> Iterator[tuple[Face, BlurView]]:
+def views_of(set_seen: SetAsSeen, job: FilterJob) -> Iterator[tuple[Face, BlurView]]:
     """Yield the ground and the faces laid flat that are seen, and how they show a job."""
     sheets = [(number, sheet) for number, sheet in enumerate(job.development.sheets) if sheet.is_looked_up]
-    for face in stage.faces:
+    for face in set_seen.faces:
         if face.body == GROUND:
             yield face, BlurView.of_ground(job, face.box)
         for number, sheet in sheets:

@@ -35,16 +35,16 @@ class DistancePass:
 
     def draw(self, cast: ShadowCast, target: Target) -> None:
         """Draw the distances of a cast's receivers."""
-        stage = SetAsSeen.of(cast.camera, target.box, cast.receivers[0], cast.pieces)
+        set_seen = SetAsSeen.of(cast.camera, target.box, cast.receivers[0], cast.pieces)
         contact = contact_plane(cast.card, cast.receivers[0])
-        faces = flat_faces(cast, receivers_of(stage, cast.lights[0]))
+        faces = flat_faces(cast, receivers_of(set_seen, cast.lights[0]))
         forms = _forms(unfolded(contact, tuple(faces), 2, 0.0).sheets)
         target.clear()
         alone = self._scratches.like("alone", target)
-        for face in stage.faces:
+        for face in set_seen.faces:
             # What no shadow falls on counts like the ground seen there, so that the parts of a pixel at its rim add up.
             found = forms.get((face.body, face.plane), (contact, _AWAY))
-            self._add(stage, face, cast, found, (alone, target))
+            self._add(set_seen, face, cast, found, (alone, target))
 
     def close(self) -> None:
         """Give the memory back."""
@@ -54,7 +54,7 @@ class DistancePass:
 
     def _add(
         self,
-        stage: SetAsSeen,
+        set_seen: SetAsSeen,
         face: Face,
         cast: ShadowCast,
         found: tuple[Plane, Matrix],
@@ -67,7 +67,7 @@ class DistancePass:
         uniforms = distance_uniforms(form @ plane_from_canvas, plane_from_canvas[2], face.box)
         self._measure.use({"u_target_size_px": alone.size_px, **uniforms})
         self._boxes.draw_one(face.box)
-        self._adding.add(stage.mask(face, ()), alone, face.box, target)
+        self._adding.add(set_seen.mask(face, ()), alone, face.box, target)
 
 
 def _forms(sheets: tuple[FlatSheet, ...]) -> dict[tuple[int, Plane], tuple[Plane, Matrix]]:

@@ -26,7 +26,7 @@ EVERYWHERE = Group((Region(np.zeros((0, 3))),), overlaps=False)
 class Lit:
     """A set under one light: who keeps it from whom."""
 
-    stage: SetAsSeen
+    set_seen: SetAsSeen
     light: Vector4
     occlusions: dict[int, Occlusion]
     meshes: MeshLit | None

@@ -22,22 +22,22 @@ class OwnShadowPass:
         """Draw the shadow of the set itself, clearing ``old``; return the box that may hold it, None for none."""
         if old is not None:
             target.clear(old)
-        stage = self._drawing.stage(cast.camera, target.box, cast.ground, cast.pieces)
+        set_seen = self._drawing.set_seen(cast.camera, target.box, cast.ground, cast.pieces)
         drawn: Box | None = None
         ground = cast.ground if cast.ground_receives else None
         for light in cast.lights:
-            lit = self._drawing.lit(stage, light, ground, casts)
+            lit = self._drawing.lit(set_seen, light, ground, casts)
             own = target if len(cast.lights) == 1 else self._drawing.scratches.like("light", target)
             box: Box | None = None
-            for face in stage.faces:
+            for face in set_seen.faces:
                 if face.body != GROUND or ground is not None:
                     box = around(box, self._add(lit, face, own))
             if lit.meshes is not None:
                 box = around(box, self._drawing.mesh.draw_own(lit.meshes, own))
-            for each in stage.rounds:
+            for each in set_seen.rounds:
                 alone = self._drawing.scratches.like("face", target)
-                round_lit = RoundLit(stage, each, light, lit.occlusions, self._drawing.screen(lit, each))
-                dark = self._drawing.round.draw_own(round_lit, alone, is_caster=stage.is_caster(each))
+                round_lit = RoundLit(set_seen, each, light, lit.occlusions, self._drawing.screen(lit, each))
+                dark = self._drawing.round.draw_own(round_lit, alone, is_caster=set_seen.is_caster(each))
                 box = around(box, self._drawing.add_round(lit, each, dark, own))
             drawn = self._drawing.united(own, box, target, drawn)
         return drawn
@@ -49,22 +49,22 @@ class OwnShadowPass:
         from it.
         """
         target.clear()
-        stage = self._drawing.stage(cast.camera, target.box, cast.ground, cast.pieces)
+        set_seen = self._drawing.set_seen(cast.camera, target.box, cast.ground, cast.pieces)
         ground = cast.ground if cast.ground_receives else None
         ex, ey, ez, ew = cast.camera.eye
-        lit = self._drawing.unlit(stage, (-ex, -ey, -ez, -ew), ground)
+        lit = self._drawing.unlit(set_seen, (-ex, -ey, -ez, -ew), ground)
         wants_ground = ground is not None and not any(piece.casts for piece in cast.pieces)
         drawn: Box | None = None
-        for face in stage.faces:
-            if stage.is_caster(face) or (face.body == GROUND and wants_ground):
-                mask, shade = stage.mask(face, (EVERYWHERE,)), own_shade(face, None, face.box)
+        for face in set_seen.faces:
+            if set_seen.is_caster(face) or (face.body == GROUND and wants_ground):
+                mask, shade = set_seen.mask(face, (EVERYWHERE,)), own_shade(face, None, face.box)
                 box = self._drawing.adding.add_own(mask, shade, face.box, target, self._drawing.screen(lit, face))
                 drawn = around(drawn, box)
         if lit.meshes is not None:
             drawn = around(drawn, self._drawing.mesh.draw_own(lit.meshes, target))
-        for each in filter(stage.is_caster, stage.rounds):
+        for each in filter(set_seen.is_caster, set_seen.rounds):
             alone = self._drawing.scratches.like("face", target)
-            round_lit = RoundLit(stage, each, lit.light, {}, self._drawing.screen(lit, each))
+            round_lit = RoundLit(set_seen, each, lit.light, {}, self._drawing.screen(lit, each))
             drawn = around(
                 drawn,
                 self._drawing.add_round(
@@ -75,20 +75,20 @@ class OwnShadowPass:
 
     def _add(self, lit: Lit, face: Face, target: Target) -> Box | None:
         """Add what the set takes from one light on one face."""
-        stage, screen = lit.stage, self._drawing.screen(lit, face)
-        is_caster = stage.is_caster(face)
+        set_seen, screen = lit.set_seen, self._drawing.screen(lit, face)
+        is_caster = set_seen.is_caster(face)
         if height_over(face.plane.equation, lit.light) <= 0:
             if not is_caster:
                 return None
             shade = own_shade(face, None, face.box)
-            return self._drawing.adding.add_own(stage.mask(face, (EVERYWHERE,)), shade, face.box, target, screen)
+            return self._drawing.adding.add_own(set_seen.mask(face, (EVERYWHERE,)), shade, face.box, target, screen)
         unlit = face.unlit(lit.occlusions)
         by_mesh = screen is not None and screen.light_map is not None
         shade = own_shade(face, lit.light if unlit or is_caster or by_mesh else None, face.box)
         if is_caster and not shade.is_even:
             # It passes over into a face that is turned away: every tile is a little dark.
             dark = OwnShade(shade.switches | {"DARK_WHEN_TURNED"}, shade.uniforms, is_even=False)
-            return self._drawing.adding.add_own(stage.mask(face, unlit), dark, face.box, target, screen)
+            return self._drawing.adding.add_own(set_seen.mask(face, unlit), dark, face.box, target, screen)
         if not unlit and not by_mesh:
             return None
-        return self._drawing.adding.add_own(stage.mask(face, unlit), shade, face.box, target, screen)
+        return self._drawing.adding.add_own(set_seen.mask(face, unlit), shade, face.box, target, screen)

@@ -36,7 +36,7 @@ _PATCH_MARGIN = 0.5
 class RoundLit:
     """A round face under one light, with what the other bodies take of that."""
 
-    stage: SetAsSeen
+    set_seen: SetAsSeen
     face: RoundFace
     light: Vector4
     occlusions: dict[int, Occlusion]
@@ -62,7 +62,7 @@ class RoundLit:
         return {
             "u_origin_px": origin,
             "u_origin_world": np.array([*origin, 0.0]) - face.centre,
-            "u_eye": self._local(self.stage.camera.eye),
+            "u_eye": self._local(self.set_seen.camera.eye),
             "u_light": self._local(self.light),
             "u_across": face.across,
             "u_radius": shape.radius_px,
@@ -94,7 +94,7 @@ class RoundLit:
 
     def _others(self) -> Iterator[tuple[Occlusion, int]]:
         """Yield what other bodies hide from the eye, then what they take of the light."""
-        for index, occlusion in enumerate(self.stage.eye_occlusions):
+        for index, occlusion in enumerate(self.set_seen.eye_occlusions):
             if index != self.face.body:
                 yield occlusion, 0
         for index, occlusion in self.occlusions.items():
@@ -121,7 +121,7 @@ def _shaded_tiles(lit: RoundLit, casts: Sequence[SpaceCast], matte: PlacedMatte,
     Within the outline a tile sees a patch that its corners and their surroundings bound; at the rim it may see all.
     """
     grid, seen, rim = _tiles(lit)
-    points = lit.face.seen_at(lit.stage.camera, grid.corners())
+    points = lit.face.seen_at(lit.set_seen.camera, grid.corners())
     may_hold = rim.copy()
     for cast in casts:
         art = cast.art_from_world @ points

@@ -51,28 +51,30 @@ class SetDrawing:
         self.mesh.close()
         self.scratches.close()
 
-    def stage(self, camera: Camera, canvas: Box, ground: Plane, pieces: tuple[PieceScene, ...]) -> SetAsSeen:
+    def set_seen(self, camera: Camera, canvas: Box, ground: Plane, pieces: tuple[PieceScene, ...]) -> SetAsSeen:
         """Return a set as a camera sees it; the last few are kept."""
-        for key, stage in self._views.items():
-            if stage.is_of(camera, ground, pieces):
+        for key, set_seen in self._views.items():
+            if set_seen.is_of(camera, ground, pieces):
                 self._views.move_to_end(key)
-                return stage
-        stage = SetAsSeen.of(camera, canvas, ground, pieces)
-        self._views[id(stage)] = stage
+                return set_seen
+        set_seen = SetAsSeen.of(camera, canvas, ground, pieces)
+        self._views[id(set_seen)] = set_seen
         if len(self._views) > _KEPT_VIEWS:
             self._views.popitem(last=False)
-        return stage
+        return set_seen
 
-    def lit(self, stage: SetAsSeen, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]) -> Lit:
+    def lit(
+        self, set_seen: SetAsSeen, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]
+    ) -> Lit:
         """Return a set under a light; of the pieces that are ``wanted`` it is known what they keep the light from."""
-        view = self.mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
-        meshes = None if view is None else self.mesh.lit(view, stage, light, ground, wanted)
-        return Lit(stage, light, stage.occlusions(light, wanted), meshes)
+        view = self.mesh.view(set_seen, Box(0, 0, set_seen.camera.width_px, set_seen.camera.height_px))
+        meshes = None if view is None else self.mesh.lit(view, set_seen, light, ground, wanted)
+        return Lit(set_seen, light, set_seen.occlusions(light, wanted), meshes)
 
-    def unlit(self, stage: SetAsSeen, light: Vector4, ground: Plane | None) -> Lit:
+    def unlit(self, set_seen: SetAsSeen, light: Vector4, ground: Plane | None) -> Lit:
         """Return a set under a light that nobody keeps from anybody."""
-        view = self.mesh.view(stage, Box(0, 0, stage.camera.width_px, stage.camera.height_px))
-        return Lit(stage, light, {}, None if view is None else MeshLit(view, stage, light, {}, None, ground))
+        view = self.mesh.view(set_seen, Box(0, 0, set_seen.camera.width_px, set_seen.camera.height_px))
+        return Lit(set_seen, light, {}, None if view is None else MeshLit(view, set_seen, light, {}, None, ground))
 
     def screen(self, lit: Lit, face: Face | RoundFace) -> Screen | None:
         """Return what meshes hide of a face, and keep from it; None without meshes."""
@@ -97,4 +99,4 @@ class SetDrawing:
 
 def mask_of(lit: Lit, face: Face) -> Mask:
     """Return what is seen and lit of a flat face."""
-    return lit.stage.mask(face, face.unlit(lit.occlusions))
+    return lit.set_seen.mask(face, face.unlit(lit.occlusions))

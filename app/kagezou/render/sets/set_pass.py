@@ -67,12 +67,12 @@ class SetPass:
             target.clear(old)
         if matte is None:
             return None
-        stage = self._drawing.stage(cast.camera, target.box, cast.receivers[0], cast.pieces)
-        shaped = self._shaped(stage, cast, matte, target) if cast.is_filtered and cast.lights else None
+        set_seen = self._drawing.set_seen(cast.camera, target.box, cast.receivers[0], cast.pieces)
+        shaped = self._shaped(set_seen, cast, matte, target) if cast.is_filtered and cast.lights else None
         drawn: Box | None = None
         ground = cast.receivers[0] if cast.ground_receives else None
         for light in cast.lights:
-            lit = self._drawing.lit(stage, light, ground, blocks)
+            lit = self._drawing.lit(set_seen, light, ground, blocks)
             own = target if len(cast.lights) == 1 else self._drawing.scratches.like("light", target)
             box = self._draw_light(lit, cast, matte, own, shaped)
             drawn = self._drawing.united(own, box, target, drawn)
@@ -86,7 +86,7 @@ class SetPass:
         ways = {display.value for display in displays}
         if not any(piece.mesh is not None and piece.display in ways for piece in cast.pieces):
             return ()
-        view = self._drawing.mesh.view(self._drawing.stage(cast.camera, canvas, cast.ground, cast.pieces), canvas)
+        view = self._drawing.mesh.view(self._drawing.set_seen(cast.camera, canvas, cast.ground, cast.pieces), canvas)
         return () if view is None else self._drawing.mesh.pictures(view, displays)
 
     def coverage(self, cast: ShadowCast, face: Face, light: Vector4, matte: PlacedMatte, target: Target) -> Box | None:
@@ -98,11 +98,11 @@ class SetPass:
         self, lit: Lit, cast: ShadowCast, matte: PlacedMatte, target: Target, shaped: Shaped | None
     ) -> Box | None:
         """Add up what one light casts on all faces; return the box that may hold it."""
-        stage = lit.stage
+        set_seen = lit.set_seen
         drawn: Box | None = None
         single: list[Face] = []
-        for face in stage.faces:
-            if not stage.receives(face) or (face.body == GROUND and not cast.ground_receives):
+        for face in set_seen.faces:
+            if not set_seen.receives(face) or (face.body == GROUND and not cast.ground_receives):
                 continue
             of_face = None if shaped is None else shaped.faces.get(face)
             if of_face is None and len(cast.card.pieces) == 1 and lit.meshes is None:
@@ -120,10 +120,10 @@ class SetPass:
             cast, matte = shaped.silhouette.cast, shaped.silhouette.matte
         if lit.meshes is not None:
             drawn = around(drawn, self._drawing.mesh.draw(lit.meshes, cast, matte, target))
-        for round_face in stage.rounds:
-            if stage.receives(round_face):
+        for round_face in set_seen.rounds:
+            if set_seen.receives(round_face):
                 round_lit = RoundLit(
-                    stage, round_face, lit.light, lit.occlusions, self._drawing.screen(lit, round_face)
+                    set_seen, round_face, lit.light, lit.occlusions, self._drawing.screen(lit, round_face)
                 )
                 box = self._drawing.round.draw(round_lit, cast, matte, self._drawing.scratches.like("face", target))
                 drawn = around(drawn, self._drawing.add_round(lit, round_face, box, target))
@@ -151,17 +151,17 @@ class SetPass:
         alone.clear(box)
         return drawn
 
-    def _shaped(self, stage: SetAsSeen, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Shaped:
+    def _shaped(self, set_seen: SetAsSeen, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Shaped:
         """Draw the filtered shadow on the ground and on every flat face it reaches, each as if it were seen alone."""
-        blurred = self._shaper.blurred(replace(cast, pieces=()), matte, receivers_of(stage, cast.lights[0]))
+        blurred = self._shaper.blurred(replace(cast, pieces=()), matte, receivers_of(set_seen, cast.lights[0]))
         shaped = Shaped()
         if blurred is None:
             return shaped
-        for number, (face, view) in enumerate(views_of(stage, blurred.job)):
+        for number, (face, view) in enumerate(views_of(set_seen, blurred.job)):
             alone = self._drawing.scratches.like(f"shaped {number}", target)
             shaped.faces[face] = alone, self._shaper.show(blurred, view, alone)
-        if any(piece.receives and piece.mesh is not None for piece in stage.pieces) or any(
-            stage.receives(each) for each in stage.rounds
+        if any(piece.receives and piece.mesh is not None for piece in set_seen.pieces) or any(
+            set_seen.receives(each) for each in set_seen.rounds
         ):
             shaped.silhouette = self._silhouette.drawn(blurred, target.box)
         return shaped

@@ -5,8 +5,9 @@ from collections.abc import Callable, Mapping
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QApplication, QWidget
 
-from kagezou.ui.commands.table import Command, all_commands, command_groups, plain
+from kagezou.ui.commands.table import Command, all_commands, command_groups
 from kagezou.ui.system.icons import icon
+from kagezou.ui.system.menu_words import plain
 
 Answer = Callable[[], object]
 

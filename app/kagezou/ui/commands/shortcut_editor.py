@@ -26,8 +26,9 @@ from kagezou.ui.commands.actions import Actions, shown_keys
 from kagezou.ui.commands.fuzzy import score
 from kagezou.ui.commands.shortcut_keys import KeysOfCommand
 from kagezou.ui.commands.shortcut_scheme import Shortcuts, normal
-from kagezou.ui.commands.table import Command, plain
+from kagezou.ui.commands.table import Command
 from kagezou.ui.system.language import in_all_languages
+from kagezou.ui.system.menu_words import plain
 from kagezou.ui.system.words import named, translated
 
 _NAME = Qt.ItemDataRole.UserRole

@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 
 from kagezou.ui.commands.actions import Actions
 from kagezou.ui.commands.fuzzy import score
-from kagezou.ui.commands.table import plain
 from kagezou.ui.system.language import in_all_languages
+from kagezou.ui.system.menu_words import plain
 
 _COLUMNS = 2
 

@@ -4,7 +4,6 @@ The keys are the skeleton that animators know from After Effects; the files in `
 those of other programs. A command that nothing answers yet stays hidden, so it may stand here first.
 """
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import chain
@@ -265,8 +264,3 @@ def command_groups() -> tuple[CommandGroup, ...]:
 def all_commands(groups: Iterable[CommandGroup]) -> tuple[Command, ...]:
     """Return the commands of some groups, one after the other."""
     return tuple(chain.from_iterable(group.commands for group in groups))
-
-
-def plain(text: str) -> str:
-    """Return a menu's words without mnemonic and dots; Japanese menus write the mnemonic behind them, as (&S)."""
-    return re.sub(r"\s*\(&.\)", "", text).replace("&", "").replace("…", "")

@@ -1,19 +1,11 @@
 """What the curve editor shows, apart from the document: shared by its parts."""
 
-from enum import StrEnum
-
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.model import Document
-from kagezou.ui.curves.curve_list import Curve, curves_of
+from kagezou.tools.curves.curve_list import Curve, curves_of
+from kagezou.tools.curves.picture import GraphKind, ShownCurves
 from kagezou.ui.system.bridge import Bridge
-
-
-class GraphKind(StrEnum):
-    """What is drawn over time."""
-
-    VALUE = "value"
-    SPEED = "speed"
 
 
 class Choice(QObject):
@@ -52,6 +44,11 @@ class Choice(QObject):
         chosen = {ref.address for ref in self._bridge.session.state.keys}
         alone = tuple(curve for curve in seen if curve.address in chosen)
         return alone if self.isolates and alone else seen
+
+    @property
+    def now(self) -> ShownCurves:
+        """What is drawn, as a value."""
+        return ShownCurves(self.shown, self.kind, self.normalises, self.ghost)
 
     @property
     def ghost(self) -> Document | None:

@@ -24,7 +24,8 @@ from kagezou.document.address import track_of
 from kagezou.document.ease_edits import set_ease
 from kagezou.errors import Problem
 from kagezou.io.project.file import load
-from kagezou.ui.curves.choice import Choice, GraphKind
+from kagezou.tools.curves.picture import GraphKind
+from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_tree import CurveTree
 from kagezou.ui.curves.graph import Graph
 from kagezou.ui.curves.key_table import KeyTable
@@ -32,6 +33,7 @@ from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.words import translated
 
 
@@ -42,17 +44,19 @@ class CurveEditor(QWidget):
     ----------
     bridge
         The session.
+    clipboard
+        Where copies go.
     """
 
     refused = Signal(str)
 
-    def __init__(self, bridge: Bridge) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard) -> None:
         super().__init__()
         self._bridge = bridge
         self.choice = Choice(bridge)
         self.tree = CurveTree(bridge, self.choice)
         self.graph = Graph(bridge, self.choice)
-        self.table = KeyTable(bridge, self.choice)
+        self.table = KeyTable(bridge, self.choice, clipboard)
         self.notes = NoteList(bridge, self.choice, lambda: self.table.address)
         self.flags = FlagList(bridge, self.choice)
         self.key_menu = QMenu(self)
@@ -131,9 +135,9 @@ class CurveEditor(QWidget):
             signal.connect(self.refresh)
         bridge.frame_changed.connect(self.graph.move_playhead)
         bridge.session_replaced.connect(self.graph.fit_all)
-        self.graph.hand.read.connect(self._show_readout)
-        self.graph.hand.left.connect(self._read.clear)
-        self.graph.hand.exact_asked.connect(self.ask_velocity)
+        self.graph.controller.read.connect(self._show_readout)
+        self.graph.controller.left.connect(self._read.clear)
+        self.graph.controller.exact_asked.connect(self.ask_velocity)
         self.graph.menu_asked.connect(self.key_menu.popup)
         self.table.refused.connect(self.refused)
         self.notes.refused.connect(self.refused)

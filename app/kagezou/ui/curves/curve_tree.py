@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QTreeWidget, QTreeWidgetItem
 
 from kagezou.document.address import Address
 from kagezou.document.key_edits import all_keys
+from kagezou.tools.curves.curve_list import Curve
 from kagezou.ui.curves.choice import Choice
-from kagezou.ui.curves.curve_list import Curve
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
 

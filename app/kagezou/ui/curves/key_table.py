@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from kagezou.animation.track import Interpolation
@@ -13,6 +13,7 @@ from kagezou.errors import UsageProblem
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.key_rows import KeyRow, pasted, rows_of, text_of, with_cell
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.words import translated
 
 _FIXED_COLUMNS = (1,)
@@ -24,9 +25,9 @@ class KeyTable(QTableWidget):
 
     refused = Signal(str)
 
-    def __init__(self, bridge: Bridge, choice: Choice) -> None:
+    def __init__(self, bridge: Bridge, choice: Choice, clipboard: Clipboard) -> None:
         super().__init__(0, 8)
-        self._bridge, self._choice = bridge, choice
+        self._bridge, self._choice, self._clipboard = bridge, choice, clipboard
         self._rows: tuple[KeyRow, ...] = ()
         self.setHorizontalHeaderLabels([
             self.tr("Frame"), self.tr("Part"), self.tr("Value"), self.tr("Goes on"),
@@ -75,13 +76,13 @@ class KeyTable(QTableWidget):
     def copy(self) -> None:
         """Put the selected rows, or all, on the clipboard as lines with tabs."""
         chosen = sorted({index.row() for index in self.selectedIndexes()}) or list(range(len(self._rows)))
-        QGuiApplication.clipboard().setText(text_of(tuple(self._rows[row] for row in chosen)))
+        self._clipboard.put(text_of(tuple(self._rows[row] for row in chosen)))
 
     def paste(self) -> None:
         """Set keys from lines with tabs on the clipboard."""
         address = self.address
         if address is not None and not self._choice.is_locked:
-            text = QGuiApplication.clipboard().text()
+            text = self._clipboard.text()
             self._edit(self.tr("Paste keys"), lambda: pasted(self._bridge.document, address, text))
 
     def _enter(self, item: QTableWidgetItem) -> None:

@@ -7,6 +7,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 
 if TYPE_CHECKING:
     from kagezou.ui.curves.curve_editor import CurveEditor
@@ -19,15 +20,17 @@ class CurvesPanel(QWidget):
     ----------
     bridge
         The session.
+    clipboard
+        Where copies go.
     fill_menu
         Fills the menu of what can be done to selected keys.
     """
 
     refused = Signal(str)
 
-    def __init__(self, bridge: Bridge, fill_menu: Callable[[QMenu], None]) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard, fill_menu: Callable[[QMenu], None]) -> None:
         super().__init__()
-        self._bridge, self._fill_menu = bridge, fill_menu
+        self._bridge, self._clipboard, self._fill_menu = bridge, clipboard, fill_menu
         self.editor: CurveEditor | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -42,7 +45,7 @@ class CurvesPanel(QWidget):
         if self.editor is None:
             from kagezou.ui.curves.curve_editor import CurveEditor
 
-            self.editor = CurveEditor(self._bridge)
+            self.editor = CurveEditor(self._bridge, self._clipboard)
             self._fill_menu(self.editor.key_menu)
             self.editor.refused.connect(self.refused)
             layout = self.layout()

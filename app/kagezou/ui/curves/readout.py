@@ -5,9 +5,9 @@ from PySide6.QtCore import QCoreApplication
 from kagezou.animation.timecode import sheet_text
 from kagezou.document.address import track_of
 from kagezou.document.model import Document
+from kagezou.tools.curves.curve_list import same_in
+from kagezou.tools.curves.picture import CurvePicture, value_in
 from kagezou.ui.curves.choice import Choice
-from kagezou.ui.curves.curve_list import same_in
-from kagezou.ui.curves.picture import CurvePicture, value_in
 from kagezou.ui.system.words import translated
 
 

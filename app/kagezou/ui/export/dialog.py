@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.export.plan import ExportKind, ExportPlan, Place, depths_of, preview, sound
-from kagezou.io.images.video import is_there as video_is_there
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.table import EXPORTERS, depths_of, exporter_of, sound
 from kagezou.ui.export.options import GAP_PX, ExportOptions
 from kagezou.ui.export.preset_row import PresetRow
 from kagezou.ui.system.words import translated
@@ -34,7 +34,7 @@ class ExportDialog(QDialog):
     ----------
     document
         What is exported.
-    plan
+    choices
         What was chosen the last time.
     place
         Where it went the last time, and what the project is called.
@@ -43,16 +43,21 @@ class ExportDialog(QDialog):
     """
 
     chosen = Signal(object, object)
-    """A plan, and the place it goes to."""
+    """Choices, and the place the export goes to."""
 
     def __init__(
-        self, document: Document, plan: ExportPlan, place: Place, preset_folder: Path, parent: QWidget | None = None
+        self,
+        document: Document,
+        choices: ExportChoices,
+        place: Place,
+        preset_folder: Path,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export"))
         self._document, self._place = document, place
         self.kinds = QButtonGroup(self)
-        self._buttons: dict[ExportKind, QRadioButton] = {}
+        self._buttons: dict[str, QRadioButton] = {}
         self.presets = PresetRow(preset_folder)
         self.folder_label, self.folder = QLabel(self.tr("Folder")), QLineEdit(str(place.folder))
         self.options = ExportOptions(document)
@@ -63,23 +68,23 @@ class ExportDialog(QDialog):
         self.says.setWordWrap(True)
         self.says.setObjectName("problem")
         self.go = QPushButton(self.tr("Export"))
-        self._formats: dict[ExportKind, str] = {}
+        self._formats: dict[str, str] = {}
         self._lay_out()
-        self.plan = self._possible(plan)
-        self.presets.picked.connect(self.show_plan)
+        self.choices = self._possible(choices)
+        self.presets.picked.connect(self.show_choices)
         self.presets.failed.connect(self._say)
         self.options.changed.connect(lambda what: self.change(**what))
-        self.show_plan(self.plan)
+        self.show_choices(self.choices)
         self.presets.reload()
         self.go.setFocus()
 
-    def show_plan(self, plan: ExportPlan) -> None:
-        """Stand as a plan says, as far as this document and this machine allow."""
-        self.plan = self._possible(plan)
-        self._formats[self.plan.kind] = self.plan.format
-        self._buttons[self.plan.kind].setChecked(True)
-        self.options.show_plan(self.plan)
-        self.presets.show_plan(self.plan)
+    def show_choices(self, choices: ExportChoices) -> None:
+        """Stand as it was chosen, as far as this document and this machine allow."""
+        self.choices = self._possible(choices)
+        self._formats[self.choices.kind] = self.choices.format
+        self._buttons[self.choices.kind].setChecked(True)
+        self.options.show_choices(self.choices)
+        self.presets.show_choices(self.choices)
         self.refresh()
 
     def change(self, **what: object) -> None:
@@ -87,19 +92,20 @@ class ExportDialog(QDialog):
 
         A depth that was the only one there was has not been chosen and is not kept.
         """
-        changed = replace(self.plan, **what)  # type: ignore[arg-type]
-        if changed.kind is not self.plan.kind:
+        changed = replace(self.choices, **what)  # type: ignore[arg-type]
+        if changed.kind != self.choices.kind:
             changed = replace(changed, format=self._formats.get(changed.kind, changed.format))
-        if "depth" not in what and changed.format != self.plan.format and len(depths_of(self.plan.format)) == 1:
+        if "depth" not in what and changed.format != self.choices.format and len(depths_of(self.choices.format)) == 1:
             changed = replace(changed, depth=depths_of(changed.format)[0])
-        self.show_plan(changed)
+        self.show_choices(changed)
 
     def refresh(self) -> None:
         """Show what would be written, or why nothing can be."""
         self.preview.clear()
         problem = ""
         try:
-            self.preview.addItems(list(preview(self._document, self.plan, self._place_now())))
+            exporter = exporter_of(self.choices)
+            self.preview.addItems(list(exporter.preview(self._document, self.choices, self._place_now())))
         except UsageProblem as refused:
             problem = translated(refused)
         if not problem and not self.folder.text().strip():
@@ -111,13 +117,13 @@ class ExportDialog(QDialog):
         self.says.setText(problem[:1].upper() + problem[1:])
         self.says.setVisible(bool(problem))
 
-    def _possible(self, plan: ExportPlan) -> ExportPlan:
-        """Return the plan without what this document or this machine does not have."""
-        if plan.video_layer not in [layer.name for layer in self._document.layers]:
-            plan = replace(plan, video_layer="")
-        if plan.kind is ExportKind.VIDEO and not self._buttons[ExportKind.VIDEO].isEnabled():
-            plan = replace(plan, kind=ExportKind.LAYERS)
-        return sound(plan)
+    def _possible(self, choices: ExportChoices) -> ExportChoices:
+        """Return the choices without what this document or this machine does not have."""
+        if choices.video_layer not in [layer.name for layer in self._document.layers]:
+            choices = replace(choices, video_layer="")
+        if not self._buttons[choices.kind].isEnabled():
+            choices = replace(choices, kind=EXPORTERS[0].key)
+        return sound(choices)
 
     def _place_now(self) -> Place:
         return replace(self._place, folder=Path(self.folder.text().strip()).expanduser())
@@ -128,10 +134,11 @@ class ExportDialog(QDialog):
         column.setSpacing(10)
         column.addWidget(self.presets)
         column.addLayout(self._kind_row())
-        if not self._buttons[ExportKind.VIDEO].isEnabled():
-            why = QLabel(self._buttons[ExportKind.VIDEO].toolTip())
-            why.setObjectName("welcome_hint")
-            column.addWidget(why)
+        for button in self._buttons.values():
+            if not button.isEnabled():
+                why = QLabel(button.toolTip())
+                why.setObjectName("welcome_hint")
+                column.addWidget(why)
         column.addLayout(self._folder_row())
         column.addWidget(self.options)
         labels = (self.presets.label, self.folder_label, *self.options.labels)
@@ -156,21 +163,14 @@ class ExportDialog(QDialog):
 
     def _kind_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
-        words = {
-            ExportKind.LAYERS: self.tr("Shadow layers"),
-            ExportKind.LAYERED: self.tr("Layered frames"),
-            ExportKind.VIDEO: self.tr("Video"),
-            ExportKind.AFTER_EFFECTS: self.tr("After Effects"),
-            ExportKind.FARM: self.tr("Render farm job"),
-        }
-        for kind, text in words.items():
-            button = self._buttons[kind] = QRadioButton(text)
-            button.clicked.connect(lambda _on, each=kind: self.change(kind=each))
+        for exporter in EXPORTERS:
+            button = self._buttons[exporter.key] = QRadioButton(translated(exporter.label))
+            button.clicked.connect(lambda _on, each=exporter.key: self.change(kind=each))
+            if lacking := exporter.lacks():
+                button.setEnabled(False)
+                button.setToolTip(translated(lacking))
             self.kinds.addButton(button)
             row.addWidget(button)
-        if not video_is_there():
-            self._buttons[ExportKind.VIDEO].setEnabled(False)
-            self._buttons[ExportKind.VIDEO].setToolTip(self.tr("Video needs PyAV: pip install 'kagezou[video]'"))
         row.addStretch(1)
         return row
 
@@ -192,5 +192,5 @@ class ExportDialog(QDialog):
             self.folder.setText(chosen)
 
     def _accept(self) -> None:
-        self.chosen.emit(self.plan, self._place_now())
+        self.chosen.emit(self.choices, self._place_now())
         self.accept()

@@ -1,13 +1,12 @@
-"""The choices of an export, of which only those of its kind are shown; what cannot be chosen says why."""
+"""The choices of an export, of which only those of its exporter are shown; what cannot be chosen says why."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from kagezou.document.model import Document
-from kagezou.export.plan import ExportKind, ExportPlan, depths_of
-
-_LAYERS, _LAYERED, _VIDEO, _EFFECTS, _FARM = tuple(ExportKind)
-_FRAMES = (_LAYERS, _LAYERED, _EFFECTS, _FARM)
+from kagezou.export.choices import ExportChoices
+from kagezou.export.exporters.exporter import Option
+from kagezou.export.exporters.table import MAX_CHUNK, depths_of, exporter_of
 
 GAP_PX = 8
 """Between a label and its field."""
@@ -23,7 +22,7 @@ class ExportOptions(QWidget):
     """
 
     changed = Signal(dict)
-    """What was chosen: names of fields of a plan and their values."""
+    """What was chosen: names of fields of the choices and their values."""
 
     def __init__(self, document: Document) -> None:
         super().__init__()
@@ -33,35 +32,37 @@ class ExportOptions(QWidget):
         self.depth_box.setAccessibleName(self.tr("Depth"))
         self.video_box.setAccessibleName(self.tr("Picture"))
         self.chunk = QSpinBox()
-        self._ticks: dict[str, QCheckBox] = {}
+        self._ticks: dict[Option, QCheckBox] = {}
         self._mattes: dict[str, QCheckBox] = {}
-        self._rows: list[tuple[QWidget, tuple[ExportKind, ...]]] = []
+        self._rows: list[tuple[QWidget, Option]] = []
         self._form = QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setHorizontalSpacing(GAP_PX)
         self._lay_out()
 
-    def show_plan(self, plan: ExportPlan) -> None:
-        """Show the choices of the plan's kind as they stand."""
-        for widget, kinds in self._rows:
-            self._form.setRowVisible(widget, plan.kind in kinds)
-        self.depth_box.setVisible(plan.kind in _FRAMES)
+    def show_choices(self, choices: ExportChoices) -> None:
+        """Show what the exporter lets one choose, as it stands."""
+        exporter = exporter_of(choices)
+        for widget, option in self._rows:
+            self._form.setRowVisible(widget, option in exporter.options)
+        self.depth_box.setVisible(Option.DEPTH in exporter.options)
         titles = self._format_words()
-        _fill(self.format_box, {titles.get(each, each.upper()): each for each in plan.formats}, plan.format)
-        depths = depths_of(plan.format)
-        _fill(self.depth_box, {self.tr("%1 bit").replace("%1", str(each)): each for each in depths}, plan.depth)
-        only = self.tr("%1 has no other depth.").replace("%1", plan.format.upper())
+        formats = {titles.get(each, each.upper()): each for each in exporter.formats(choices)}
+        _fill(self.format_box, formats, choices.format)
+        depths = depths_of(choices.format)
+        _fill(self.depth_box, {self.tr("%1 bit").replace("%1", str(each)): each for each in depths}, choices.depth)
+        only = self.tr("%1 has no other depth.").replace("%1", choices.format.upper())
         _allow(self.depth_box, "" if len(depths) > 1 else only)
-        _fill(self.video_box, self._pictures(), plan.video_layer)
-        apart = self.tr("One file with all layers has it already.") if plan.is_layered else ""
-        for name in ("composite", "receivers"):
-            _allow(self._ticks[name], apart)
-        for name, box in self._ticks.items():
-            _tick(box, on=bool(getattr(plan, name)))
+        _fill(self.video_box, self._pictures(), choices.video_layer)
+        apart = self.tr("One file with all layers has it already.") if exporter.is_layered(choices) else ""
+        for option in (Option.COMPOSITE, Option.RECEIVERS):
+            _allow(self._ticks[option], apart)
+        for option, box in self._ticks.items():
+            _tick(box, on=bool(getattr(choices, option)))
         for matte, box in self._mattes.items():
-            _tick(box, on=matte in plan.mattes)
+            _tick(box, on=matte in choices.mattes)
         self.chunk.blockSignals(True)
-        self.chunk.setValue(plan.chunk)
+        self.chunk.setValue(choices.chunk)
         self.chunk.blockSignals(False)
 
     def _lay_out(self) -> None:
@@ -75,34 +76,34 @@ class ExportOptions(QWidget):
         self.labels = (QLabel(self.tr("Format")), QLabel(self.tr("Picture")))
         self._form.addRow(self.labels[0], row)
         self._form.addRow(self.labels[1], self.video_box)
-        self._rows.append((self.video_box, (_VIDEO,)))
-        self._add(self.tr("All layers of a frame in one file"), "in_one", (_FARM,))
-        self._add(self.tr("Composite with background and characters"), "composite", (_LAYERS, _FARM))
-        self._add(self.tr("Mattes: the ground and every set piece"), "receivers", (_LAYERS, _FARM))
-        self._add(self.tr("Only the work area"), "only_work_area", (_LAYERS, _LAYERED, _VIDEO, _FARM))
+        self._rows.append((self.video_box, Option.VIDEO_LAYER))
+        self._add(self.tr("All layers of a frame in one file"), Option.IN_ONE)
+        self._add(self.tr("Composite with background and characters"), Option.COMPOSITE)
+        self._add(self.tr("Mattes: the ground and every set piece"), Option.RECEIVERS)
+        self._add(self.tr("Only the work area"), Option.ONLY_WORK_AREA)
         if self._document.work_area is None:
-            _refuse(self._ticks["only_work_area"], self.tr("the cut has none"))
-        self._add(self.tr("Each different shadow once, held by time remapping"), "per_drawing", (_EFFECTS,))
-        self._add(self.tr("Copy characters and background into the folder"), "copies", (_EFFECTS,))
+            _refuse(self._ticks[Option.ONLY_WORK_AREA], self.tr("the cut has none"))
+        self._add(self.tr("Each different shadow once, held by time remapping"), Option.PER_DRAWING)
+        self._add(self.tr("Copy characters and background into the folder"), Option.COPIES)
         for matte, words in self._matte_words().items():
             box = self._mattes[matte] = QCheckBox(words)
             box.toggled.connect(self._choose_mattes)
-            self._put(box, (_EFFECTS,))
-        self.chunk.setRange(1, 1000)
+            self._put(box, Option.MATTES)
+        self.chunk.setRange(1, MAX_CHUNK)
         self.chunk.setSuffix(self.tr(" frames a task"))
         self.chunk.valueChanged.connect(lambda value: self.changed.emit({"chunk": value}))
-        self._put(self.chunk, (_FARM,))
+        self._put(self.chunk, Option.CHUNK)
         trusting = self.tr("Leave frames alone that would come out the same")
-        self._add(trusting, "skip_existing", (_LAYERS, _LAYERED, _EFFECTS))
+        self._add(trusting, Option.SKIP_EXISTING)
 
-    def _add(self, words: str, name: str, kinds: tuple[ExportKind, ...]) -> None:
-        box = self._ticks[name] = QCheckBox(words)
-        box.toggled.connect(lambda on: self.changed.emit({name: on}))
-        self._put(box, kinds)
+    def _add(self, words: str, option: Option) -> None:
+        box = self._ticks[option] = QCheckBox(words)
+        box.toggled.connect(lambda on: self.changed.emit({option.value: on}))
+        self._put(box, option)
 
-    def _put(self, widget: QWidget, kinds: tuple[ExportKind, ...]) -> None:
+    def _put(self, widget: QWidget, option: Option) -> None:
         self._form.addRow("", widget)
-        self._rows.append((widget, kinds))
+        self._rows.append((widget, option))
 
     def _choose_mattes(self) -> None:
         self.changed.emit({"mattes": tuple(each for each, box in self._mattes.items() if box.isChecked())})

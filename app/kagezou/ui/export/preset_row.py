@@ -7,7 +7,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QLabel, QPushButton, QWidget
 
 from kagezou.errors import Problem
-from kagezou.export.plan import ExportPlan
+from kagezou.export.choices import ExportChoices
 from kagezou.export.presets import Preset, presets_in, remove_preset, rename_preset, save_preset
 from kagezou.ui.export.options import GAP_PX
 from kagezou.ui.system.words import translated
@@ -23,13 +23,13 @@ class PresetRow(QWidget):
     """
 
     picked = Signal(object)
-    """The plan of the preset that was chosen."""
+    """The choices of the preset that was picked."""
     failed = Signal(str)
 
     def __init__(self, folder: Path) -> None:
         super().__init__()
         self._folder = folder
-        self._plan = ExportPlan()
+        self._choices = ExportChoices()
         self._presets: tuple[Preset, ...] = ()
         self.box = QComboBox()
         self.box.setAccessibleName(self.tr("Preset"))
@@ -52,14 +52,14 @@ class PresetRow(QWidget):
             self.failed.emit(translated(problem))
         self._show()
 
-    def show_plan(self, plan: ExportPlan) -> None:
+    def show_choices(self, choices: ExportChoices) -> None:
         """Take note of how the dialog stands."""
-        self._plan = plan
+        self._choices = choices
         self._show()
 
     def save(self, name: str) -> None:
         """Keep how the dialog stands under a name."""
-        self._try(lambda: save_preset(self._folder, name, self._plan))
+        self._try(lambda: save_preset(self._folder, name, self._choices))
 
     def rename(self, name: str) -> None:
         """Give the chosen preset another name."""
@@ -89,11 +89,11 @@ class PresetRow(QWidget):
         self.box.clear()
         if not self._presets:
             self.box.addItem(self.tr("None saved yet"), None)
-        elif all(each.plan != self._plan for each in self._presets):
+        elif all(each.choices != self._choices for each in self._presets):
             self.box.addItem(self.tr("Choices of your own"), None)
         for each in self._presets:
             self.box.addItem(each.name, each)
-        kept = next((row for row, each in enumerate(self._presets) if each.plan == self._plan), None)
+        kept = next((row for row, each in enumerate(self._presets) if each.choices == self._choices), None)
         self.box.setCurrentIndex(0 if kept is None else kept)
         self.box.setEnabled(bool(self._presets))
         reason = "" if self._chosen is not None else self.tr("Choose one of your presets first.")
@@ -104,7 +104,7 @@ class PresetRow(QWidget):
     def _pick(self) -> None:
         chosen = self._chosen
         if chosen is not None:
-            self.picked.emit(chosen.plan)
+            self.picked.emit(chosen.choices)
 
     def _ask_to_save(self) -> None:
         before = self._chosen

@@ -3,11 +3,11 @@
 import threading
 from time import monotonic
 
-from PySide6.QtCore import QThread, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from kagezou.errors import Problem
-from kagezou.export.work import ExportOutcome, Work
+from kagezou.export.exporters.exporter import ExportOutcome, Work
+from kagezou.ui.system.background import Queue
 from kagezou.ui.system.icons import icon
 from kagezou.ui.system.offscreen_context import OffscreenSurface
 from kagezou.ui.system.words import translated
@@ -15,38 +15,6 @@ from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
 _KEY = "export"
 _NOTES = "export notes"
-
-
-class ExportJob(QThread):
-    """One export; its document may meanwhile be edited further, for documents never change.
-
-    Parameters
-    ----------
-    work
-        What carries it out.
-    """
-
-    progressed = Signal(int, int)
-    done = Signal(object)
-    failed = Signal(str)
-
-    def __init__(self, work: Work) -> None:
-        super().__init__()
-        self._work = work
-        self._surface = OffscreenSurface()
-        self._stop = threading.Event()
-
-    def cancel(self) -> None:
-        """Stop after the pictures in hand; what is written is whole."""
-        self._stop.set()
-
-    def run(self) -> None:
-        try:
-            outcome = self._work(self._surface.open, self.progressed.emit, self._stop.is_set)
-        except Problem as problem:
-            self.failed.emit(translated(problem))
-        else:
-            self.done.emit(outcome)
 
 
 class Exporting(QWidget):
@@ -61,7 +29,11 @@ class Exporting(QWidget):
     def __init__(self, bar: MessageBar) -> None:
         super().__init__()
         self._bar = bar
-        self._job: ExportJob | None = None
+        self._surface: OffscreenSurface | None = None
+        self._wants_stop = threading.Event()
+        self._background = Queue[tuple[int, int] | ExportOutcome](
+            self._take, failed=self._say_failed, ended=self._end, low_priority=True
+        )
         self._began_s = 0.0
         self._stopping = False
         self._words = QLabel(self.tr("Exporting"))
@@ -83,41 +55,49 @@ class Exporting(QWidget):
     @property
     def is_running(self) -> bool:
         """Whether an export is under way."""
-        return self._job is not None
+        return self._background.is_busy
 
     def start(self, work: Work) -> None:
         """Carry an export out beside the window."""
-        if self._job is not None:
+        if self.is_running:
             self.say_running()
             return
-        job = ExportJob(work)
-        job.progressed.connect(self._show_progress)
-        job.done.connect(self._say_done)
-        job.failed.connect(lambda sentence: self._bar.say(_KEY, sentence))
-        job.finished.connect(self._end)
-        self._job = job
+        surface = self._surface = OffscreenSurface()
+        self._wants_stop.clear()
         self._progress.setRange(0, 0)
         self._began_s = monotonic()
         self._words.setText(self.tr("Exporting"))
         self.show()
-        job.start(QThread.Priority.LowPriority)
+        self._background.ask(
+            lambda turn: turn.tell(
+                work(surface.open, lambda done, whole: turn.tell((done, whole)), self._wants_stop.is_set)
+            )
+        )
 
     def say_running(self) -> None:
         """Say that something has to wait for the export."""
         self._bar.say(_KEY, self.tr("An export is still running."), Severity.NOTE)
 
     def cancel(self) -> None:
-        """Stop soon."""
-        if self._job is not None:
+        """Stop after the pictures in hand; what is written is whole."""
+        if self.is_running:
             self._stopping = True
             self._words.setText(self.tr("Stopping"))
-            self._job.cancel()
+            self._wants_stop.set()
 
     def finish(self) -> None:
         """Stop and wait, before the window goes."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job.wait()
+        self._wants_stop.set()
+        self._background.finish()
+
+    def _take(self, told: tuple[int, int] | ExportOutcome) -> None:
+        if isinstance(told, ExportOutcome):
+            self._say_done(told)
+        else:
+            self._show_progress(*told)
+
+    def _say_failed(self, problem: Problem) -> None:
+        self._bar.say(_KEY, translated(problem))
 
     def _show_progress(self, finished: int, whole: int) -> None:
         self._progress.setRange(0, whole)
@@ -142,6 +122,6 @@ class Exporting(QWidget):
             self._bar.say(_KEY, words.replace("%1", str(outcome.where)), Severity.NOTE)
 
     def _end(self) -> None:
-        self._job = None
+        self._surface = None
         self._stopping = False
         self.hide()

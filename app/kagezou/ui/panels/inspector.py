@@ -15,9 +15,11 @@ from kagezou.document.values import value_at
 from kagezou.scene.evaluate import camera_at, card_at, ground_at
 from kagezou.ui.panels.piece_sections import PieceName, piece_sections
 from kagezou.ui.panels.property_row import PropertyRow
+from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
@@ -38,9 +40,10 @@ _FADING = (properties.FADE, properties.FADE_CURVE, properties.TIP_COLOR, propert
 class Inspector(QScrollArea):
     """Iterates the property table; a new line there appears here by itself."""
 
-    def __init__(self, bridge: Bridge) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard) -> None:
         super().__init__()
         self._bridge = bridge
+        self.menus = PropertyMenus(clipboard)
         self._built_for: tuple[object, ...] | None = None
         self._folded: frozenset[str] = frozenset()
         self._scene_sections: list[Section] = []
@@ -126,7 +129,7 @@ class Inspector(QScrollArea):
         if piece_id is None or self.owner is None:
             self._column.insertWidget(self._column.count() - 1, of_set)
             return
-        self._layer_sections = piece_sections(self._bridge, piece_id)
+        self._layer_sections = piece_sections(self._bridge, piece_id, self.menus)
         for at, part in enumerate((self.owner, *self._layer_sections, of_set), 1):
             self._column.insertWidget(at, part)
 
@@ -140,10 +143,10 @@ class Inspector(QScrollArea):
                 continue
             title = self._title(prop)
             if title not in made:
-                made[title] = Section(title)
+                made[title] = Section(title, self.menus)
                 self._column.insertWidget(before_scene + len(made) - 1, made[title])
             twins = tuple(Address(prop, other) for other in others)
-            made[title].add(PropertyRow(self._bridge, Address(prop, layer_id), twins))
+            made[title].add(PropertyRow(self._bridge, Address(prop, layer_id), self.menus, twins))
         return list(made.values())
 
     def _title(self, prop: AnyProperty) -> str:

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QListView,
     QMenu,
     QStackedLayout,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -29,8 +28,9 @@ from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.panels.look_clipboard import LookClipboard
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.icons import icon, icon_size
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH
+from kagezou.ui.widgets.tool_button import tool_button
 
 
 class LayerView(QListView):
@@ -70,11 +70,11 @@ class LayerList(QWidget):
 
     add_asked = Signal()
 
-    def __init__(self, bridge: Bridge, thumbnails: Thumbnails) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard, thumbnails: Thumbnails) -> None:
         super().__init__()
         self._bridge = bridge
         self._follows = False
-        self.looks = LookClipboard(bridge)
+        self.looks = LookClipboard(bridge, clipboard)
         self.model = LayerModel(bridge, thumbnails)
         self.view = LayerView(self.model)
         self.view.selectionModel().selectionChanged.connect(self._choose)
@@ -172,15 +172,3 @@ class LayerList(QWidget):
         menu.addSeparator()
         menu.addAction(self.tr("Remove"), self.remove_current)
         menu.popup(self.view.viewport().mapToGlobal(at))
-
-
-def tool_button(name: str, words: str, do: object) -> QToolButton:
-    """Return a small button for the footer of a panel."""
-    button = QToolButton()
-    button.setIcon(icon(name))
-    button.setIconSize(icon_size(button.fontMetrics()))
-    button.setToolTip(words)
-    button.setAccessibleName(words)
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    button.clicked.connect(do)
-    return button

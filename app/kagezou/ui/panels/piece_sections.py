@@ -8,9 +8,10 @@ from kagezou.document.address import Address
 from kagezou.document.piece_kinds import kind_of
 from kagezou.document.properties import OF_PIECE
 from kagezou.ui.panels.property_row import PropertyRow
+from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.panels.section import Section
-from kagezou.ui.sets.list_delegate import kind_icon
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.icons import kind_icon
 from kagezou.ui.system.words import choice_name
 
 _DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
@@ -48,10 +49,10 @@ class PieceName(QWidget):
         self.kind.setText(words.replace("%1", choice_name(kind)))
 
 
-def piece_sections(bridge: Bridge, piece_id: str) -> list[Section]:
+def piece_sections(bridge: Bridge, piece_id: str, menus: PropertyMenus) -> list[Section]:
     """Return the sections of a piece: where it stands and how large it is, and what it does."""
-    place = Section(QCoreApplication.translate("PieceSections", "Place and size"))
-    does = Section(QCoreApplication.translate("PieceSections", "What it does"))
-    for prop in OF_PIECE.values():
-        (does if prop in _DOES else place).add(PropertyRow(bridge, Address(prop, piece_id=piece_id)))
+    place = Section(QCoreApplication.translate("PieceSections", "Place and size"), menus)
+    does = Section(QCoreApplication.translate("PieceSections", "What it does"), menus)
+    for line in OF_PIECE.values():
+        (does if line in _DOES else place).add(PropertyRow(bridge, Address(line, piece_id=piece_id), menus))
     return [place, does]

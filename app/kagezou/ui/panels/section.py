@@ -3,17 +3,19 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QGridLayout, QMenu, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from kagezou.ui.panels.edited_property import EditedProperty
 from kagezou.ui.panels.property_row import PropertyRow
-from kagezou.ui.panels.row_menu import fill_section_menu
+from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.system.icons import icon
 
 
 class Section(QWidget):
     """A header and the rows under it, in four columns: key, name, editor, link."""
 
-    def __init__(self, title: str) -> None:
+    def __init__(self, title: str, menus: PropertyMenus) -> None:
         super().__init__()
         self.title = title
+        self._menus = menus
         self._header = QToolButton()
         self._header.setObjectName("section_header")
         self._header.setText(title)
@@ -32,6 +34,7 @@ class Section(QWidget):
         self._grid.setVerticalSpacing(5)
         self._grid.setColumnStretch(2, 1)
         self.rows: list[PropertyRow] = []
+        self._edited: list[EditedProperty] = []
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -56,7 +59,8 @@ class Section(QWidget):
         self._grid.addWidget(row.label, at, 1)
         self._grid.addWidget(row.editor, at, 2)
         self._grid.addWidget(row.link, at, 3, Qt.AlignmentFlag.AlignVCenter)
-        row.mates = self.rows
+        self._edited.append(row.edited)
+        row.mates = self._edited
 
     def add_note(self, note: QWidget) -> None:
         """Put something that is no row under all of them."""
@@ -69,7 +73,7 @@ class Section(QWidget):
     def _open_menu(self, at: QPoint) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        fill_section_menu(self.rows, menu)
+        self._menus.fill_section(self._edited, menu)
         menu.popup(self._header.mapToGlobal(at))
 
     def _fold(self, opened: bool) -> None:

@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QHBoxLayout, QInputDialog, QListView, QListWidget,
 from kagezou.document.style import apply_style, style_of
 from kagezou.errors import Problem
 from kagezou.io.clips.style_files import StyleFile, bundled_styles, own_styles, save_style
-from kagezou.ui.panels.layer_list import tool_button
 from kagezou.ui.panels.style_pictures import StylePictures, Wanted
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import named, translated
+from kagezou.ui.widgets.tool_button import tool_button
 
 _PAUSE_MS = 500
 """Pictures are drawn anew when the hand has rested this long."""

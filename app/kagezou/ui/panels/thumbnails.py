@@ -1,12 +1,12 @@
 """Small pictures of drawings, decoded beside the window's own thread and kept."""
 
 import numpy as np
-from PySide6.QtCore import QObject, QRunnable, Qt, QThreadPool, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QImage
 
-from kagezou.errors import Problem
 from kagezou.io.images.reading import read_cel
 from kagezou.picture_source import PictureSource
+from kagezou.ui.system.background import Queue
 
 SIDE_PX = 96
 """Twice what is shown, for screens with small pixels."""
@@ -16,47 +16,29 @@ class Thumbnails(QObject):
     """Pictures by source; asking for one that is not there begins to make it, ``ready`` says when it is."""
 
     ready = Signal()
-    _made = Signal(object, QImage)
 
     def __init__(self) -> None:
         super().__init__()
         self._kept: dict[PictureSource, QImage | None] = {}
-        self._pool = QThreadPool(self)
-        self._pool.setMaxThreadCount(1)
-        self._made.connect(self._keep)
+        # The viewport says what is wrong with a file; the list shows its empty frame.
+        self._background = Queue[tuple[PictureSource, QImage]](self._keep)
 
     def image(self, source: PictureSource) -> QImage | None:
         """Return the opaque part of a drawing; None while it is made and where the file cannot be read."""
         if source not in self._kept:
             self._kept[source] = None
-            self._pool.start(_Job(self, source))
+            self._background.ask(lambda turn: turn.tell((source, _thumbnail(source))))
         return self._kept[source]
 
-    def wait(self) -> None:
-        """Wait until nothing is being made."""
-        self._pool.waitForDone()
+    def finish(self) -> None:
+        """Make no more, before the window goes."""
+        self._background.drop()
+        self._background.finish()
 
-    def deliver(self, source: PictureSource, image: QImage) -> None:
-        """Hand over a finished picture; called on the worker's thread."""
-        self._made.emit(source, image)
-
-    def _keep(self, source: PictureSource, image: QImage) -> None:
+    def _keep(self, made: tuple[PictureSource, QImage]) -> None:
+        source, image = made
         self._kept[source] = image
         self.ready.emit()
-
-
-class _Job(QRunnable):
-    def __init__(self, owner: Thumbnails, source: PictureSource) -> None:
-        super().__init__()
-        self._owner, self._source = owner, source
-
-    def run(self) -> None:
-        try:
-            image = _thumbnail(self._source)
-        except Problem:
-            # The viewport says what is wrong with the file; the list shows its empty frame.
-            return
-        self._owner.deliver(self._source, image)
 
 
 def _thumbnail(source: PictureSource) -> QImage:

@@ -2,24 +2,27 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QApplication, QWidget
 
 from kagezou.errors import Problem
+from kagezou.geometry.set_camera import SetCamera
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import next_version
 from kagezou.io.project.recovery_file import RecoveredWork, forget
 from kagezou.ui.project.dialogs import Answer, Dialogs
-from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, arrivals_of, whole_sequence
+from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, DroppedFiles, dropped_files_of, whole_sequence
 from kagezou.ui.project.load import AnyLoad
 from kagezou.ui.project.loading import Loading
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.project_lock import ProjectLock
 from kagezou.ui.system.settings import Settings
+from kagezou.ui.system.waiting import waiting
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
@@ -51,7 +54,7 @@ class ProjectActions(QObject):
         self.dialogs = dialogs
         self._bar = bar
         self._settings = settings
-        self.loading = Loading(self._say, self._is_free)
+        self.loading = Loading(self._say, lambda: _is_free(open_project, self.loading.window()))
         self._lock = ProjectLock()
         open_project.path_changed.connect(lambda: self._lock.hold(open_project.path))
         self._lock.hold(open_project.path)
@@ -77,10 +80,8 @@ class ProjectActions(QObject):
         A timesheet, which drawing programs start us with, begins a project of the drawings beside it, and a PSD file
         one of what is in it.
         """
-        if is_psd(path):
-            return self._load(self._open_project.new((CharacterSource(None, path),)))
-        if path.suffix.lower() in TIMESHEET_SUFFIXES:
-            return self._load(self._open_project.new_by(path))
+        if (begun := _begun_by(path, self._open_project)) is not None:
+            return self._load(begun)
         holder = self._lock.holder_of(path)
         if holder and not self.dialogs.open_twice(path.name, holder):
             return False
@@ -108,16 +109,9 @@ class ProjectActions(QObject):
 
     def recover(self, work: RecoveredWork, file: Path) -> None:
         """Open unsaved work again; what was put aside goes once it is there."""
-        if not self.may_leave():
-            return
-
-        self.loading.cancel()
-
-        def bring_back() -> None:
-            self._open_project.recover(work)
-            forget(file)
-
-        self._try(bring_back)
+        if self.may_leave():
+            self.loading.cancel()
+            self._try(partial(_bring_back, self._open_project, work, file))
 
     def put_away(self) -> None:
         """Leave the project to others."""
@@ -177,17 +171,11 @@ class ProjectActions(QObject):
     def bring(self, paths: Iterable[Path]) -> None:
         """Take what was dropped: a project is opened, cels become layers, a lone opaque picture the background."""
         given = list(paths)
-        arrivals = arrivals_of(given)
-        if arrivals.project is not None:
-            self.open_recent(arrivals.project)
-        elif arrivals.timesheet is not None:
-            self.time_by(arrivals.timesheet)
-        elif arrivals.set_file is not None:
-            self._load(self._open_project.read_set(arrivals.set_file, self.set_read.emit))
-        elif arrivals.background is not None:
-            self._load(self._open_project.put_background(arrivals.background))
-        elif arrivals.characters:
-            self._load(self._open_project.bring(arrivals.characters))
+        dropped = dropped_files_of(given)
+        if dropped.project is not None:
+            self.open_recent(dropped.project)
+        elif (load := _load_of(dropped, self._open_project, self.set_read.emit)) is not None:
+            self._load(load)
         elif given:
             names = ", ".join(path.name for path in given[:3])
             words = self.tr("%1: neither a project, a folder of cels, a set nor a picture that can be read")
@@ -228,23 +216,47 @@ class ProjectActions(QObject):
 
         return self.loading.start(replace(load, put=put))
 
-    def _is_free(self) -> bool:
-        """Whether the open project can take something: nobody drags, and no question about it is open."""
-        question = QApplication.activeModalWidget()
-        is_ours = question is not None and question.parentWidget() is self.loading.window()
-        return not self._open_project.bridge.session.is_in_gesture and not is_ours
-
     def _try(self, do: Callable[[], object]) -> bool:
-        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
-            do()
+            with waiting():
+                do()
         except Problem as problem:
             self._say(problem)
             return False
-        finally:
-            QApplication.restoreOverrideCursor()
         self._bar.withdraw(_KEY)
         return True
 
     def _say(self, problem: Problem) -> None:
         self._bar.say(_KEY, translated(problem))
+
+
+def _begun_by(path: Path, open_project: OpenProject) -> AnyLoad | None:
+    """Return what begins a project with a file that is none itself, None for a project."""
+    if is_psd(path):
+        return open_project.new((CharacterSource(None, path),))
+    return open_project.new_by(path) if path.suffix.lower() in TIMESHEET_SUFFIXES else None
+
+
+def _bring_back(open_project: OpenProject, work: RecoveredWork, file: Path) -> None:
+    open_project.recover(work)
+    forget(file)
+
+
+def _load_of(
+    dropped: DroppedFiles, open_project: OpenProject, put_set: Callable[[Path, tuple[SetCamera, ...]], None]
+) -> AnyLoad | None:
+    """Return what brings dropped files into the open project, None if they are nothing that can be brought."""
+    if dropped.timesheet is not None:
+        return open_project.time_by(dropped.timesheet)
+    if dropped.set_file is not None:
+        return open_project.read_set(dropped.set_file, put_set)
+    if dropped.background is not None:
+        return open_project.put_background(dropped.background)
+    return open_project.bring(dropped.characters) if dropped.characters else None
+
+
+def _is_free(open_project: OpenProject, window: QWidget) -> bool:
+    """Whether the open project can take something: nobody drags, and no question about it is open."""
+    question = QApplication.activeModalWidget()
+    is_ours = question is not None and question.parentWidget() is window
+    return not open_project.bridge.session.is_in_gesture and not is_ours

@@ -4,13 +4,14 @@ from collections.abc import Callable
 from pathlib import Path
 from uuid import uuid4
 
-from PySide6.QtCore import QLockFile, QObject, QRunnable, QThreadPool, QTimer, Signal
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
 from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.io.project import recovery_file
 from kagezou.io.project.recovery_file import SUFFIX, RecoveredWork
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.background import Queue, Turn
 from kagezou.ui.system.words import translated
 
 EVERY_MS = 120_000
@@ -42,9 +43,8 @@ class Autosave(QObject):
         self._lock: QLockFile | None = None
         self._kept: Document | None = None
         self._kept_at = 0
-        self._pool = QThreadPool(self)
         # One after the other, so that what is forgotten last stays forgotten.
-        self._pool.setMaxThreadCount(1)
+        self._background = Queue[None](lambda _: self.kept.emit(), failed=self._say)
         self._regularly, self._shortly = QTimer(self), QTimer(self)
         self._regularly.setInterval(EVERY_MS)
         self._regularly.timeout.connect(self.keep)
@@ -71,27 +71,37 @@ class Autosave(QObject):
         self._hold_lock()
         path = self._open_project.path
         work = RecoveredWork(document, self._name(), path, recovery_file.now_s(), max(session.steps_since_saved, 1))
-        self._pool.start(_Job(self, lambda: recovery_file.keep(self._file, work)))
+        self._do(lambda: recovery_file.keep(self._file, work))
 
     def forget(self) -> None:
         """Remove what was put aside: the work is saved, or was given up."""
         if self._kept is not None:
             self._kept = None
-            self._pool.start(_Job(self, lambda: recovery_file.forget(self._file)))
+            self._do(lambda: recovery_file.forget(self._file))
         self._shortly.stop()
 
     def finish(self) -> None:
         """Forget, and wait until everything is done: the program ends as it should."""
         self._regularly.stop()
         self.forget()
-        self._pool.waitForDone()
+        self._background.finish()
         if self._lock is not None:
             self._lock.unlock()
             self._lock = None
 
     def wait(self) -> None:
         """Wait until what is being put aside lies on disk."""
-        self._pool.waitForDone()
+        self._background.wait()
+
+    def _do(self, do: Callable[[], object]) -> None:
+        def work(turn: Turn[None]) -> None:
+            do()
+            turn.tell(None)
+
+        self._background.ask(work)
+
+    def _say(self, problem: Problem) -> None:
+        self.failed.emit(translated(problem))
 
     def _count(self) -> None:
         if self._open_project.bridge.session.steps_made - self._kept_at >= EVERY_STEPS:
@@ -108,20 +118,6 @@ class Autosave(QObject):
             self._lock = QLockFile(str(lock_of(self._file)))
             self._lock.setStaleLockTime(0)
             self._lock.tryLock(0)
-
-
-class _Job(QRunnable):
-    def __init__(self, owner: Autosave, do: Callable[[], None]) -> None:
-        super().__init__()
-        self._owner, self._do = owner, do
-
-    def run(self) -> None:
-        try:
-            self._do()
-        except Problem as problem:
-            self._owner.failed.emit(translated(problem))
-        else:
-            self._owner.kept.emit()
 
 
 def lock_of(file: Path) -> Path:

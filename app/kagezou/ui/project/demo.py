@@ -5,9 +5,10 @@ from pathlib import Path
 from typing import TypeAlias
 
 from platformdirs import user_data_path
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QObject
 
 from kagezou.errors import Problem
+from kagezou.ui.system.background import Queue, Turn
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
@@ -21,35 +22,6 @@ _PROJECT = "demo.kage"
 def demo_folder() -> Path:
     """Return where the demo is kept between two runs."""
     return user_data_path("kagezou", appauthor=False) / "demo"
-
-
-class DemoJob(QThread):
-    """Makes the demo.
-
-    Parameters
-    ----------
-    make
-        Who makes it.
-    folder
-        Where it is made.
-    """
-
-    progressed = Signal(int, int)
-    made = Signal(Path)
-    failed = Signal(str)
-
-    def __init__(self, make: MakeDemo, folder: Path) -> None:
-        super().__init__()
-        self._make = make
-        self._folder = folder
-
-    def run(self) -> None:
-        try:
-            project = self._make(self._folder, self.progressed.emit)
-        except Problem as problem:
-            self.failed.emit(translated(problem))
-        else:
-            self.made.emit(project)
 
 
 class DemoOpener(QObject):
@@ -75,25 +47,31 @@ class DemoOpener(QObject):
         self._bar = bar
         self._open_path = open_path
         self._folder = folder or demo_folder()
-        self._job: DemoJob | None = None
+        self._background = Queue[tuple[int, int] | Path](self._take, failed=self._say)
 
     def open(self) -> None:
         """Open the demo, after making it where that is needed."""
         project = self._folder / _PROJECT
         if project.is_file():
             self._open_path(project)
-        elif self._job is None:
-            self._job = DemoJob(self._make, self._folder)
-            self._job.progressed.connect(self._say_progress)
-            self._job.made.connect(self._open_made)
-            self._job.failed.connect(lambda sentence: self._bar.say(_KEY, sentence))
-            self._job.finished.connect(self._end)
-            self._job.start()
+        elif not self._background.is_busy:
+            self._background.ask(self._make_project)
 
     def finish(self) -> None:
         """Wait until nothing is made any more, before the window goes."""
-        if self._job is not None:
-            self._job.wait()
+        self._background.finish()
+
+    def _make_project(self, turn: Turn[tuple[int, int] | Path]) -> None:
+        turn.tell(self._make(self._folder, lambda done, whole: turn.tell((done, whole))))
+
+    def _take(self, told: tuple[int, int] | Path) -> None:
+        if isinstance(told, Path):
+            self._open_made(told)
+        else:
+            self._say_progress(*told)
+
+    def _say(self, problem: Problem) -> None:
+        self._bar.say(_KEY, translated(problem))
 
     def _say_progress(self, done: int, whole: int) -> None:
         words = self.tr("Drawing the demo: %1 of %2")
@@ -102,6 +80,3 @@ class DemoOpener(QObject):
     def _open_made(self, project: Path) -> None:
         self._bar.withdraw(_KEY)
         self._open_path(project)
-
-    def _end(self) -> None:
-        self._job = None

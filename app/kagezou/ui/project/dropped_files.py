@@ -17,7 +17,7 @@ _NUMBER = re.compile(r"[0-9]{1,6}(?=[A-Za-z]{0,2}$)")
 
 
 @dataclass(frozen=True, slots=True)
-class Arrivals:
+class DroppedFiles:
     """What came.
 
     Parameters
@@ -46,23 +46,23 @@ class Arrivals:
         return not (self.project or self.characters or self.background or self.timesheet or self.set_file)
 
 
-def arrivals_of(paths: Iterable[Path]) -> Arrivals:
+def dropped_files_of(paths: Iterable[Path]) -> DroppedFiles:
     """Sort out what paths are; numbered pictures that belong together become one sequence."""
     given = list(paths)
     project = next((path for path in given if path.suffix.lower() == PROJECT_SUFFIX), None)
     if project is not None:
-        return Arrivals(project=project)
+        return DroppedFiles(project=project)
     timesheet = next((path for path in given if path.suffix.lower() in TIMESHEET_SUFFIXES), None)
     if timesheet is not None:
-        return Arrivals(timesheet=timesheet)
+        return DroppedFiles(timesheet=timesheet)
     set_file = next((path for path in given if is_mesh(path)), None)
     if set_file is not None:
-        return Arrivals(set_file=set_file)
+        return DroppedFiles(set_file=set_file)
     if len(given) == 1 and given[0].suffix.lower() in _OPAQUE:
-        return Arrivals(background=given[0])
+        return DroppedFiles(background=given[0])
     folders = [CharacterSource(None, path) for path in given if path.is_dir()]
     pictures = [path for path in given if not path.is_dir() and is_picture(path)]
-    return Arrivals(characters=(*folders, *(CharacterSource(None, path) for path in _sequences(pictures))))
+    return DroppedFiles(characters=(*folders, *(CharacterSource(None, path) for path in _sequences(pictures))))
 
 
 def whole_sequence(path: Path) -> Path:

@@ -18,7 +18,7 @@ PATIENCE_S = 0.05
 _LAST_WAIT_S = 1.0
 _LOOK_EVERY_MS = 30
 _TELL_AFTER_S = 1.0
-"""What is left is told only after a part has gone on for so long; before, it would be a guess."""
+"""The time left is shown only after a part has gone on for so long; before, it would be a guess."""
 
 
 class _Job(threading.Thread):

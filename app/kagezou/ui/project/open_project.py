@@ -60,7 +60,7 @@ class OpenProject(QObject):
     @property
     def is_blank(self) -> bool:
         """Whether there is nothing to see."""
-        return _is_blank(self.bridge.document)
+        return self.bridge.document.is_blank
 
     @property
     def is_saved(self) -> bool:
@@ -74,18 +74,20 @@ class OpenProject(QObject):
     def new(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
         """Begin a project with characters; it has no file yet and counts as unsaved."""
 
-        def read(watch: Progress) -> Imported:
-            return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
+        def read(progress: Progress) -> Imported:
+            return self._first_seen(timed_from_beside(new_document(sources, progress=progress), sources), progress)
 
-        return Load(_names(sources), read, lambda staged: self._begin(self.tr("New from cels"), staged), replaces=True)
+        return Load(
+            _names(sources), read, lambda imported: self._begin(self.tr("New from cels"), imported), replaces=True
+        )
 
     def open(self, path: Path) -> AnyLoad:
         """Open a project file."""
 
-        def read(watch: Progress) -> tuple[Document, str]:
-            watch(LoadPhase.FINDING, 0, 0)
+        def read(progress: Progress) -> tuple[Document, str]:
+            progress(LoadPhase.FINDING, 0, 0)
             seen, document = project_file.fingerprint(path), project_file.load(path)
-            self._read_first(document, watch)
+            _read_first(document, self.cels, self.meshes, progress)
             return document, seen
 
         def put(found: tuple[Document, str]) -> None:
@@ -119,11 +121,11 @@ class OpenProject(QObject):
     def bring(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
         """Add characters as one step; into nothing they come with a canvas, a ground and a lamp of their own."""
 
-        def read(watch: Progress) -> Imported | Brought:
+        def read(progress: Progress) -> Imported | Brought:
             over = self.bridge.document
-            if _is_blank(over):
-                return self._first_seen(timed_from_beside(new_document(sources, watch=watch), sources), watch)
-            return brought(sources, over.canvas.box, watch)
+            if over.is_blank:
+                return self._first_seen(timed_from_beside(new_document(sources, progress=progress), sources), progress)
+            return brought(sources, over.canvas.box, progress)
 
         def put(found: Imported | Brought) -> None:
             if isinstance(found, Brought):
@@ -148,8 +150,10 @@ class OpenProject(QObject):
     def time_by(self, path: Path) -> AnyLoad:
         """Expose the drawings as a timesheet says; with nothing open they are looked for beside it."""
 
-        def read(watch: Progress) -> Imported | Timesheet:
-            return self._first_seen(document_of_sheet(path, watch), watch) if self.is_blank else read_timesheet(path)
+        def read(progress: Progress) -> Imported | Timesheet:
+            return (
+                self._first_seen(document_of_sheet(path, progress), progress) if self.is_blank else read_timesheet(path)
+            )
 
         def put(found: Imported | Timesheet) -> None:
             if isinstance(found, Timesheet):
@@ -169,18 +173,20 @@ class OpenProject(QObject):
     def new_by(self, sheet: Path) -> AnyLoad:
         """Begin a project of the drawings beside a timesheet; it has no file yet and counts as unsaved."""
 
-        def read(watch: Progress) -> Imported:
-            return self._first_seen(document_of_sheet(sheet, watch), watch)
+        def read(progress: Progress) -> Imported:
+            return self._first_seen(document_of_sheet(sheet, progress), progress)
 
-        return Load(sheet.name, read, lambda staged: self._begin(self.tr("New from timesheet"), staged), replaces=True)
+        return Load(
+            sheet.name, read, lambda imported: self._begin(self.tr("New from timesheet"), imported), replaces=True
+        )
 
     def put_background(self, path: Path) -> AnyLoad:
         """Put a picture under everything; into nothing it brings its size."""
 
-        def read(watch: Progress) -> Document:
+        def read(progress: Progress) -> Document:
             over = self.bridge.document
-            document = new_document((), background=path, watch=watch).document if _is_blank(over) else over
-            self._read_first(set_background(document, path), watch)
+            document = new_document((), background=path, progress=progress).document if over.is_blank else over
+            _read_first(set_background(document, path), self.cels, self.meshes, progress)
             return document
 
         def put(found: Document) -> None:
@@ -192,16 +198,8 @@ class OpenProject(QObject):
     def reading_ahead(self) -> AnyLoad:
         """Decode the drawings of the work area, as many as memory is meant to hold, so that they play smoothly."""
 
-        def read(watch: Progress) -> None:
-            sources = played_drawings(self.bridge.document)
-            for index, source in enumerate(sources):
-                watch(LoadPhase.READING, index, len(sources))
-                try:
-                    size = self.cels.cel(source).nbytes
-                except Problem:
-                    continue
-                if self.cels.nbytes + size > self.cels.limit_bytes:
-                    break
+        def read(progress: Progress) -> None:
+            _read_ahead(played_drawings(self.bridge.document), self.cels, progress)
 
         return Load(self.tr("the work area"), read, lambda _nothing: None, gives_way=True)
 
@@ -210,39 +208,23 @@ class OpenProject(QObject):
         session = self.bridge.session
         session.edit(self.tr("Set background"), set_background(session.document, None))
 
-    def _begin(self, step: str, staged: Imported) -> None:
+    def _begin(self, step: str, imported: Imported) -> None:
         """Open a new project, which has no file yet."""
         session = Session(blank_document())
-        session.edit(step, staged.document)
+        session.edit(step, imported.document)
         self._put(session, None)
-        self._say(staged.notes)
+        self._say(imported.notes)
 
-    def _first_seen(self, staged: Imported, watch: Progress) -> Imported:
-        self._read_first(staged.document, watch)
-        return staged
+    def _first_seen(self, imported: Imported, progress: Progress) -> Imported:
+        _read_first(imported.document, self.cels, self.meshes, progress)
+        return imported
 
-    def _read_first(self, document: Document, watch: Progress) -> None:
-        """Read what the first frame shows, so that the viewport finds it there."""
-        wanted: list[Callable[[], object]] = []
-        if document.background is not None:
-            wanted.append(partial(self.cels.background, document.background))
-        first = (layer.cels.drawing_at(1) for layer in document.layers)
-        wanted += [partial(self.cels.cel, drawing.source) for drawing in first if drawing is not None]
-        wanted += [partial(self.meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
-        for index, read in enumerate(wanted):
-            watch(LoadPhase.READING, index, len(wanted))
-            try:
-                read()
-            except Problem:
-                # The viewport meets the same file, and says what is wrong with it.
-                continue
-
-    def _edit(self, step: str, staged: Imported) -> None:
+    def _edit(self, step: str, imported: Imported) -> None:
         session = self.bridge.session
-        session.edit(step, staged.document)
-        if staged.layer_ids:
-            session.select(staged.layer_ids[-1])
-        self._say(staged.notes)
+        session.edit(step, imported.document)
+        if imported.layer_ids:
+            session.select(imported.layer_ids[-1])
+        self._say(imported.notes)
 
     def _put(self, session: Session, path: Path | None) -> None:
         self._path = path
@@ -254,8 +236,33 @@ class OpenProject(QObject):
             self.noted.emit(note)
 
 
-def _is_blank(document: Document) -> bool:
-    return not document.layers and not document.pieces and document.background is None
+def _read_first(document: Document, cels: CelCache, meshes: MeshCache, progress: Progress) -> None:
+    """Read what the first frame shows, so that the viewport finds it there."""
+    wanted: list[Callable[[], object]] = []
+    if document.background is not None:
+        wanted.append(partial(cels.background, document.background))
+    first = (layer.cels.drawing_at(1) for layer in document.layers)
+    wanted += [partial(cels.cel, drawing.source) for drawing in first if drawing is not None]
+    wanted += [partial(meshes.mesh, piece.source) for piece in document.pieces if piece.source is not None]
+    for index, read in enumerate(wanted):
+        progress(LoadPhase.READING, index, len(wanted))
+        try:
+            read()
+        except Problem:
+            # The viewport meets the same file, and says what is wrong with it.
+            continue
+
+
+def _read_ahead(sources: tuple[PictureSource, ...], cels: CelCache, progress: Progress) -> None:
+    """Decode pictures until memory holds as many as it is meant to."""
+    for index, source in enumerate(sources):
+        progress(LoadPhase.READING, index, len(sources))
+        try:
+            size = cels.cel(source).nbytes
+        except Problem:
+            continue
+        if cels.nbytes + size > cels.limit_bytes:
+            break
 
 
 def _names(sources: tuple[CharacterSource, ...]) -> str:

@@ -1,13 +1,12 @@
 """Small pictures of projects: drawn beside the window's own thread, and kept so that they are drawn once."""
 
 import hashlib
-import threading
-from collections import deque
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QIODevice, QObject, QSize, Qt, QThread, Signal
+from PySide6.QtCore import QBuffer, QIODevice, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QImage, QImageWriter, QPainter
 
 from kagezou.errors import Problem
@@ -18,6 +17,7 @@ from kagezou.io.project import file as project_file
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from kagezou.ui.system.background import Queue, Turn
 from kagezou.ui.system.offscreen_context import OffscreenSurface
 from kagezou.ui.system.theme import WELL
 
@@ -40,7 +40,8 @@ class ProjectPictures(QObject):
         super().__init__()
         self._folder = folder
         self._surface: OffscreenSurface | None = None
-        self._job: _Job | None = None
+        # Without a second context the page shows names without pictures; the viewport says what is wrong.
+        self._background = Queue[tuple[Path, QImage]](self._deliver, low_priority=True)
 
     def ask(self, projects: Iterable[Path]) -> None:
         """Send the pictures of projects: those that are kept at once, others when they are drawn."""
@@ -51,25 +52,22 @@ class ProjectPictures(QObject):
                 missing.append(project)
             else:
                 self.made.emit(project, kept)
-        if missing and self._job is None:
+        if missing and not self.is_busy:
             self._surface = self._surface or OffscreenSurface()
-            self._job = _Job(self, self._surface, missing, self._folder)
-            self._job.finished.connect(self._end)
-            self._job.start(QThread.Priority.LowPriority)
+            self._background.ask(partial(_draw_all, self._surface, tuple(missing), self._folder))
 
     @property
     def is_busy(self) -> bool:
         """Whether pictures are being drawn."""
-        return self._job is not None
+        return self._background.is_busy
 
     def finish(self) -> None:
         """Stop and wait, before the window goes."""
-        if self._job is not None:
-            self._job.stop.set()
-            self._job.wait()
+        self._background.drop()
+        self._background.finish()
 
-    def _end(self) -> None:
-        self._job = None
+    def _deliver(self, made: tuple[Path, QImage]) -> None:
+        self.made.emit(*made)
 
 
 def kept_at(folder: Path, project: Path) -> Path:
@@ -82,41 +80,33 @@ def kept_at(folder: Path, project: Path) -> Path:
     return folder / f"{hashlib.sha256(state.encode('utf-8', 'surrogateescape')).hexdigest()[:32]}.png"
 
 
-class _Job(QThread):
-    def __init__(
-        self, owner: ProjectPictures, surface: OffscreenSurface, projects: Iterable[Path], folder: Path
-    ) -> None:
-        super().__init__()
-        self._owner, self._surface, self._folder = owner, surface, folder
-        self._projects = deque(projects)
-        self.stop = threading.Event()
-
-    def run(self) -> None:
+def _draw_all(
+    surface: OffscreenSurface, projects: tuple[Path, ...], folder: Path, turn: Turn[tuple[Path, QImage]]
+) -> None:
+    """Draw and keep the pictures of projects; on the worker's thread."""
+    with surface.open():
+        renderer = Renderer(CelCache())
         try:
-            with self._surface.open():
-                cels = CelCache()
-                renderer = Renderer(cels)
-                try:
-                    while self._projects and not self.stop.is_set():
-                        self._draw(renderer, self._projects.popleft())
-                finally:
-                    renderer.close()
-        except Problem:
-            # Without a second context the page shows names without pictures; the viewport says what is wrong.
-            return
+            for project in projects:
+                if turn.is_unwanted:
+                    return
+                _draw(renderer, project, folder, turn)
+        finally:
+            renderer.close()
 
-    def _draw(self, renderer: Renderer, project: Path) -> None:
-        try:
-            place = kept_at(self._folder, project)
-            renderer.draw_picture(evaluate(project_file.load(project), 1), Backdrop.WHITE)
-            image = small(renderer.read_picture())
-            self._owner.made.emit(project, image)
-            self._folder.mkdir(parents=True, exist_ok=True)
-            write_bytes(place, _png(image))
-            _forget_oldest(self._folder)
-        except (Problem, OSError):
-            # A project that cannot be read says so when it is opened; one that cannot be kept is drawn again.
-            return
+
+def _draw(renderer: Renderer, project: Path, folder: Path, turn: Turn[tuple[Path, QImage]]) -> None:
+    try:
+        place = kept_at(folder, project)
+        renderer.draw_picture(evaluate(project_file.load(project), 1), Backdrop.WHITE)
+        image = small(renderer.read_picture())
+        turn.tell((project, image))
+        folder.mkdir(parents=True, exist_ok=True)
+        write_bytes(place, _png(image))
+        _forget_oldest(folder)
+    except (Problem, OSError):
+        # A project that cannot be read says so when it is opened; one that cannot be kept is drawn again.
+        return
 
 
 def small(picture: Steps) -> QImage:

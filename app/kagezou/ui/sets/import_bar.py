@@ -16,7 +16,7 @@ _LEAST, _MOST = 0.001, 100000.0
 
 
 class Measure(StrEnum):
-    """What a length is told in."""
+    """The unit of a length."""
 
     HEIGHTS = "heights"
     METRES = "metres"

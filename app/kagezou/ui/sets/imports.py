@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QPushButton
 
 from kagezou.document.address import Address
 from kagezou.document.edits import set_canvas, set_constant
@@ -22,10 +22,12 @@ from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece
 from kagezou.importing.set_sizing import FIGURE_METRES, sized
 from kagezou.io.sets.cameras import cameras_of
-from kagezou.ui.project.open_project import OpenProject
+from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.ui.sets.import_bar import KEEP_VIEW, Measure, SetBar
+from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.waiting import waiting
 from kagezou.ui.system.words import translated
-from kagezou.ui.viewport.picking import Picking
+from kagezou.ui.widgets.picking import Picking
 
 _FOOT_OF_HEIGHT = 0.8
 """Where one stands on a canvas without characters."""
@@ -62,8 +64,10 @@ class SetImports(QObject):
 
     Parameters
     ----------
-    open_project
-        The project.
+    bridge
+        The session.
+    meshes
+        The sets that are read already.
     bar
         The choices.
     picking
@@ -74,9 +78,9 @@ class SetImports(QObject):
     """Why something cannot be done; empty once it could."""
     noted = Signal(str)
 
-    def __init__(self, open_project: OpenProject, bar: SetBar, picking: Picking) -> None:
+    def __init__(self, bridge: Bridge, meshes: MeshCache, bar: SetBar, picking: Picking) -> None:
         super().__init__()
-        self._open_project = open_project
+        self._bridge, self._meshes = bridge, meshes
         self._bar = bar
         self._picking = picking
         self._settled: _Settled | None = None
@@ -89,8 +93,8 @@ class SetImports(QObject):
         bar.closed.connect(self.close)
         picking.picked.connect(self._take)
         picking.stopped.connect(self._stop_picking)
-        open_project.bridge.document_changed.connect(self._follow)
-        open_project.bridge.session_replaced.connect(self.close)
+        bridge.document_changed.connect(self._follow)
+        bridge.session_replaced.connect(self.close)
 
     def bring(self, path: Path, cameras: tuple[SetCamera, ...]) -> None:
         """Put the set of a file into the picture, seen by its first camera where it has one."""
@@ -98,17 +102,18 @@ class SetImports(QObject):
 
     def settle(self) -> None:
         """Show the bar for the set worked on, or for the last there is."""
-        sets = [each for each in self._open_project.bridge.document.pieces if each.source is not None]
+        sets = [each for each in self._bridge.document.pieces if each.source is not None]
         # The one worked on, else the last.
-        piece = max(reversed(sets), key=lambda each: each.id == self._open_project.bridge.piece_id, default=None)
+        piece = max(reversed(sets), key=lambda each: each.id == self._bridge.piece_id, default=None)
         if piece is None or piece.source is None:
             self.failed.emit(self.tr("There is no set from a file in this project"))
             return
         path, piece_id = piece.source, piece.id
-        up = value_at(self._open_project.bridge.document.piece(piece_id).tracks, PIECE_UP, 1)
+        up = value_at(piece.tracks, PIECE_UP, 1)
 
         def read() -> None:
-            self._settled = _Settled(piece_id, path, self._cameras(path), up=up)
+            cameras = cameras_of(path, self._bridge.document.canvas.frame_rate)
+            self._settled = _Settled(piece_id, path, cameras, up=up)
             self._show_bar()
 
         self._try(read)
@@ -120,8 +125,8 @@ class SetImports(QObject):
         self._bar.hide()
 
     def _bring(self, path: Path, cameras: tuple[SetCamera, ...]) -> None:
-        base = self._open_project.bridge.document
-        if self._open_project.is_blank and cameras:
+        base = self._bridge.document
+        if self._bridge.document.is_blank and cameras:
             longest = max(camera.length_frames for camera in cameras)
             base = set_canvas(base, replace(base.canvas, length_frames=max(base.canvas.length_frames, longest)))
         if not base.layers:
@@ -140,10 +145,10 @@ class SetImports(QObject):
     def _import(self, wanted: _Settled) -> None:
         """Make the choices of an import the present document, as one step, whatever was chosen before."""
         assert wanted.base is not None
-        session, before = self._open_project.bridge.session, self._settled
+        session, before = self._bridge.session, self._settled
         camera = None if wanted.camera == KEEP_VIEW else wanted.cameras[wanted.camera].name
         how = SetImport(wanted.path, _name_of(wanted.path), camera, up=wanted.up)
-        imported = import_set(wanted.base, how, self._open_project.meshes)
+        imported = import_set(wanted.base, how, self._meshes)
         if before is not None and before.made is session.document and before.base is wanted.base:
             session.undo()
         # The bar's set is the new one before the document is: what listens to it looks whether it is still there.
@@ -164,7 +169,7 @@ class SetImports(QObject):
         self._try(lambda: self._choose(up=up))
 
     def _choose(self, *, camera: int | None = None, up: str | None = None) -> None:
-        settled, session = self._settled, self._open_project.bridge.session
+        settled, session = self._settled, self._bridge.session
         if settled is None:
             return
         self._stop_picking()
@@ -198,10 +203,10 @@ class SetImports(QObject):
         self._try(lambda: self._take_place(place))
 
     def _take_place(self, place: Point2) -> None:
-        settled, bridge = self._settled, self._open_project.bridge
+        settled, bridge = self._settled, self._bridge
         if settled is None:
             return
-        mesh = self._open_project.meshes.mesh(settled.path)
+        mesh = self._meshes.mesh(settled.path)
         point = point_under(bridge.document, settled.piece_id, mesh, place, bridge.frame)
         if point is None:
             self._bar.say(self.tr("There is nothing of the set at that place; click another. Esc ends it."))
@@ -215,7 +220,7 @@ class SetImports(QObject):
             self._bar.show_length(shown=len(self._points) == 2)
 
     def _size(self, length: float, measure: str) -> None:
-        settled, bridge = self._settled, self._open_project.bridge
+        settled, bridge = self._settled, self._bridge
         if settled is None or len(self._points) < 2:
             return
         (_, first), (_, second) = self._points
@@ -236,33 +241,29 @@ class SetImports(QObject):
         self._bar.say("")
 
     def _follow(self) -> None:
-        if self._settled is not None and self._piece() is None:
+        if self._settled is not None and _piece_of(self._bridge.document, self._settled) is None:
             self.close()
 
     def _show_bar(self) -> None:
-        settled, piece = self._settled, self._piece()
+        settled, piece = self._settled, _piece_of(self._bridge.document, self._settled)
         if settled is not None and piece is not None:
             names = [camera.name for camera in settled.cameras]
             self._bar.show_set(piece.name, names, settled.camera, settled.up or "y")
 
-    def _piece(self) -> Piece | None:
-        wanted = self._settled.piece_id if self._settled else None
-        return next((piece for piece in self._open_project.bridge.document.pieces if piece.id == wanted), None)
-
-    def _cameras(self, path: Path) -> tuple[SetCamera, ...]:
-        return cameras_of(path, self._open_project.bridge.document.canvas.frame_rate)
-
     def _try(self, do: Callable[[], None]) -> None:
-        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
-            do()
+            with waiting():
+                do()
         except Problem as problem:
             self.failed.emit(translated(problem))
             self._show_bar()
         else:
             self.failed.emit("")
-        finally:
-            QApplication.restoreOverrideCursor()
+
+
+def _piece_of(document: Document, settled: _Settled | None) -> Piece | None:
+    """Return the piece that is settled, if it is still there."""
+    return next((piece for piece in document.pieces if settled is not None and piece.id == settled.piece_id), None)
 
 
 def _name_of(path: Path) -> str:

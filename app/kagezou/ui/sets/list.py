@@ -15,11 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from kagezou.ui.panels.layer_list import LayerList, tool_button
 from kagezou.ui.sets.commands import SetCommands
 from kagezou.ui.sets.list_delegate import SetDelegate
 from kagezou.ui.sets.list_model import PieceRole, SetModel
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.widgets.tool_button import tool_button
 
 _MOST_ROWS = 5
 """How many rows the list grows to before it scrolls."""
@@ -150,17 +150,3 @@ class SetList(QWidget):
         menu.addSeparator()
         menu.addAction(self.tr("Remove"), self._commands.remove)
         menu.popup(self.view.viewport().mapToGlobal(at))
-
-
-class LayersAndSet(QWidget):
-    """The characters over the set they stand in."""
-
-    def __init__(self, layers: LayerList, pieces: SetList) -> None:
-        super().__init__()
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        layers.view.setMinimumHeight(56)
-        column.addWidget(layers, 1)
-        column.addWidget(pieces)
-        self.setFocusProxy(layers.view)

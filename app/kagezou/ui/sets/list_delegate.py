@@ -1,15 +1,12 @@
 """How a set piece looks in the list: eye, the picture of its kind, name."""
 
-from functools import cache
-
 from PySide6.QtCore import QObject, QRect, QSize, Qt
 from PySide6.QtGui import QIcon, QPainter
 from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.ui.sets.list_model import PieceRole
-from kagezou.ui.system.icons import icon
-from kagezou.ui.system.kind_words import KIND_WORDS
+from kagezou.ui.system.icons import kind_icon
 from kagezou.ui.system.theme import BRIGHT, DIM, OFF, TEXT
 from kagezou.ui.system.words import choice_name
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
@@ -59,12 +56,6 @@ class SetDelegate(EyeDelegate):
         painter.drawText(room, flag | Qt.AlignmentFlag.AlignLeft, words)
         painter.setPen(DIM)
         painter.drawText(room, flag | Qt.AlignmentFlag.AlignRight, beside)
-
-
-@cache
-def kind_icon(kind: PieceKind) -> QIcon:
-    """Return the picture of a kind of set piece."""
-    return icon(KIND_WORDS[kind].icon)
 
 
 def _words_area(area: QRect) -> QRect:

@@ -51,6 +51,13 @@ def icon(name: str) -> QIcon:
     return QIcon(SvgIcon((resource_folder() / "icons" / f"{name}.svg").read_text(encoding="utf-8")))
 
 
+@cache
+def kind_icon(kind: str) -> QIcon:
+    """Return the picture of a kind of set piece."""
+    is_drawn = (resource_folder() / "icons" / f"{kind}.svg").is_file()
+    return icon(kind if is_drawn else "box")
+
+
 def icon_size(metrics: QFontMetrics, *, small: bool = False) -> QSize:
     """Return the size of icons beside text of a font, so that they grow with it."""
     side = max(12 if small else 18, round(metrics.height() * (0.7 if small else 1.0)))

@@ -1,7 +1,6 @@
 """What the commands on keys do: the keys are those selected in the session, whoever selected them."""
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QGuiApplication
 
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation
@@ -21,6 +20,7 @@ from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.review import set_work_area
 from kagezou.io.clips.timeline_clips import dumps_keys, loads_keys
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 
 
 class KeyCommands(QObject):
@@ -29,9 +29,9 @@ class KeyCommands(QObject):
     refused = Signal(str)
     """One sentence on why nothing happened."""
 
-    def __init__(self, bridge: Bridge) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard) -> None:
         super().__init__()
-        self._bridge = bridge
+        self._bridge, self._clipboard = bridge, clipboard
 
     @property
     def chosen(self) -> Refs:
@@ -44,7 +44,7 @@ class KeyCommands(QObject):
         if clip is None:
             self.refused.emit(self.tr("No keys are selected."))
         else:
-            QGuiApplication.clipboard().setText(dumps_keys(self._bridge.document, clip))
+            self._clipboard.put(dumps_keys(self._bridge.document, clip))
 
     def cut(self) -> None:
         """Put the selected keys on the clipboard and take them away."""
@@ -130,7 +130,7 @@ class KeyCommands(QObject):
         self._edit(self.tr("Set work area"), set_work_area(self._bridge.document, first, last))
 
     def _paste(self, frame: int | None) -> None:
-        clip = loads_keys(QGuiApplication.clipboard().text(), self._bridge.document)
+        clip = loads_keys(self._clipboard.text(), self._bridge.document)
         if clip is None:
             self.refused.emit(self.tr("No keys were copied yet."))
             return

@@ -1,11 +1,13 @@
 """Decoding the next drawings while the cut plays, so that the first time through is as smooth as the second."""
 
-from PySide6.QtCore import QObject, QRunnable, QThreadPool
+from functools import partial
+
+from PySide6.QtCore import QObject
 
 from kagezou.document.model import Document
-from kagezou.errors import Problem
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.picture_source import PictureSource
+from kagezou.ui.system.background import Queue, Turn
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.time.playback import Player
 
@@ -29,23 +31,22 @@ class Prefetch(QObject):
         self._player = player
         self._cels = cels
         self._asked: set[PictureSource] = set()
-        self._pool = QThreadPool(self)
-        # One beside the window's own thread: on two cores a second would take the picture's time.
-        self._pool.setMaxThreadCount(1)
+        # The viewport meets a broken file when its frame comes, and says what is wrong.
+        self._background = Queue[None](lambda _: None)
         player.playing_changed.connect(self._begin)
         bridge.frame_changed.connect(self._go_on)
 
     def finish(self) -> None:
         """Drop what has not begun and wait for the rest."""
-        self._pool.clear()
-        self._pool.waitForDone()
+        self._background.drop()
+        self._background.finish()
 
     def _begin(self, playing: bool) -> None:
         self._asked.clear()
         if playing:
             self._go_on()
         else:
-            self._pool.clear()
+            self._background.drop()
 
     def _go_on(self) -> None:
         if not self._player.is_playing:
@@ -53,20 +54,10 @@ class Prefetch(QObject):
         for source in upcoming(self._bridge.document, self._bridge.frame):
             if source not in self._asked:
                 self._asked.add(source)
-                self._pool.start(_Decoding(self._cels, source))
+                self._background.ask(partial(self._decode, source))
 
-
-class _Decoding(QRunnable):
-    def __init__(self, cels: CelCache, source: PictureSource) -> None:
-        super().__init__()
-        self._cels, self._source = cels, source
-
-    def run(self) -> None:
-        try:
-            self._cels.cel(self._source)
-        except Problem:
-            # The viewport meets the same file when its frame comes, and says what is wrong.
-            return
+    def _decode(self, source: PictureSource, _turn: Turn[None]) -> None:
+        self._cels.cel(source)
 
 
 def upcoming(document: Document, frame: int) -> list[PictureSource]:

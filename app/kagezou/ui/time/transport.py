@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidg
 
 from kagezou.animation.timecode import parse_frame, sheet_text
 from kagezou.errors import UsageProblem
-from kagezou.ui.commands.table import plain
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.icons import icon_size
+from kagezou.ui.system.menu_words import plain
 from kagezou.ui.system.words import translated
 from kagezou.ui.time.playback import Player
 

@@ -1,12 +1,12 @@
 """The bars of drawings on a layer's row: where they lie, what of one is under the pointer, and how they look."""
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from kagezou.document.model import Layer
+from kagezou.tools.timeline.drawing_drag import BarPart
 from kagezou.ui.system.theme import OFF, SELECTED, TEXT
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 from kagezou.ui.timeline.time_scale import TimeScale
@@ -18,14 +18,6 @@ EDGE_PX = 10.0
 _BAR = QColor("#4a4a4a")
 _BAR_EDGE = QColor("#6a6a6a")
 _CHOSEN = QColor("#5d5a35")
-
-
-class BarPart(StrEnum):
-    """What of an exposure can be taken hold of."""
-
-    START = "start"
-    MIDDLE = "middle"
-    END = "end"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,13 +1,13 @@
 """What the commands on drawings do: to those chosen in the timeline, else to the one seen at the playhead."""
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QGuiApplication
 
 from kagezou.document import exposure_edits
 from kagezou.document.exposure_edits import ExposureClip, Exposures, index_at
 from kagezou.document.model import Layer
 from kagezou.io.clips.timeline_clips import dumps_drawings, loads_drawings
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 
 
@@ -25,9 +25,9 @@ class DrawingCommands(QObject):
     refused = Signal(str)
     """One sentence on why nothing happened."""
 
-    def __init__(self, bridge: Bridge, choice: DrawingChoice) -> None:
+    def __init__(self, bridge: Bridge, choice: DrawingChoice, clipboard: Clipboard) -> None:
         super().__init__()
-        self._bridge, self._choice = bridge, choice
+        self._bridge, self._choice, self._clipboard = bridge, choice, clipboard
 
     @property
     def are_chosen(self) -> bool:
@@ -115,7 +115,7 @@ class DrawingCommands(QObject):
         if found is not None:
             layer, run = found
             clip = exposure_edits.copy(layer.cels, *run, self._bridge.document.canvas.length_frames)
-            QGuiApplication.clipboard().setText(dumps_drawings(clip))
+            self._clipboard.put(dumps_drawings(clip))
 
     def paste(self) -> None:
         """Put the copied exposures down at the playhead, onto the layer worked on."""
@@ -135,7 +135,7 @@ class DrawingCommands(QObject):
 
     @property
     def _clip(self) -> ExposureClip | None:
-        return loads_drawings(QGuiApplication.clipboard().text())
+        return loads_drawings(self._clipboard.text())
 
     def _run(self) -> tuple[Layer, tuple[int, int]] | None:
         """Return the layer and the indices the commands are about; None where nothing is exposed."""

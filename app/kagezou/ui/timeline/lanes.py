@@ -10,8 +10,8 @@ from kagezou.document.key_edits import KeyRef
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, bars_of, paint_bars
-from kagezou.ui.timeline.drawing_hand import DrawingController
-from kagezou.ui.timeline.key_hand import KeyController
+from kagezou.ui.timeline.drawing_controller import DrawingController
+from kagezou.ui.timeline.key_controller import KeyController
 from kagezou.ui.timeline.key_shapes import half_path, halves_of
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of, keys_on
@@ -35,9 +35,9 @@ class Lanes(QWidget):
         self._bridge = bridge
         self._scale = scale
         self._rows = rows
-        self.hand = KeyController(bridge, scale, rows)
+        self.controller = KeyController(bridge, scale, rows)
         self.drawings = DrawingController(bridge, scale, rows)
-        for changed in (self.hand.changed, self.drawings.changed, self.drawings.choice.changed):
+        for changed in (self.controller.changed, self.drawings.changed, self.drawings.choice.changed):
             changed.connect(self.update)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -54,32 +54,34 @@ class Lanes(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        if self.hand.keys_at(event.position()) or not self.drawings.press(event):
-            self.hand.press(event)
+        if self.controller.finder.keys_at(event.position()) or not self.drawings.press(event):
+            self.controller.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.drawings.is_down:
             self.drawings.move(event)
             return
-        self.hand.move(event)
+        self.controller.move(event)
         place = event.position()
-        on_bar = None if self.hand.is_busy or self.hand.keys_at(place) else self.drawings.cursor_at(place)
-        self.setToolTip(self.hand.words_at(place) if on_bar is None else self.drawings.words_at(place))
-        self.setCursor(self.hand.cursor if on_bar is None else on_bar)
+        on_bar = (
+            None if self.controller.is_busy or self.controller.finder.keys_at(place) else self.drawings.cursor_at(place)
+        )
+        self.setToolTip(self.controller.finder.words_at(place) if on_bar is None else self.drawings.words_at(place))
+        self.setCursor(self.controller.cursor if on_bar is None else on_bar)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if self.drawings.is_down:
             self.drawings.release(event)
         else:
-            self.hand.release(event)
+            self.controller.release(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self.hand.wheel(event)
+        self.controller.wheel(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self._is_escape_of_drawings(event):
             self.drawings.cancel()
-        elif not self.hand.key(event):
+        elif not self.controller.key(event):
             super().keyPressEvent(event)
 
     def event(self, event: QEvent) -> bool:
@@ -87,7 +89,7 @@ class Lanes(QWidget):
         if (
             event.type() is QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
-            and (self.hand.wants(event) or self._is_escape_of_drawings(event))
+            and (self.controller.wants(event) or self._is_escape_of_drawings(event))
         ):
             event.accept()
             return True
@@ -202,29 +204,29 @@ class Lanes(QWidget):
             painter.drawLine(QLineF(x, 0, x, self.height()))
 
     def _paint_hand(self, painter: QPainter) -> None:
-        if self.hand.box is not None:
+        if self.controller.box is not None:
             painter.setPen(QPen(BRIGHT, 1, Qt.PenStyle.DashLine))
             painter.setBrush(QColor(255, 255, 255, 24))
-            painter.drawRect(self.hand.box)
+            painter.drawRect(self.controller.box)
         # A key lies in the middle of its frame, a drawing begins with it.
         lies = self._scale.x_of if self.drawings.is_busy else self._scale.middle_of
-        for hand in (self.hand, self.drawings):
+        for hand in (self.controller, self.drawings):
             if hand.caught_by is not None:
                 x = lies(hand.caught_by)
                 painter.setPen(QPen(WARNING, 1.5))
                 painter.drawLine(QLineF(x, 0, x, self.height()))
             if hand.said:
-                self._paint_said(painter, hand.said, hand.place)
+                _paint_words(painter, hand.said, hand.place, self.width())
 
-    def _paint_said(self, painter: QPainter, words: str, beside: QPointF) -> None:
-        metrics = self.fontMetrics()
-        width, height = metrics.horizontalAdvance(words) + 16, metrics.height() + 6
-        place = beside + QPointF(14, -height - 8)
-        pill = QRectF(
-            min(max(place.x(), 2.0), self.width() - width - 2.0), max(place.y(), 2.0), float(width), float(height)
-        )
-        painter.setPen(QPen(DIM, 1))
-        painter.setBrush(QColor("#101010"))
-        painter.drawRoundedRect(pill, 4, 4)
-        painter.setPen(BRIGHT)
-        painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, words)
+
+def _paint_words(painter: QPainter, words: str, beside: QPointF, width_px: int) -> None:
+    """Paint words on a dark pill above a place, within the width there is."""
+    metrics = painter.fontMetrics()
+    width, height = metrics.horizontalAdvance(words) + 16, metrics.height() + 6
+    place = beside + QPointF(14, -height - 8)
+    pill = QRectF(min(max(place.x(), 2.0), width_px - width - 2.0), max(place.y(), 2.0), float(width), float(height))
+    painter.setPen(QPen(DIM, 1))
+    painter.setBrush(QColor("#101010"))
+    painter.drawRoundedRect(pill, 4, 4)
+    painter.setPen(BRIGHT)
+    painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, words)

@@ -16,7 +16,7 @@ from kagezou.ui.system.theme import BRIGHT, CHROME, DIM, LINE, OFF, SELECTED, TE
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of
-from kagezou.ui.widgets.link_sign import paint_chain
+from kagezou.ui.widgets.link_sign import paint_link_sign
 
 _BUTTON_PX = 16
 _INDENT_PX = 14
@@ -131,7 +131,7 @@ class RowNames(QWidget):
         else:
             if is_linked(self._bridge.document, row.addresses[0]):
                 room -= _CHAIN_PX
-                paint_chain(painter, QPointF(left + room + _CHAIN_PX / 2, top + (height - 1) / 2), linked=True)
+                paint_link_sign(painter, QPointF(left + room + _CHAIN_PX / 2, top + (height - 1) / 2), linked=True)
             room -= self._paint_value(painter, row, top, left, room)
         painter.setPen(BRIGHT if row.is_group else TEXT)
         name = self.fontMetrics().elidedText(self.name_of(row), Qt.TextElideMode.ElideRight, int(room))

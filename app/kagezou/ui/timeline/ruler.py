@@ -3,30 +3,31 @@
 from collections.abc import Callable, Set
 from typing import Final
 
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent, QWheelEvent
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from kagezou.animation.timecode import Count, counted, frames_per_second, sheet_text
+from kagezou.animation.timecode import Count, sheet_text
 from kagezou.document.model import Document, Marker
 from kagezou.document.review import move_marker, set_work_area
 from kagezou.picture_source import PictureSource
 from kagezou.session.session import Gesture
+from kagezou.tools.timeline.snapping import snap_frames, snapped
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, TEXT, WELL
+from kagezou.ui.system.theme import BRIGHT, LINE, OFF, WELL
 from kagezou.ui.timeline.row_list import is_same
-from kagezou.ui.timeline.snapping import snap_frames, snapped
+from kagezou.ui.timeline.ruler_painting import (
+    STRIP_PX,
+    flag_of,
+    paint_area,
+    paint_marker,
+    paint_playhead,
+    paint_ticks,
+)
 from kagezou.ui.timeline.time_scale import TimeScale
 
-_STEPS: Final = (1, 2, 4, 6, 12, 24, 48, 72, 144, 240, 480, 720, 1440, 2880, 7200, 14400)
-_MIN_LABEL_PX: Final = 40
-_MIN_TICK_PX: Final = 4
-_STRIP_PX: Final = 7
-"""Height of the strip of the work area, at the bottom."""
 _READY_PX: Final = 2.5
 _END_REACH_PX: Final = 7.0
-_AREA = QColor("#9a7a35")
-_AREA_END = QColor("#e0b04c")
 _READY = QColor("#3f9b6b")
 
 Kept = Callable[[], Set[PictureSource]]
@@ -73,20 +74,20 @@ class Ruler(QWidget):
 
     def marker_at(self, place: QPointF) -> Marker | None:
         """Return the marker whose flag lies at a point."""
-        if place.y() > self.height() - _STRIP_PX:
+        if place.y() > self.height() - STRIP_PX:
             return None
         return next(
             (
                 marker
                 for marker in reversed(self._bridge.document.markers)
-                if self._flag(marker).adjusted(-4, 0, 2, 0).contains(place)
+                if flag_of(marker, self._scale, self.fontMetrics()).adjusted(-4, 0, 2, 0).contains(place)
             ),
             None,
         )
 
     def end_at(self, place: QPointF) -> str | None:
         """Return which end of the work area lies at a point: "first", "last" or none."""
-        if place.y() < self.height() - _STRIP_PX - 3:
+        if place.y() < self.height() - STRIP_PX - 3:
             return None
         first, last = self._bridge.document.played
         gaps = {
@@ -142,7 +143,7 @@ class Ruler(QWidget):
         marker = self.marker_at(event.position())
         if marker is not None:
             self.marker_asked.emit(marker.frame)
-        elif self.end_at(event.position()) or event.position().y() > self.height() - _STRIP_PX:
+        elif self.end_at(event.position()) or event.position().y() > self.height() - STRIP_PX:
             self._bridge.session.edit(self.tr("Clear work area"), set_work_area(self._bridge.document, None, None))
 
     def _show_document(self) -> None:
@@ -174,44 +175,21 @@ class Ruler(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), WELL)
-        self._paint_area(painter)
-        self._paint_ticks(painter)
+        document, scale = self._bridge.document, self._scale
+        paint_area(painter, scale, document, self.height())
+        paint_ticks(painter, scale, self.size(), document.canvas.frame_rate, self.count)
         self._paint_ready(painter)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._paint_markers(painter)
-        self._paint_playhead(painter)
+        for marker in document.markers:
+            paint_marker(painter, scale, marker, self.height())
+        left, width = scale.x_of(self._bridge.frame), max(scale.cell_px, 2.0)
+        paint_playhead(painter, left, width, self.height(), BRIGHT if self.isEnabled() else OFF)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(0, self.height() - 1, self.width(), self.height() - 1)
         painter.end()
 
-    def _paint_area(self, painter: QPainter) -> None:
-        first, last = self._bridge.document.played
-        left, right = self._scale.x_of(first), self._scale.x_of(last + 1)
-        top = self.height() - _STRIP_PX
-        is_set = self._bridge.document.work_area is not None
-        painter.fillRect(QRectF(left, top, right - left, _STRIP_PX - 1), _AREA if is_set else QColor("#3c3c3c"))
-        for x in (left, right - 3):
-            painter.fillRect(QRectF(x, top - 1, 3, _STRIP_PX), _AREA_END if is_set else QColor("#7a7a7a"))
-
-    def _paint_ticks(self, painter: QPainter) -> None:
-        rate = self._bridge.document.canvas.frame_rate
-        a_second = frames_per_second(rate)
-        label_step, tick_step = self._step(_MIN_LABEL_PX), self._step(_MIN_TICK_PX)
-        text_height, bottom = self.fontMetrics().height(), self.height() - _STRIP_PX
-        first = max(int((self._scale.position_at(0) - 1) // label_step), 0) * label_step + 1
-        last = min(int(self._scale.position_at(self.width())) + 1, self._scale.length + 1)
-        for frame in range(first, last + 1, tick_step):
-            x = round(self._scale.x_of(frame)) + 0.5
-            is_second, is_labelled = (frame - 1) % a_second == 0, (frame - 1) % label_step == 0
-            top = 4 if is_second else text_height + (2 if is_labelled else 6)
-            painter.setPen(QPen(DIM if is_second else QColor("#4c4c4c") if is_labelled else QColor("#383838"), 1))
-            painter.drawLine(QLineF(x, top, x, bottom))
-            if is_labelled and frame <= self._scale.length:
-                painter.setPen(TEXT if is_second else DIM)
-                painter.drawText(QPointF(x + 4, text_height - 1), counted(frame, rate, self.count))
-
     def _paint_ready(self, painter: QPainter) -> None:
-        top = self.height() - _STRIP_PX - _READY_PX - 1
+        top = self.height() - STRIP_PX - _READY_PX - 1
         kept, layers = self._kept(), self._bridge.document.layers
         if not layers:
             return
@@ -220,44 +198,6 @@ class Ruler(QWidget):
             if all(drawing is None or drawing.source in kept for drawing in needed):
                 left, right = self._scale.x_of(frame), self._scale.x_of(frame + 1)
                 painter.fillRect(QRectF(left, top, right - left, _READY_PX), QBrush(_READY))
-
-    def _flag(self, marker: Marker) -> QRectF:
-        width = min(self.fontMetrics().horizontalAdvance(marker.comment), 120) + 12 if marker.comment else 9
-        return QRectF(self._scale.middle_of(marker.frame), 1, width, self.fontMetrics().height() + 1)
-
-    def _paint_markers(self, painter: QPainter) -> None:
-        metrics = self.fontMetrics()
-        for marker in self._bridge.document.markers:
-            flag = self._flag(marker)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(CHANGED)
-            if marker.duration_frames:
-                end = self._scale.x_of(marker.frame + marker.duration_frames)
-                painter.drawRect(QRectF(flag.left(), flag.bottom() - 2, max(end - flag.left(), 0), 2))
-            x, bottom = flag.left(), float(self.height() - _STRIP_PX)
-            painter.drawRect(QRectF(x - 0.75, 1, 1.5, bottom - 1))
-            if not marker.comment:
-                painter.drawPolygon(QPolygonF([QPointF(x, 1), QPointF(x + 9, 5), QPointF(x, 10)]))
-                continue
-            painter.setBrush(QColor("#22414f"))
-            painter.drawRoundedRect(flag, 2, 2)
-            painter.setPen(BRIGHT)
-            words = metrics.elidedText(marker.comment, Qt.TextElideMode.ElideRight, int(flag.width()) - 8)
-            painter.drawText(flag.adjusted(5, 0, -3, 0), Qt.AlignmentFlag.AlignVCenter, words)
-
-    def _paint_playhead(self, painter: QPainter) -> None:
-        left, width = self._scale.x_of(self._bridge.frame), max(self._scale.cell_px, 2.0)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(255, 255, 255, 34))
-        painter.drawRect(QRectF(left, 1, width, self.height()))
-        painter.setBrush(BRIGHT if self.isEnabled() else OFF)
-        middle = left + width / 2
-        painter.drawRect(QRectF(middle - 0.75, 1, 1.5, self.height()))
-        head = [QPointF(middle - 5, 1), QPointF(middle + 5, 1), QPointF(middle + 5, 5), QPointF(middle, 10)]
-        painter.drawPolygon(QPolygonF([*head, QPointF(middle - 5, 5)]))
-
-    def _step(self, smallest_px: float) -> int:
-        return next((step for step in _STEPS if step * self._scale.cell_px >= smallest_px), _STEPS[-1])
 
 
 def _seen_of(document: Document) -> tuple[object, ...]:

@@ -8,6 +8,7 @@ from kagezou.animation.timecode import Count
 from kagezou.document.model import Marker
 from kagezou.document.review import remove_marker, set_marker
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.timeline.drawing_commands import DrawingCommands
 from kagezou.ui.timeline.lanes import Lanes
 from kagezou.ui.timeline.row_list import RowList
@@ -26,6 +27,8 @@ class Timeline(QWidget):
     ----------
     bridge
         The session.
+    clipboard
+        Where copies go.
     kept
         The pictures that are decoded, for the ruler's strip of frames that can be seen at once.
     """
@@ -33,7 +36,7 @@ class Timeline(QWidget):
     count_chosen = Signal(Count)
     drawing_menu_asked = Signal(object)
 
-    def __init__(self, bridge: Bridge, kept: Kept = frozenset) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard, kept: Kept = frozenset) -> None:
         super().__init__()
         self._bridge = bridge
         self.scale = TimeScale()
@@ -41,7 +44,7 @@ class Timeline(QWidget):
         self.rows.row_px = self.fontMetrics().height() + 12
         self.names = RowNames(bridge, self.rows)
         self.lanes = Lanes(bridge, self.scale, self.rows)
-        self.drawings = DrawingCommands(bridge, self.lanes.drawings.choice)
+        self.drawings = DrawingCommands(bridge, self.lanes.drawings.choice, clipboard)
         self.ruler = Ruler(bridge, self.scale, kept)
         self.key_menu = QMenu(self)
         self._across = QScrollBar(Qt.Orientation.Horizontal)
@@ -53,7 +56,7 @@ class Timeline(QWidget):
         self.ruler.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.ruler.customContextMenuRequested.connect(self._open_ruler_menu)
         self.ruler.marker_asked.connect(self.rename_marker)
-        self.lanes.hand.menu_asked.connect(self.key_menu.popup)
+        self.lanes.controller.menu_asked.connect(self.key_menu.popup)
         self.lanes.drawings.menu_asked.connect(self.drawing_menu_asked)
         self._across.valueChanged.connect(self.scale.scroll_to)
         self._down.valueChanged.connect(self.rows.scroll_to)
@@ -158,7 +161,7 @@ class Timeline(QWidget):
                 bar.setValue(round(value))
 
     def _follow(self, frame: int) -> None:
-        if not (self.lanes.hand.is_busy or self.lanes.drawings.is_busy):
+        if not (self.lanes.controller.is_busy or self.lanes.drawings.is_busy):
             self.scale.reveal(frame)
 
     def _open_ruler_menu(self, place: QPoint) -> None:

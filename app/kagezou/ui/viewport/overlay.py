@@ -11,10 +11,10 @@ from PySide6.QtWidgets import QWidget
 
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.handle import place_in_view
-from kagezou.ui.viewport.hand import HandleController
+from kagezou.ui.viewport.handle_controller import HandleController
 from kagezou.ui.viewport.handle_paths import is_wanted, paint_guide, paint_handle, paint_off_view_arrow
-from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.picking import Picking
 
 _EDGE = QColor(0, 0, 0, 150)
 _MARK = QColor("#f0e442")
@@ -31,7 +31,7 @@ class Overlay(QWidget):
 
     def __init__(self, parent: QWidget, hand: HandleController, viewpoint: Viewpoint, picking: Picking) -> None:
         super().__init__(parent)
-        self._hand = hand
+        self._controller = hand
         self._picking = picking
         self._viewpoint = viewpoint
         self.shows_handles = True
@@ -49,8 +49,8 @@ class Overlay(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_handles(painter)
         self._paint_marks(painter)
-        if self._hand.place_px is not None and (words := self._hand.words):
-            self._paint_pill(painter, words, self._hand.place_px)
+        if self._controller.place_px is not None and (words := self._controller.words):
+            self._paint_pill(painter, words, self._controller.place_px)
         painter.end()
 
     def _paint_canvas_edge(self, painter: QPainter) -> None:
@@ -61,17 +61,17 @@ class Overlay(QWidget):
         painter.drawRect(QRectF(QPointF(round(left) - 0.5, round(top) - 0.5), QPointF(round(right), round(bottom))))
 
     def _paint_handles(self, painter: QPainter) -> None:
-        handles, view, size = self._hand.handles, self._viewpoint.view, self._viewpoint.size
+        handles, view, size = self._controller.handles, self._viewpoint.view, self._viewpoint.size
         area = QRectF(self.rect())
-        active = self._hand.held.id if self._hand.held else self._hand.hovered_id
+        active = self._controller.held.id if self._controller.held else self._controller.hovered_id
         for guide in handles.guides:
-            if is_wanted(guide.kind, (active, self._hand.selected_id)):
+            if is_wanted(guide.kind, (active, self._controller.selected_id)):
                 paint_guide(painter, guide, view, area)
-        for guide in () if self._hand.is_busy else self._hand.pieces.guides:
+        for guide in () if self._controller.is_busy else self._controller.pieces.guides:
             paint_guide(painter, guide, view, area)
         for handle in handles.handles:
             at, off = place_in_view(handle, view, size)
-            selected = handle.id == self._hand.selected_id
+            selected = handle.id == self._controller.selected_id
             paint_handle(painter, handle, at, hovered=handle.id == active, selected=selected)
             if off is not None:
                 paint_off_view_arrow(painter, off, selected=selected)

@@ -15,13 +15,14 @@ from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
 from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.tools.view import CanvasView
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import SURROUND
 from kagezou.ui.system.words import translated
+from kagezou.ui.viewport.frame_painter import Broken, FramePainter
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
 from kagezou.ui.viewport.reading import Reading
 from kagezou.ui.viewport.resolution import Pace, Resolution
-from kagezou.ui.viewport.stage import Broken, FramePainter
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 NEEDED_VERSION = (3, 3)
@@ -59,7 +60,7 @@ class PictureWidget(QOpenGLWidget):
         self._bridge = bridge
         self._cels = cels
         self._meshes = meshes
-        self._stage: FramePainter | None = None
+        self._frame_painter: FramePainter | None = None
         self._broken: tuple[Broken, ...] = ()
         self.pace = Pace()
         self._reading = Reading(cels)
@@ -109,14 +110,14 @@ class PictureWidget(QOpenGLWidget):
         return self._is_current
 
     @property
-    def stage(self) -> FramePainter | None:
+    def frame_painter(self) -> FramePainter | None:
         """What draws; None before the first painting and while there is no context."""
-        return self._stage
+        return self._frame_painter
 
     @property
     def device(self) -> str:
         """The name of what draws, empty where nothing does."""
-        return self._stage.device if self._stage else ""
+        return self._frame_painter.device if self._frame_painter else ""
 
     def show_backdrop(self, backdrop: Backdrop) -> None:
         """Choose what is shown where nothing is drawn."""
@@ -125,23 +126,25 @@ class PictureWidget(QOpenGLWidget):
 
     def reread(self) -> None:
         """Draw anew, because files may have changed."""
-        if self._stage is not None:
-            self._stage.forget_picture()
+        if self._frame_painter is not None:
+            self._frame_painter.forget_picture()
         self.update()
 
     def read_picture(self) -> Steps | None:
         """Return the picture on screen, (H, W, 4), or None before there is one."""
-        stage = self._stage
-        if stage is None or not stage.pictures_drawn:
+        frame_painter = self._frame_painter
+        if frame_painter is None or not frame_painter.pictures_drawn:
             return None
-        return self._with_context(stage.read_picture)
+        return self._with_context(frame_painter.read_picture)
 
     def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps | None:
         """Return a layer alone on nothing, (H, W, 4), or None if it cannot be drawn."""
-        stage = self._stage
-        if stage is None:
+        frame_painter = self._frame_painter
+        if frame_painter is None:
             return None
-        return self._with_context(partial(stage.layer_picture, document, frame, layer_id, with_shadow=with_shadow))
+        return self._with_context(
+            partial(frame_painter.layer_picture, document, frame, layer_id, with_shadow=with_shadow)
+        )
 
     def finish(self) -> None:
         """Read nothing any more, before the window goes."""
@@ -157,10 +160,10 @@ class PictureWidget(QOpenGLWidget):
             sys.excepthook(*sys.exc_info())
 
     def paintGL(self) -> None:
-        if self._stage is None:
+        if self._frame_painter is None:
             return
         try:
-            self._paint(self._stage)
+            self._paint(self._frame_painter)
         except Problem as problem:
             self.failed.emit(translated(problem))
         except Exception:
@@ -184,32 +187,28 @@ class PictureWidget(QOpenGLWidget):
         context.aboutToBeDestroyed.connect(self._release, Qt.ConnectionType.DirectConnection)
         major, minor = context.format().majorVersion(), context.format().minorVersion()
         if (major, minor) < NEEDED_VERSION:
-            raise GraphicsProblem(
-                Message(
-                    "the graphics driver offers OpenGL {version}; Kagezou needs 3.3: update the driver",
-                    version=f"{major}.{minor}",
-                )
-            )
-        self._stage = FramePainter(self._cels, self._meshes)
-        self.started.emit(self._stage.device, self._stage.is_software)
+            raise _too_old(f"{major}.{minor}")
+        self._frame_painter = FramePainter(self._cels, self._meshes)
+        self.started.emit(self._frame_painter.device, self._frame_painter.is_software)
 
-    def _paint(self, stage: FramePainter) -> None:
+    def _paint(self, frame_painter: FramePainter) -> None:
         document, view = self._bridge.document, self._view
         self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
-        if not self._is_current and stage.pictures_drawn:
-            stage.present(self._window_view())
+        if not self._is_current and frame_painter.pictures_drawn:
+            frame_painter.present(_window_view(self, self.viewpoint.view))
             return
         backdrop = behind(view, self._backdrop, has_background=document.background is not None)
         line = line_px(view, self.viewpoint.view.zoom)
-        at, before = self.pace.next(moving=self._is_moving), stage.divisor
-        if stage.draw(document, self._bridge.frame, backdrop, view, line, at):
-            self.pace.took(stage.divisor, stage.took_s)
-        stage.present(self._window_view())
-        if stage.divisor != before:
-            self.divisor_changed.emit(stage.divisor)
-        if stage.broken != self._broken:
-            self._broken = stage.broken
-            self.broken_changed.emit(stage.broken)
+        is_moving = self._rest.isActive() and self._bridge.session.is_in_gesture
+        at, before = self.pace.next(moving=is_moving), frame_painter.divisor
+        if frame_painter.draw(document, self._bridge.frame, backdrop, view, line, at):
+            self.pace.took(frame_painter.divisor, frame_painter.took_s)
+        frame_painter.present(_window_view(self, self.viewpoint.view))
+        if frame_painter.divisor != before:
+            self.divisor_changed.emit(frame_painter.divisor)
+        if frame_painter.broken != self._broken:
+            self._broken = frame_painter.broken
+            self.broken_changed.emit(frame_painter.broken)
 
     def _document_changed(self) -> None:
         if self._bridge.session.is_in_gesture:
@@ -218,34 +217,38 @@ class PictureWidget(QOpenGLWidget):
         self.viewpoint.set_canvas((float(canvas.width_px), float(canvas.height_px)))
         self.update()
 
-    @property
-    def _is_moving(self) -> bool:
-        return self._rest.isActive() and self._bridge.session.is_in_gesture
-
     def _refine(self) -> None:
         """Draw what was drawn in haste again, now that the hand rests."""
-        if self._stage is not None and self._stage.divisor != self.pace.next(moving=False).divisor:
+        if self._frame_painter is not None and self._frame_painter.divisor != self.pace.next(moving=False).divisor:
             self.update()
-
-    def _window_view(self) -> WindowView:
-        ratio = self.devicePixelRatioF()
-        view = self.viewpoint.view
-        x, y = view.origin_view_px
-        return WindowView(
-            framebuffer=self.defaultFramebufferObject(),
-            # Halves go up, as Qt makes its framebuffer.
-            width_px=int(self.width() * ratio + 0.5),
-            height_px=int(self.height() * ratio + 0.5),
-            zoom=view.zoom * ratio,
-            # On whole device pixels, so that at 100 % nothing is blurred by half a pixel.
-            origin_px=(float(round(x * ratio)), float(round(y * ratio))),
-            surround=(SURROUND.redF(), SURROUND.greenF(), SURROUND.blueF()),
-        )
 
     def _release(self) -> None:
         """Give the renderer up before its context goes; Qt makes another and calls initializeGL again."""
-        if self._stage is not None:
+        if self._frame_painter is not None:
             self.makeCurrent()
-            self._stage.close()
-            self._stage = None
+            self._frame_painter.close()
+            self._frame_painter = None
             self.doneCurrent()
+
+
+def _window_view(widget: QOpenGLWidget, view: CanvasView) -> WindowView:
+    """Return how the picture lies in the framebuffer of a widget."""
+    ratio = widget.devicePixelRatioF()
+    x, y = view.origin_view_px
+    return WindowView(
+        framebuffer=widget.defaultFramebufferObject(),
+        # Halves go up, as Qt makes its framebuffer.
+        width_px=int(widget.width() * ratio + 0.5),
+        height_px=int(widget.height() * ratio + 0.5),
+        zoom=view.zoom * ratio,
+        # On whole device pixels, so that at 100 % nothing is blurred by half a pixel.
+        origin_px=(float(round(x * ratio)), float(round(y * ratio))),
+        surround=(SURROUND.redF(), SURROUND.greenF(), SURROUND.blueF()),
+    )
+
+
+def _too_old(version: str) -> GraphicsProblem:
+    words = Message(
+        "the graphics driver offers OpenGL {version}; Kagezou needs 3.3: update the driver", version=version
+    )
+    return GraphicsProblem(words)

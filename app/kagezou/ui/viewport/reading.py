@@ -2,13 +2,15 @@
 
 import threading
 from collections.abc import Callable, Iterable
+from functools import partial
 
-from PySide6.QtCore import QObject, QRunnable, QThreadPool, Signal
+from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.picture_source import PictureSource
+from kagezou.ui.system.background import Latest, Turn
 
 PATIENCE_S = 0.04
 """So long a picture waits for its drawings: small ones are there by then, and nothing flickers."""
@@ -26,14 +28,13 @@ class Reading(QObject):
     """
 
     arrived = Signal()
-    """What was missing is there, or cannot be read; sent from the thread that read it."""
+    """What was missing is there, or cannot be read."""
 
     def __init__(self, cels: CelCache) -> None:
         super().__init__()
         self._cels = cels
         self._came: set[PictureSource] = set()
-        self._pool = QThreadPool(self)
-        self._pool.setMaxThreadCount(1)
+        self._background = Latest[None](lambda _: self.arrived.emit())
 
     def has_drawings_of(self, document: Document, frame: int) -> bool:
         """Whether a frame can be drawn without reading files; if not, they are read and ``arrived`` is sent."""
@@ -42,19 +43,27 @@ class Reading(QObject):
         if all(source in self._came for source, _ in missing):
             return True
         self._came.clear()
-        self._pool.clear()
-        job = _Job(self, missing)
-        self._pool.start(job)
-        return job.done.wait(PATIENCE_S)
-
-    def came(self, source: PictureSource) -> None:
-        """Take note of a picture that was read, or could not be."""
-        self._came.add(source)
+        done = threading.Event()
+        return self._background.ask(partial(self._read, missing, done)) and done.wait(PATIENCE_S)
 
     def finish(self) -> None:
         """Read nothing any more, before the window goes."""
-        self._pool.clear()
-        self._pool.waitForDone()
+        self._background.finish()
+
+    def _read(self, wanted: Iterable[tuple[PictureSource, Read]], done: threading.Event, turn: Turn[None]) -> None:
+        """Read pictures; on the worker's thread."""
+        for source, read in wanted:
+            if turn.is_unwanted:
+                return
+            try:
+                read(source)
+            except Problem:
+                # Whoever draws meets the same file, and says what is wrong with it.
+                continue
+            finally:
+                self._came.add(source)
+        done.set()
+        turn.tell(None)
 
     def _needed(self, document: Document, frame: int) -> Iterable[tuple[PictureSource, Read]]:
         if document.background is not None:
@@ -62,22 +71,3 @@ class Reading(QObject):
         for layer in document.layers:
             if (drawing := layer.cels.drawing_at(frame)) is not None:
                 yield drawing.source, self._cels.cel
-
-
-class _Job(QRunnable):
-    def __init__(self, owner: Reading, wanted: Iterable[tuple[PictureSource, Read]]) -> None:
-        super().__init__()
-        self._owner, self._wanted = owner, wanted
-        self.done = threading.Event()
-
-    def run(self) -> None:
-        for source, read in self._wanted:
-            try:
-                read(source)
-            except Problem:
-                # Whoever draws meets the same file, and says what is wrong with it.
-                continue
-            finally:
-                self._owner.came(source)
-        self.done.set()
-        self._owner.arrived.emit()

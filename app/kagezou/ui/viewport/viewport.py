@@ -7,14 +7,14 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.tools.handle import Cursor
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.viewport.hand import HandleController
+from kagezou.ui.viewport.handle_controller import HandleController
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
-from kagezou.ui.viewport.picking import Picking
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
 from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.picking import Picking
 from kagezou.ui.widgets.space_bar import SpaceBar
 
 _CURSORS = {
@@ -55,9 +55,9 @@ class Viewport(PictureWidget):
         self._space = space
         self._panned_from: QPointF | None = None
         self._taps = PenTaps()
-        self.hand = HandleController(bridge, self.viewpoint)
+        self.controller = HandleController(bridge, self.viewpoint)
         self.picking = Picking()
-        self.overlay = Overlay(self, self.hand, self.viewpoint, self.picking)
+        self.overlay = Overlay(self, self.controller, self.viewpoint, self.picking)
         self.picking.changed.connect(self._show_cursor)
         bridge.session_replaced.connect(self.picking.give_up)
         self.setMouseTracking(True)
@@ -86,14 +86,14 @@ class Viewport(PictureWidget):
         if (
             isinstance(event, QKeyEvent)
             and event.type() is QEvent.Type.ShortcutOverride
-            and self._is_for_the_hand(event)
+            and _is_for_the_hand(event, is_busy=self.controller.is_busy)
         ):
             event.accept()
             return True
         # Qt would take Tab for moving the focus; Escape gives the focus back to the window.
         pressed = event.key() if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.KeyPress else None
         if pressed in _TABS and self.overlay.shows_handles:
-            self.hand.cycle(_TABS[pressed])
+            self.controller.cycle(_TABS[pressed])
             return True
         return super().event(event)
 
@@ -101,16 +101,16 @@ class Viewport(PictureWidget):
         report = report_of(event)
         match event.button():
             case Qt.MouseButton.MiddleButton:
-                self._begin_pan(event.position())
+                self._panned_from = event.position()
             case Qt.MouseButton.RightButton:
                 self._cancel()
             case Qt.MouseButton.LeftButton if self._space.is_held:
                 self._space.use()
-                self._begin_pan(event.position())
+                self._panned_from = event.position()
             case Qt.MouseButton.LeftButton if self.picking.is_on:
                 self._pick(report)
             case Qt.MouseButton.LeftButton if self.overlay.shows_handles:
-                self.hand.press(report)
+                self.controller.press(report)
         self._show_cursor()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -118,25 +118,25 @@ class Viewport(PictureWidget):
             way = event.position() - self._panned_from
             self._panned_from = event.position()
             self.viewpoint.pan(way.x(), way.y())
-        elif self.hand.is_busy:
+        elif self.controller.is_busy:
             # A move without the button comes from elsewhere, such as a window that just opened under the pointer.
             if event.buttons() & Qt.MouseButton.LeftButton:
-                self.hand.move(report_of(event))
+                self.controller.move(report_of(event))
         elif self.overlay.shows_handles:
-            self.hand.hover(None if self.picking.is_on else report_of(event))
+            self.controller.hover(None if self.picking.is_on else report_of(event))
         self._show_cursor()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() in (Qt.MouseButton.MiddleButton, Qt.MouseButton.LeftButton):
             self._panned_from = None
         if event.button() is Qt.MouseButton.LeftButton:
-            self.hand.release()
-            self.hand.hover(None if self.picking.is_on else report_of(event))
+            self.controller.release()
+            self.controller.hover(None if self.picking.is_on else report_of(event))
         self._show_cursor()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         pointing = event.button() is Qt.MouseButton.LeftButton and not self._space.is_held and not self.picking.is_on
-        if not (pointing and self.overlay.shows_handles and self.hand.add_point(report_of(event))):
+        if not (pointing and self.overlay.shows_handles and self.controller.add_point(report_of(event))):
             self.mousePressEvent(event)
 
     def tabletEvent(self, event: QTabletEvent) -> None:
@@ -146,21 +146,23 @@ class Viewport(PictureWidget):
                 self._cancel()
             case QEvent.Type.TabletPress if self._space.is_held:
                 self._space.use()
-                self._begin_pan(event.position())
+                self._panned_from = event.position()
             case QEvent.Type.TabletPress if self.picking.is_on:
                 self._pick(report)
             case QEvent.Type.TabletPress:
-                if not (self._taps.is_second_tap(report, event.timestamp()) and self.hand.add_point(report)):
-                    self.hand.press(report)
+                if not (self._taps.is_second_tap(report, event.timestamp()) and self.controller.add_point(report)):
+                    self.controller.press(report)
             case QEvent.Type.TabletMove if self._panned_from is not None:
                 way = event.position() - self._panned_from
                 self._panned_from = event.position()
                 self.viewpoint.pan(way.x(), way.y())
             case QEvent.Type.TabletMove:
-                self.hand.move(report) if self.hand.is_busy else self.hand.hover(None if self.picking.is_on else report)
+                self.controller.move(report) if self.controller.is_busy else self.controller.hover(
+                    None if self.picking.is_on else report
+                )
             case QEvent.Type.TabletRelease:
                 self._panned_from = None
-                self.hand.release()
+                self.controller.release()
         event.accept()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -174,10 +176,10 @@ class Viewport(PictureWidget):
         event.accept()
 
     def leaveEvent(self, event: QEvent) -> None:
-        self.hand.hover(None)
+        self.controller.hover(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.hand.is_busy and _is_typing(event):
+        if self.controller.is_busy and _is_typing(event):
             self._type(event)
         elif event.key() == Qt.Key.Key_Escape:
             if not self._cancel():
@@ -189,18 +191,15 @@ class Viewport(PictureWidget):
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         if event.key() in _ARROWS and not event.isAutoRepeat():
-            self.hand.end_nudge()
+            self.controller.end_nudge()
         else:
             super().keyReleaseEvent(event)
 
     def _cancel(self) -> bool:
-        return self.picking.give_up() or self.hand.cancel()
+        return self.picking.give_up() or self.controller.cancel()
 
     def _pick(self, report: PointerReport) -> None:
         self.picking.picked.emit(self.viewpoint.view.canvas_from_view(report.view_px))
-
-    def _begin_pan(self, at: QPointF) -> None:
-        self._panned_from = at
 
     def _pinch(self, event: QNativeGestureEvent) -> bool:
         if event.gestureType() is not Qt.NativeGestureType.ZoomNativeGesture:
@@ -212,26 +211,19 @@ class Viewport(PictureWidget):
     def _arrow(self, event: QKeyEvent) -> None:
         length = LONG_NUDGE_PX if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else NUDGE_PX
         dx, dy = _ARROWS[Qt.Key(event.key())]
-        if not self.hand.nudge(dx * length, dy * length) and dx:
+        if not self.controller.nudge(dx * length, dy * length) and dx:
             self.step_asked.emit(round(dx * length))
 
     def _type(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self.hand.release()
+            self.controller.release()
         elif event.key() == Qt.Key.Key_Backspace:
-            self.hand.type(self.hand.typed[:-1])
+            self.controller.type(self.controller.typed[:-1])
         else:
-            self.hand.type(self.hand.typed + event.text())
-
-    def _is_for_the_hand(self, event: QKeyEvent) -> bool:
-        """Whether a key nudges, steps or types here, though it may lie on a command of the window."""
-        if self.hand.is_busy:
-            return _is_typing(event)
-        others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
-        return event.key() in _ARROWS and not others
+            self.controller.type(self.controller.typed + event.text())
 
     def _show_cursor(self) -> None:
-        over = self.hand.held or self.hand.handles.find(self.hand.hovered_id)
+        over = self.controller.held or self.controller.handles.find(self.controller.hovered_id)
         if self._panned_from is not None:
             self.setCursor(Qt.CursorShape.ClosedHandCursor)
         elif self._space.is_held:
@@ -239,9 +231,17 @@ class Viewport(PictureWidget):
         elif self.picking.is_on:
             self.setCursor(Qt.CursorShape.CrossCursor)
         else:
-            on_piece = Qt.CursorShape.SizeAllCursor if self.hand.pieces.hovered_id else Qt.CursorShape.ArrowCursor
+            on_piece = Qt.CursorShape.SizeAllCursor if self.controller.pieces.hovered_id else Qt.CursorShape.ArrowCursor
             self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
 
 
 def _is_typing(event: QKeyEvent) -> bool:
     return event.key() in _TYPING or (len(event.text()) == 1 and event.text() in LETTERS)
+
+
+def _is_for_the_hand(event: QKeyEvent, *, is_busy: bool) -> bool:
+    """Whether a key nudges, steps or types here, though it may lie on a command of the window."""
+    if is_busy:
+        return _is_typing(event)
+    others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
+    return event.key() in _ARROWS and not others

@@ -1,9 +1,9 @@
 """A dock whose title bar is drawn by Qt, so that a pen can drag it back where the system's own bars ignore pens."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QWidget
 
-from kagezou.ui.system.icons import icon, icon_size
+from kagezou.ui.widgets.tool_button import tool_button
 
 
 class Dock(QDockWidget):
@@ -33,17 +33,9 @@ class Dock(QDockWidget):
         row.setContentsMargins(0, 0, 3, 0)
         row.setSpacing(0)
         row.addWidget(QLabel(title), 1)
-        row.addWidget(_button("float", self.tr("Float or dock"), lambda: self.setFloating(not self.isFloating())))
-        row.addWidget(_button("close", self.tr("Close"), self.close))
+        row.addWidget(tool_button("float", self.tr("Float or dock"), self._float_or_dock, small=True))
+        row.addWidget(tool_button("close", self.tr("Close"), self.close, small=True))
         return bar
 
-
-def _button(name: str, words: str, do: object) -> QToolButton:
-    button = QToolButton()
-    button.setIcon(icon(name))
-    button.setIconSize(icon_size(button.fontMetrics(), small=True))
-    button.setToolTip(words)
-    button.setAccessibleName(words)
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    button.clicked.connect(do)
-    return button
+    def _float_or_dock(self) -> None:
+        self.setFloating(not self.isFloating())

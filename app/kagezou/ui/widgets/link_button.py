@@ -4,7 +4,7 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractButton
 
-from kagezou.ui.widgets.link_sign import paint_chain
+from kagezou.ui.widgets.link_sign import paint_link_sign
 
 
 class LinkButton(QAbstractButton):
@@ -41,5 +41,5 @@ class LinkButton(QAbstractButton):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         hovered = self.isEnabled() and (self.underMouse() or self.hasFocus())
-        paint_chain(painter, QPointF(self.width() / 2, self.height() / 2), linked=self._is_linked, hovered=hovered)
+        paint_link_sign(painter, QPointF(self.width() / 2, self.height() / 2), linked=self._is_linked, hovered=hovered)
         painter.end()

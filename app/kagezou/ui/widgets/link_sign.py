@@ -6,7 +6,7 @@ from PySide6.QtGui import QPainter, QPen
 from kagezou.ui.system.theme import BRIGHT, CHANGED, OFF
 
 
-def paint_chain(painter: QPainter, middle: QPointF, *, linked: bool, hovered: bool = False) -> None:
+def paint_link_sign(painter: QPainter, middle: QPointF, *, linked: bool, hovered: bool = False) -> None:
     """Paint two links of a chain around a point: one through the other, or apart."""
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

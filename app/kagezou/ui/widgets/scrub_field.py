@@ -103,7 +103,7 @@ class ScrubField(QLineEdit):
             self.drag_began.emit()
         self._drag_value += (at.x() - self._pressed_at.x()) * self._step * _speed(modifiers)
         if not self._is_mixed:
-            self._drag_value = self._within(self._drag_value)
+            self._drag_value = min(max(self._drag_value, self._low), self._high)
         self._pressed_at = at
         self.dragged.emit(round(self._drag_value, self._decimals))
 
@@ -178,12 +178,11 @@ class ScrubField(QLineEdit):
 
     def _step_by(self, steps: float) -> None:
         self._stop_typing()
-        smallest = 10.0**-self._decimals
-        step = max(self._step * steps, smallest, key=abs) if steps > 0 else min(self._step * steps, -smallest)
+        step = _at_least_seen(self._step * steps, self._decimals)
         if self._is_mixed:
             self.calculated.emit(f"+={step:.9f}")
         else:
-            self.entered.emit(round(self._within(self._value + step), self._decimals))
+            self.entered.emit(round(min(max(self._value + step, self._low), self._high), self._decimals))
 
     def _accept(self) -> None:
         text = self.text()
@@ -196,7 +195,7 @@ class ScrubField(QLineEdit):
             if self._is_mixed and is_relative(text):
                 self.calculated.emit(text)
             else:
-                self.entered.emit(self._within(number))
+                self.entered.emit(min(max(number, self._low), self._high))
         except UsageProblem as problem:
             # What was typed is no number: the old one stays, and the field says why when one asks.
             self.setToolTip(translated(problem))
@@ -207,16 +206,12 @@ class ScrubField(QLineEdit):
         self.deselect()
         self._show()
 
-    def _within(self, value: float) -> float:
-        return min(max(value, self._low), self._high)
-
     def _show(self) -> None:
         if self._is_mixed:
             away = self._drag_value - self._drag_start
             self.setText(f"{'+' if away >= 0 else ''}{_plain(away, self._decimals)}" if self._dragging else MIXED)
             return
-        gap = "" if self._unit in ("", "°", "%") else " "
-        self.setText(f"{_plain(self._value, self._decimals)}{gap}{self._unit}")
+        self.setText(f"{_plain(self._value, self._decimals)}{_gap_before(self._unit)}{self._unit}")
         self.setCursorPosition(0)
 
 
@@ -265,6 +260,16 @@ def _speed(modifiers: Qt.KeyboardModifier) -> float:
     if modifiers & Qt.KeyboardModifier.ControlModifier:
         return FINE
     return 1.0
+
+
+def _at_least_seen(step: float, decimals: int) -> float:
+    """Return a step that changes at least the last digit shown."""
+    smallest = 10.0**-decimals
+    return max(step, smallest, key=abs) if step > 0 else min(step, -smallest)
+
+
+def _gap_before(unit: str) -> str:
+    return "" if unit in ("", "°", "%") else " "
 
 
 def _plain(value: float, decimals: int) -> str:

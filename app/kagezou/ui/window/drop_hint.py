@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
-from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, arrivals_of
+from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, dropped_files_of
 
 _MOST_LOOKED_AT = 12
 """Pictures are known by their first bytes; a few say what the others are."""
@@ -47,13 +47,13 @@ class DropHint(QLabel):
 def drop_words(paths: Sequence[Path]) -> str:
     """Return what letting go of these files would do."""
     translate = QCoreApplication.translate
-    arrivals = arrivals_of(paths[:_MOST_LOOKED_AT])
+    dropped = dropped_files_of(paths[:_MOST_LOOKED_AT])
     first = paths[0].name
-    if arrivals.project is not None or paths[0].suffix.lower() == PROJECT_SUFFIX:
+    if dropped.project is not None or paths[0].suffix.lower() == PROJECT_SUFFIX:
         return translate("DropHint", "Open %1").replace("%1", first)
-    if arrivals.set_file is not None:
-        return translate("DropHint", "Put %1 behind the characters").replace("%1", arrivals.set_file.name)
-    if arrivals.background is not None:
+    if dropped.set_file is not None:
+        return translate("DropHint", "Put %1 behind the characters").replace("%1", dropped.set_file.name)
+    if dropped.background is not None:
         return translate("DropHint", "Put %1 under everything").replace("%1", first)
     if len(paths) == 1:
         return translate("DropHint", "Bring in %1").replace("%1", first)

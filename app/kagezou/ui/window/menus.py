@@ -11,9 +11,10 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolBa
 from kagezou.document.piece_kinds import BUILT_KINDS
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.commands.actions import Actions
-from kagezou.ui.commands.table import plain, timeline_commands
+from kagezou.ui.commands.table import timeline_commands
 from kagezou.ui.system.icons import icon, icon_size
 from kagezou.ui.system.language import languages
+from kagezou.ui.system.menu_words import plain
 from kagezou.ui.viewport.resolution import Resolution
 
 _SEPARATOR = ""

@@ -1,20 +1,16 @@
 """Who tells whom about matching the camera to the background picture."""
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QCoreApplication
 
 from kagezou.ui.widgets.message_bar import Severity
-
-if TYPE_CHECKING:
-    from kagezou.ui.window.main_window import MainWindow
+from kagezou.ui.window.parts import Parts
 
 _TOPIC = "match-camera"
 
 
-def connect_match(window: "MainWindow") -> None:
+def connect_match(parts: Parts) -> None:
     """Connect the switch that puts floor edges and horizon in the place of all other handles."""
-    actions, hand, bar = window.actions_of, window.viewport.hand, window.bar
+    actions, hand, bar = parts.actions, parts.viewport.controller, parts.bar
 
     def switch(on: bool) -> None:
         hand.match_camera(on=on)
@@ -31,4 +27,4 @@ def connect_match(window: "MainWindow") -> None:
 
     actions.on_toggled("match_camera", switch)
     hand.laid_down.connect(lambda: actions["match_camera"].setChecked(False))
-    window.open_project.bridge.session_replaced.connect(lambda: actions["match_camera"].setChecked(False))
+    parts.bridge.session_replaced.connect(lambda: actions["match_camera"].setChecked(False))

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
@@ -14,16 +13,16 @@ from kagezou.ui.system.icons import icon
 from kagezou.ui.timeline.drawing_menu import open_drawing_menu
 from kagezou.ui.timeline.revealing import REVEALED, added, animated_or_changed, toggled
 from kagezou.ui.widgets.message_bar import Severity
-
-if TYPE_CHECKING:
-    from kagezou.ui.window.main_window import MainWindow
+from kagezou.ui.window.panel_layout import PanelLayout
+from kagezou.ui.window.parts import Parts
+from kagezou.ui.window.verbs import WindowVerbs
 
 _Neighbour = Callable[[tuple[int, ...], int], int | None]
 
 
-def connect_playback(window: "MainWindow") -> None:
+def connect_playback(parts: Parts, verbs: WindowVerbs) -> None:
     """Connect the commands of time."""
-    actions, player, bridge = window.actions_of, window.player, window.open_project.bridge
+    actions, player, bridge = parts.actions, parts.time.player, parts.bridge
 
     def step(frames: int) -> None:
         player.stop()
@@ -35,27 +34,27 @@ def connect_playback(window: "MainWindow") -> None:
     actions.on("work_first", lambda: bridge.session.go_to(bridge.document.played[0]))
     actions.on("work_last", lambda: bridge.session.go_to(bridge.document.played[1]))
     actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
-    actions.on("go_to_frame", window.transport.ask_frame)
-    actions.on("read_ahead", window.project.read_ahead)
-    window.project.loading.progressed.connect(window.timeline.ruler.update)
-    actions.on("play", lambda: _play(window))
-    window.space.tapped.connect(lambda: _play(window))
-    window.viewport.step_asked.connect(step)
+    actions.on("go_to_frame", parts.time.transport.ask_frame)
+    actions.on("read_ahead", parts.project.read_ahead)
+    parts.project.loading.progressed.connect(parts.time.timeline.ruler.update)
+    actions.on("play", lambda: _play(parts))
+    parts.space.tapped.connect(lambda: _play(parts))
+    parts.viewport.step_asked.connect(step)
 
     def shown() -> None:
         # While drawings are read the last picture stays; that is no new frame.
-        if window.viewport.is_current:
+        if parts.viewport.is_current:
             player.picture_shown()
 
-    window.viewport.frameSwapped.connect(shown)
-    player.playing_changed.connect(lambda _: _show_playing(window))
+    parts.viewport.frameSwapped.connect(shown)
+    player.playing_changed.connect(lambda _: _show_playing(parts, verbs))
     for name in ("loop", "every_frame", "ping_pong"):
-        _remember_switch(window, name)
+        _remember_switch(parts, name)
 
 
-def connect_jumps(window: "MainWindow") -> None:
+def connect_jumps(parts: Parts) -> None:
     """Connect the commands that lead to the next key, drawing or marker."""
-    actions, bridge = window.actions_of, window.open_project.bridge
+    actions, bridge = parts.actions, parts.bridge
 
     def keyed() -> tuple[int, ...]:
         return key_frames(bridge.document, bridge.layer_id, bridge.piece_id)
@@ -77,9 +76,9 @@ def connect_jumps(window: "MainWindow") -> None:
         actions.on(f"{name}_next", partial(jump, next_key, frames))
 
 
-def connect_keys(window: "MainWindow") -> None:
+def connect_keys(parts: Parts) -> None:
     """Connect the commands on keys, work area and markers."""
-    keys, timeline, actions = window.keys, window.timeline, window.actions_of
+    keys, timeline, actions = parts.time.keys, parts.time.timeline, parts.actions
     connected: dict[str, Callable[[], object]] = {
         "set_keys": keys.set_here,
         "copy_keys": keys.copy,
@@ -103,13 +102,18 @@ def connect_keys(window: "MainWindow") -> None:
     }
     for name, do in connected.items():
         actions.on(name, do)
-    keys.refused.connect(lambda sentence: window.bar.say("keys", sentence, Severity.NOTE))
-    window.menus.fill_keys(timeline.key_menu)
+    keys.refused.connect(lambda sentence: parts.bar.say("keys", sentence, Severity.NOTE))
+    parts.menus.fill_keys(timeline.key_menu)
 
 
-def connect_drawings(window: "MainWindow") -> None:
+def connect_drawings(parts: Parts) -> None:
     """Connect the commands on exposures; within the timeline copy and paste are theirs while drawings are chosen."""
-    drawings, actions, timeline, keys = window.timeline.drawings, window.actions_of, window.timeline, window.keys
+    drawings, actions, timeline, keys = (
+        parts.time.timeline.drawings,
+        parts.actions,
+        parts.time.timeline,
+        parts.time.keys,
+    )
     connected: dict[str, Callable[[], object]] = {
         "drawing_split": drawings.split,
         "drawing_empty": drawings.empty,
@@ -128,57 +132,57 @@ def connect_drawings(window: "MainWindow") -> None:
 
     actions.on("copy_keys", lambda: drawings.copy() if drawings.are_chosen else keys.copy(), within=timeline)
     actions.on("paste_keys", lambda: drawings.paste() if drawings.has_copy else keys.paste(), within=timeline)
-    drawings.refused.connect(lambda sentence: window.bar.say("drawings", sentence, Severity.NOTE))
-    timeline.drawing_menu_asked.connect(lambda place: open_drawing_menu(timeline, window.menus.fill_drawings, place))
+    drawings.refused.connect(lambda sentence: parts.bar.say("drawings", sentence, Severity.NOTE))
+    timeline.drawing_menu_asked.connect(lambda place: open_drawing_menu(timeline, parts.menus.fill_drawings, place))
 
 
-def connect_timeline(window: "MainWindow") -> None:
+def connect_timeline(parts: Parts) -> None:
     """Connect what the timeline shows."""
-    timeline, actions, settings = window.timeline, window.actions_of, window.settings
+    timeline, actions, settings = parts.time.timeline, parts.actions, parts.settings
     actions.on("timeline_fit", timeline.fit)
     actions.on("timeline_in", partial(timeline.zoom, 1.5))
     actions.on("timeline_out", partial(timeline.zoom, 1 / 1.5))
     actions.on("reveal_animated", lambda: timeline.rows.show_only(animated_or_changed(timeline.rows.reveal)))
     for name in REVEALED:
-        actions.on(name, partial(_reveal, window, name))
+        actions.on(name, partial(_reveal, parts, name))
     kept = settings.word("ruler", Count.FRAMES.value)
     timeline.ruler.show_count(Count(kept) if kept in list(Count) else Count.FRAMES)
     timeline.count_chosen.connect(lambda count: settings.set_word("ruler", count.value))
 
 
-def connect_curves(window: "MainWindow") -> None:
+def connect_curves(parts: Parts, layout: PanelLayout) -> None:
     """Connect what the curve editor answers; it is made when it is first shown."""
-    curves, actions = window.curves, window.actions_of
+    curves, actions = parts.curves, parts.actions
 
     def show_velocity() -> None:
-        window.panel_layout.show("curves")
+        layout.show("curves")
         curves.ask_velocity()
 
-    actions.on("curves", lambda: window.panel_layout.show("curves"))
+    actions.on("curves", lambda: layout.show("curves"))
     actions.on("velocity", show_velocity)
     actions.on("fit", curves.fit_chosen, within=curves)
     actions.on("timeline_fit", curves.fit_all, within=curves)
-    curves.refused.connect(lambda sentence: window.bar.say("curves", sentence, Severity.NOTE))
+    curves.refused.connect(lambda sentence: parts.bar.say("curves", sentence, Severity.NOTE))
 
 
-def _reveal(window: "MainWindow", name: str) -> None:
-    rows = window.timeline.rows
+def _reveal(parts: Parts, name: str) -> None:
+    rows = parts.time.timeline.rows
     adds = QGuiApplication.keyboardModifiers() & Qt.KeyboardModifier.ShiftModifier
     rows.show_only(added(rows.reveal, name) if adds else toggled(rows.reveal, name))
 
 
-def _play(window: "MainWindow") -> None:
-    if not window.viewport.hand.is_busy and not window.open_project.is_blank:
-        window.player.toggle()
+def _play(parts: Parts) -> None:
+    if not parts.viewport.controller.is_busy and not parts.open_project.is_blank:
+        parts.time.player.toggle()
 
 
-def _show_playing(window: "MainWindow") -> None:
-    window.actions_of["play"].setIcon(icon("pause" if window.player.is_playing else "play"))
-    window.show_handles()
+def _show_playing(parts: Parts, verbs: WindowVerbs) -> None:
+    parts.actions["play"].setIcon(icon("pause" if parts.time.player.is_playing else "play"))
+    verbs.show_handles()
 
 
-def _remember_switch(window: "MainWindow", name: str) -> None:
-    action, player, settings = window.actions_of[name], window.player, window.settings
+def _remember_switch(parts: Parts, name: str) -> None:
+    action, player, settings = parts.actions[name], parts.time.player, parts.settings
 
     def switch(on: bool) -> None:
         setattr(player, name, on)
@@ -186,4 +190,4 @@ def _remember_switch(window: "MainWindow", name: str) -> None:
 
     action.setChecked(settings.flag(name, default=getattr(player, name)))
     setattr(player, name, action.isChecked())
-    window.actions_of.on_toggled(name, switch)
+    parts.actions.on_toggled(name, switch)

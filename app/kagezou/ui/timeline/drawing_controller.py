@@ -1,44 +1,23 @@
 """The hand on the bars of drawings: choosing them, holding them longer or shorter, moving them."""
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
 from kagezou.animation.timecode import sheet_text
-from kagezou.document.edits import set_exposures
-from kagezou.document.exposure_edits import Exposures, end_at, move_boundary, move_run, ripple, with_exposures
+from kagezou.document.exposure_edits import Exposures, with_exposures
 from kagezou.session.session import Gesture
+from kagezou.tools.timeline.drawing_drag import BarPart, DrawingDrag, DrawingGrip, dragging_drawings, grip_on
+from kagezou.tools.timeline.lane_pointer import LanePointer
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, Bar, BarPart, bars_of, part_at
+from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, Bar, bars_of, part_at
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind
-from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.time_scale import TimeScale
 
 _DRAG_PX = 4.0
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
 _CONTROL = Qt.KeyboardModifier.ControlModifier
-
-
-@dataclass(frozen=True, slots=True)
-class DrawingGrip:
-    """What the hand has taken hold of, with the exposures as they were and the frames that catch."""
-
-    layer_id: str
-    part: BarPart
-    index: int
-    last: int
-    exposures: Exposures
-    catching: tuple[int, ...]
-
-    @property
-    def frame(self) -> int:
-        """Where what is dragged lay."""
-        if self.part is BarPart.END and self.index + 1 < len(self.exposures):
-            return self.exposures[self.index + 1].frame
-        return max(self.exposures[self.index].frame, 1)
 
 
 class DrawingController(QObject):
@@ -59,6 +38,7 @@ class DrawingController(QObject):
         self._pressed = QPointF()
         self._grip: DrawingGrip | None = None
         self._gesture: Gesture | None = None
+        self._drag: DrawingDrag | None = None
         self._exposures: Exposures = ()
 
     @property
@@ -98,14 +78,10 @@ class DrawingController(QObject):
             self.menu_asked.emit(event.globalPosition().toPoint())
             return True
         self.is_down, self._pressed, self.place = True, event.position(), event.position()
-        first, last = bar.index, bar.index
+        run = (bar.index, bar.index)
         if part is BarPart.MIDDLE and self.choice.holds(layer_id, bar.index):
-            first, last = self.choice.run or (first, last)
-        catching = snap_frames(self._bridge.document, self._bridge.frame)
-        own = {exposures[each].frame for each in range(first, last + 1)}
-        grip = DrawingGrip(layer_id, part, first, last, exposures, ())
-        kept = tuple(frame for frame in (*catching, self._scale.length + 1) if frame not in {*own, grip.frame})
-        self._grip = DrawingGrip(layer_id, part, first, last, exposures, tuple(sorted(kept)))
+            run = self.choice.run or run
+        self._grip = grip_on(self._bridge.document, self._bridge.frame, layer_id, part, run)
         return True
 
     def move(self, event: QMouseEvent) -> None:
@@ -113,7 +89,7 @@ class DrawingController(QObject):
         self.place = event.position()
         far = (self.place - self._pressed).manhattanLength() >= _DRAG_PX
         if self._grip is not None and (self.is_busy or far):
-            self._drag(self._grip, event)
+            self._go_on(self._grip, event)
             self.changed.emit()
 
     def release(self, event: QMouseEvent) -> None:
@@ -154,33 +130,20 @@ class DrawingController(QObject):
         )
         return words.replace("%3", str(end - 1)).replace("%4", str(end - start)) + f"\n{hint}"
 
-    def _drag(self, grip: DrawingGrip, event: QMouseEvent) -> None:
-        moves = grip.part is BarPart.MIDDLE
-        if self._gesture is None:
+    def _go_on(self, grip: DrawingGrip, event: QMouseEvent) -> None:
+        if self._gesture is None or self._drag is None:
+            moves = grip.part is BarPart.MIDDLE
             self._gesture = self._bridge.session.begin(self.tr("Move drawing") if moves else self.tr("Hold drawing"))
-        away = (self.place.x() - self._pressed.x()) / self._scale.cell_px
-        catches = not event.modifiers() & _CONTROL
-        last_of_cut = grip.part is BarPart.END and grip.index + 1 == len(grip.exposures)
-        start = self._scale.length + 1 if last_of_cut else grip.frame
-        frame, self.caught_by = snapped(start + away, grip.catching if catches else (), self._scale.cell_px)
-        self._exposures = self._dragged(grip, frame, ripples=bool(event.modifiers() & _SHIFT))
-        # The cut grows when the hand lets go: before that the frames would move under the hand.
-        self._gesture.show(set_exposures(self._gesture.start, grip.layer_id, self._exposures))
-        self.said = self._words(grip, frame, start)
+            self._drag = dragging_drawings(self._gesture.start, grip)
+            self._drag.send(LanePointer(self._pressed.x(), self._scale.cell_px))
+        catches, ripples = not event.modifiers() & _CONTROL, bool(event.modifiers() & _SHIFT)
+        shown = self._drag.send(LanePointer(self.place.x(), self._scale.cell_px, catches=catches, ripples=ripples))
+        self._gesture.show(shown.document)
+        self._exposures, self.caught_by = shown.exposures, shown.caught_by
+        self.said = self._words(grip, shown.frame, grip.edge)
         if grip.part is not BarPart.END:
-            first = max(frame, 1)
+            first = max(shown.frame, 1)
             self.choice.choose(grip.layer_id, first, first + grip.exposures[grip.last].frame - grip.frame)
-
-    def _dragged(self, grip: DrawingGrip, frame: int, *, ripples: bool) -> Exposures:
-        match grip.part:
-            case BarPart.MIDDLE if not ripples:
-                return move_run(grip.exposures, grip.index, grip.last, frame)
-            case BarPart.END:
-                if grip.index + 1 == len(grip.exposures) and frame > self._scale.length:
-                    return grip.exposures
-                return end_at(grip.exposures, grip.index, frame, ripples=ripples)
-            case _:
-                return (ripple if ripples else move_boundary)(grip.exposures, grip.index, frame)
 
     def _words(self, grip: DrawingGrip, frame: int, before: int) -> str:
         frame = max(frame, 1)
@@ -190,6 +153,9 @@ class DrawingController(QObject):
         return f"{frame}  ({frame - before:+d})   {sheet_text(frame, self._bridge.document.canvas.frame_rate)}"
 
     def _let_go(self) -> None:
-        self._gesture, self._grip, self.is_down = None, None, False
+        if self._drag is not None:
+            self._drag.close()
+        self._gesture = self._drag = self._grip = None
+        self.is_down = False
         self.caught_by, self.said = None, ""
         self.changed.emit()

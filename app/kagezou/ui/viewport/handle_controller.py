@@ -11,12 +11,13 @@ from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
 from kagezou.tools.grounding import add_grounding, remove_grounding
 from kagezou.tools.handle import Handle, HandleSet, hit
-from kagezou.tools.handles import drag_of, nudge
+from kagezou.tools.handles import drag_of
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.handle_source import HandleSource
+from kagezou.ui.viewport.nudging import Nudging
 from kagezou.ui.viewport.piece_touch import PieceTouch
 from kagezou.ui.viewport.pointer_report import PointerReport
 from kagezou.ui.viewport.typed_value import with_typed
@@ -29,6 +30,25 @@ class _Held:
     drag: Drag
     gesture: Gesture
     frame: int
+
+    def words(self, document: Document) -> str:
+        """Return what is said of the values while it is dragged."""
+        parts = readout(self.handle, self.gesture.start, document, self.frame)
+        return "  ".join(map(translated, parts))
+
+    def show_typed(self, typed: str) -> None:
+        """Show the value that is typed, as far as it is one."""
+        document = with_typed(self.handle, self.gesture.start, self.frame, typed)
+        if document is not None:
+            self.gesture.show(document)
+
+    def let_go(self, *, keep: bool) -> None:
+        """End the drag, as one step of history or as if it had not been."""
+        self.drag.close()
+        if keep:
+            self.gesture.commit()
+        else:
+            self.gesture.cancel()
 
 
 class HandleController(QObject):
@@ -53,7 +73,7 @@ class HandleController(QObject):
         self._bridge = bridge
         self._viewpoint = viewpoint
         self._held: _Held | None = None
-        self._nudging: tuple[Handle, Gesture] | None = None
+        self._nudging = Nudging(bridge, viewpoint)
         self._source = HandleSource(bridge, viewpoint)
         self.pieces = PieceTouch(bridge, viewpoint)
         self.hovered_id: str | None = None
@@ -89,13 +109,10 @@ class HandleController(QObject):
     def words(self) -> str:
         """What stands beside the pointer: the values while dragging, else the name of the handle under it."""
         if self._held is not None:
-            held = self._held
             if self.typed:
-                return f"{translated(held.handle.label)}  {self.typed}"
-            if self.handles.note is not None:
-                return translated(self.handles.note)
-            parts = readout(held.handle, held.gesture.start, self._bridge.document, held.frame)
-            return "  ".join(map(translated, parts))
+                return f"{translated(self._held.handle.label)}  {self.typed}"
+            note = self.handles.note
+            return self._held.words(self._bridge.document) if note is None else translated(note)
         hovered = self.handles.find(self.hovered_id)
         return self.pieces.name if hovered is None else translated(hovered.label)
 
@@ -103,7 +120,7 @@ class HandleController(QObject):
         """Look what is under the pointer; None where it has left."""
         before = self._touched
         self.place_px = report.view_px if report else None
-        found = self._hit(report) if report else None
+        found = _hit(self.handles, self._viewpoint, report) if report else None
         self.hovered_id = found.id if found else None
         self.pieces.hover(None if found or self._source.is_matching else report)
         if self._touched != before:
@@ -112,18 +129,12 @@ class HandleController(QObject):
     def press(self, report: PointerReport) -> bool:
         """Take hold of the handle under the pointer, or of the set piece whose outline it is on; false without any."""
         self.end_nudge()
-        handle = self._hit(report)
+        handle = _hit(self.handles, self._viewpoint, report)
         if handle is None and not self._source.is_matching and self.pieces.choose(report):
             handle = self.handles.find(POSITION)
         self.selected_id = handle.id if handle else None
         if handle is not None:
-            session, view = self._bridge.session, self._viewpoint.view
-            gesture = session.begin(
-                QCoreApplication.translate("HandleController", "Move %1").replace("%1", translated(handle.label))
-            )
-            drag = drag_of(handle, gesture.start, self._bridge.frame, view)
-            drag.send(report.pointer(view))
-            self._held = _Held(handle, drag, gesture, self._bridge.frame)
+            self._held = _taken(handle, self._bridge, self._viewpoint, report)
             self.place_px = report.view_px
         self.changed.emit()
         return handle is not None
@@ -138,10 +149,8 @@ class HandleController(QObject):
     def type(self, typed: str) -> None:
         """Set the value of what is held by typed text; without any the hand goes on."""
         if self._held is not None:
-            self.typed, held = typed, self._held
-            document = with_typed(held.handle, held.gesture.start, held.frame, typed)
-            if document is not None:
-                held.gesture.show(document)
+            self.typed = typed
+            self._held.show_typed(typed)
             self.changed.emit()
 
     def release(self) -> None:
@@ -169,8 +178,7 @@ class HandleController(QObject):
         """Select the next handle in reading order, as Tab does."""
         ids = [handle.id for handle in self.handles.handles]
         if ids:
-            here = ids.index(self.selected_id) if self.selected_id in ids else (-1 if step > 0 else 0)
-            self.selected_id = ids[(here + step) % len(ids)]
+            self.selected_id = _neighbour(ids, self.selected_id, step)
             self.changed.emit()
 
     def nudge(self, dx: float, dy: float) -> bool:
@@ -178,25 +186,18 @@ class HandleController(QObject):
         handle = self.handles.find(self.selected_id)
         if handle is None or self._held is not None:
             return False
-        if self._nudging is None or self._nudging[0].id != handle.id:
-            self.end_nudge()
-            name = QCoreApplication.translate("HandleController", "Nudge %1").replace("%1", translated(handle.label))
-            self._nudging = (handle, self._bridge.session.begin(name))
-        view, frame = self._viewpoint.view, self._bridge.frame
-        self._nudging[1].show(nudge(handle, self._bridge.document, frame, dx, dy, view))
+        self._nudging.nudge(handle, dx, dy)
         return True
 
     def end_nudge(self) -> None:
         """Make the nudges so far one step."""
-        if self._nudging is not None:
-            gesture, self._nudging = self._nudging[1], None
-            gesture.commit()
+        self._nudging.end()
 
     def add_point(self, report: PointerReport) -> bool:
         """Add a grounding point under the pointer and select it; false without a layer or on a handle."""
         self.pieces.go_back()
         layer_id = self._bridge.layer_id
-        if layer_id is None or self._source.is_matching or self._hit(report) is not None:
+        if layer_id is None or self._source.is_matching or _hit(self.handles, self._viewpoint, report) is not None:
             return False
         canvas_px = self._viewpoint.view.canvas_from_view(report.view_px)
         try:
@@ -204,7 +205,8 @@ class HandleController(QObject):
         except Problem as problem:
             self.refused.emit(translated(problem))
             return False
-        self._edit(QCoreApplication.translate("HandleController", "Add grounding point"), document)
+        self.end_nudge()
+        self._bridge.session.edit(QCoreApplication.translate("HandleController", "Add grounding point"), document)
         points = [handle.id for handle in self.handles.handles if handle.index is not None]
         self.selected_id = points[-1] if points else None
         self.changed.emit()
@@ -218,7 +220,8 @@ class HandleController(QObject):
         frame = self._bridge.frame
         document = remove_grounding(self._bridge.document, handle.layer_id, frame, handle.index)
         self.selected_id = self.hovered_id = None
-        self._edit(QCoreApplication.translate("HandleController", "Remove grounding point"), document)
+        self.end_nudge()
+        self._bridge.session.edit(QCoreApplication.translate("HandleController", "Remove grounding point"), document)
         self.changed.emit()
         return True
 
@@ -228,29 +231,18 @@ class HandleController(QObject):
         touched = (self.hovered_id, self.pieces.hovered_id)
         return (*touched, self.place_px if any(touched) else None)
 
-    def _edit(self, name: str, document: Document) -> None:
-        self.end_nudge()
-        self._bridge.session.edit(name, document)
-
-    def _hit(self, report: PointerReport) -> Handle | None:
-        viewpoint = self._viewpoint
-        return hit(self.handles.handles, viewpoint.view, report.view_px, report.reach_px, viewpoint.size)
-
     def _let_go(self, *, keep: bool) -> None:
         held, self._held = self._held, None
         self.typed = ""
         if held is None:
             return
-        held.drag.close()
-        if keep:
-            held.gesture.commit()
-        else:
-            held.gesture.cancel()
+        held.let_go(keep=keep)
         self.changed.emit()
 
     def _drop(self) -> None:
         """Forget everything about a session that was put away."""
-        self._held = self._nudging = None
+        self._held = None
+        self._nudging.forget()
         self.hovered_id = self.selected_id = None
         self.changed.emit()
 
@@ -258,3 +250,24 @@ class HandleController(QObject):
         if self.handles.find(self.selected_id) is None:
             self.selected_id = None
         self.changed.emit()
+
+
+def _taken(handle: Handle, bridge: Bridge, viewpoint: Viewpoint, report: PointerReport) -> _Held:
+    """Take hold of a handle where the pointer is."""
+    gesture = bridge.session.begin(
+        QCoreApplication.translate("HandleController", "Move %1").replace("%1", translated(handle.label))
+    )
+    drag = drag_of(handle, gesture.start, bridge.frame, viewpoint.view)
+    drag.send(report.pointer(viewpoint.view))
+    return _Held(handle, drag, gesture, bridge.frame)
+
+
+def _hit(handles: HandleSet, viewpoint: Viewpoint, report: PointerReport) -> Handle | None:
+    """Return the handle under the pointer."""
+    return hit(handles.handles, viewpoint.view, report.view_px, report.reach_px, viewpoint.size)
+
+
+def _neighbour(ids: list[str], selected: str | None, step: int) -> str:
+    """Return the id that lies so many steps from the selected one, around the end."""
+    here = ids.index(selected) if selected in ids else (-1 if step > 0 else 0)
+    return ids[(here + step) % len(ids)]

@@ -1,26 +1,23 @@
 """The hand on the lanes: choosing, moving and stretching keys with mouse, pen and arrows."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPointingDevice, QWheelEvent
 
 from kagezou.animation.timecode import sheet_text
-from kagezou.document.key_edits import Refs, move_keys, stretch_keys
+from kagezou.document.key_edits import Refs
 from kagezou.session.session import Gesture
+from kagezou.tools.timeline.key_drag import KeyDrag, KeyGrip, dragging_keys
+from kagezou.tools.timeline.lane_pointer import LanePointer
+from kagezou.tools.timeline.snapping import snap_frames
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX
+from kagezou.ui.timeline.key_finder import HIT_PX, KeyFinder
 from kagezou.ui.timeline.row_list import RowList
-from kagezou.ui.timeline.rows import RowKind, frames_of, keys_on
-from kagezou.ui.timeline.snapping import snap_frames, snapped
 from kagezou.ui.timeline.time_scale import TimeScale
 
-HIT_PX = 10.0
 PEN_HIT_PX = 14.0
 _DRAG_PX = 4.0
-_OVER_BARS_PX = 2.0
-"""How far the keys summed up under a layer's drawings reach up into them."""
 _WHEEL_STEP = 120.0
 
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -28,16 +25,6 @@ _CONTROL = Qt.KeyboardModifier.ControlModifier
 _ALT = Qt.KeyboardModifier.AltModifier
 _LEFT = Qt.MouseButton.LeftButton
 _MIDDLE = Qt.MouseButton.MiddleButton
-
-
-@dataclass(frozen=True, slots=True)
-class KeyGrip:
-    """What the hand has taken hold of: keys by one of them, with what they may catch on."""
-
-    refs: Refs
-    frame: int
-    catching: tuple[int, ...]
-    stretches_about: int | None
 
 
 class KeyController(QObject):
@@ -50,6 +37,7 @@ class KeyController(QObject):
     def __init__(self, bridge: Bridge, scale: TimeScale, rows: RowList) -> None:
         super().__init__()
         self._bridge, self._scale, self._rows = bridge, scale, rows
+        self.finder = KeyFinder(bridge, scale, rows)
         self.box: QRectF | None = None
         self.caught_by: int | None = None
         self.said = ""
@@ -58,6 +46,7 @@ class KeyController(QObject):
         self._pressed = QPointF()
         self._grip: KeyGrip | None = None
         self._gesture: Gesture | None = None
+        self._drag: KeyDrag | None = None
         self._before: Refs = frozenset()
         self._is_panning = False
         self._boxes: Callable[[Refs, Refs], Refs] | None = None
@@ -66,30 +55,6 @@ class KeyController(QObject):
     def is_busy(self) -> bool:
         """Whether a drag goes on."""
         return self._gesture is not None or self.box is not None
-
-    def keys_at(self, place: QPointF, reach_px: float = HIT_PX) -> Refs:
-        """Return the keys nearest to a point in its row, none beyond reach."""
-        index = self._rows.index_at(place.y())
-        if index is None:
-            return frozenset()
-        row = self._rows.rows[index]
-        frames = frames_of(self._bridge.document, row)
-        near = min(frames, key=lambda frame: abs(self._scale.middle_of(frame) - place.x()), default=None)
-        if near is None or abs(self._scale.middle_of(near) - place.x()) > reach_px:
-            return frozenset()
-        top = self._rows.top_of(index)
-        if row.kind is RowKind.LAYER and place.y() < top + self._rows.row_px - SUM_LANE_PX - _OVER_BARS_PX:
-            # The upper part of a layer's row is its drawings'.
-            return frozenset()
-        return keys_on(self._bridge.document, row, near)
-
-    def words_at(self, place: QPointF) -> str:
-        """Return what a tool tip says about the key at a point: its frame."""
-        rate = self._bridge.document.canvas.frame_rate
-        if hit := self.keys_at(place):
-            frame = min(ref.frame for ref in hit)
-            return f"{frame}  ({sheet_text(frame, rate)})"
-        return ""
 
     def press(self, event: QMouseEvent) -> None:
         """Take a button that goes down."""
@@ -110,17 +75,16 @@ class KeyController(QObject):
             self._rows.scroll_to(round(self._rows.scroll_px - away.y()))
         self.place = place
         if not event.buttons() & _LEFT:
-            self.cursor = (
-                Qt.CursorShape.PointingHandCursor if self.keys_at(place, _reach(event)) else Qt.CursorShape.ArrowCursor
-            )
+            shapes = Qt.CursorShape
+            self.cursor = shapes.PointingHandCursor if self.finder.keys_at(place, _reach(event)) else shapes.ArrowCursor
             return
         if not self.is_busy and (place - self._pressed).manhattanLength() < _DRAG_PX:
             return
         if self._grip is not None:
-            self._drag(self._grip, catches=not event.modifiers() & _CONTROL)
+            self._go_on(self._grip, catches=not event.modifiers() & _CONTROL)
         elif self._boxes is not None:
             self.box = QRectF(self._pressed, place).normalized()
-            self._bridge.session.select_keys(self._boxes(self._before, self._keys_in(self.box)))
+            self._bridge.session.select_keys(self._boxes(self._before, self.finder.keys_in(self.box)))
         self.changed.emit()
 
     def release(self, event: QMouseEvent) -> None:
@@ -176,7 +140,7 @@ class KeyController(QObject):
         return event.key() == Qt.Key.Key_Escape and (self.is_busy or bool(self._bridge.session.state.keys))
 
     def _press_left(self, event: QMouseEvent) -> None:
-        hit = self.keys_at(event.position(), _reach(event))
+        hit = self.finder.keys_at(event.position(), _reach(event))
         chosen = self._bridge.session.state.keys
         self._before = chosen
         modifiers = event.modifiers()
@@ -192,7 +156,7 @@ class KeyController(QObject):
             return
         stretches = bool(modifiers & _ALT) and hit <= chosen and frame in ends and len(ends) > 1
         if modifiers & _ALT and not stretches:
-            hit = frozenset().union(*(keys_on(self._bridge.document, row, frame) for row in self._rows.rows))
+            hit = self.finder.keys_on_frame(frame)
         if not hit <= chosen or (modifiers & _ALT and not stretches):
             self._bridge.session.select_keys(hit)
             chosen = hit
@@ -201,49 +165,37 @@ class KeyController(QObject):
         self._grip = KeyGrip(self._bridge.session.state.keys, frame, catching, about)
 
     def _press_right(self, event: QMouseEvent) -> None:
-        hit = self.keys_at(event.position(), _reach(event))
+        hit = self.finder.keys_at(event.position(), _reach(event))
         if hit and not hit <= self._bridge.session.state.keys:
             self._bridge.session.select_keys(hit)
         self.menu_asked.emit(event.globalPosition().toPoint())
 
     def _choose_layer(self, place: QPointF) -> None:
-        index = self._rows.index_at(place.y())
-        row = self._rows.rows[index] if index is not None else None
+        row = self.finder.row_at(place)
         if row is not None and row.layer_id is not None and row.layer_id != self._bridge.layer_id:
             self._bridge.session.select(row.layer_id)
         elif row is not None and row.piece_id is not None and row.piece_id != self._bridge.piece_id:
             self._bridge.session.select_piece(row.piece_id)
 
-    def _drag(self, grip: KeyGrip, *, catches: bool) -> None:
-        stretches = grip.stretches_about is not None
-        if self._gesture is None:
+    def _go_on(self, grip: KeyGrip, *, catches: bool) -> None:
+        if self._gesture is None or self._drag is None:
+            stretches = grip.stretches_about is not None
             self._gesture = self._bridge.session.begin(self.tr("Stretch keys") if stretches else self.tr("Move keys"))
-        away = (self.place.x() - self._pressed.x()) / self._scale.cell_px
-        frame, self.caught_by = snapped(grip.frame + away, grip.catching if catches else (), self._scale.cell_px)
-        start = self._gesture.start
-        if grip.stretches_about is not None:
-            about = grip.stretches_about
-            document, refs = stretch_keys(start, grip.refs, about, (frame - about) / (grip.frame - about))
-        else:
-            document, refs = move_keys(start, grip.refs, frame - grip.frame)
-        self._gesture.show(document, refs)
-        self.said = f"{frame}  ({frame - grip.frame:+d})   {sheet_text(frame, start.canvas.frame_rate)}"
+            self._drag = dragging_keys(self._gesture.start, grip)
+            self._drag.send(self._pointer(self._pressed))
+        shown = self._drag.send(self._pointer(self.place, catches=catches))
+        self._gesture.show(shown.document, shown.refs)
+        self.caught_by, frame = shown.caught_by, shown.frame
+        rate = self._gesture.start.canvas.frame_rate
+        self.said = f"{frame}  ({frame - grip.frame:+d})   {sheet_text(frame, rate)}"
 
-    def _keys_in(self, box: QRectF) -> Refs:
-        refs: Refs = frozenset()
-        half = self._rows.row_px / 2
-        for index, row in enumerate(self._rows.rows):
-            middle = self._rows.top_of(index) + half
-            # The keys of an open group lie below it, each in its own row.
-            if not box.top() - half <= middle <= box.bottom() + half or row.is_open:
-                continue
-            for frame in frames_of(self._bridge.document, row):
-                if box.left() <= self._scale.middle_of(frame) <= box.right():
-                    refs |= keys_on(self._bridge.document, row, frame)
-        return refs
+    def _pointer(self, place: QPointF, *, catches: bool = True) -> LanePointer:
+        return LanePointer(place.x(), self._scale.cell_px, catches=catches)
 
     def _let_go(self) -> None:
-        self._gesture, self._grip, self._boxes = None, None, None
+        if self._drag is not None:
+            self._drag.close()
+        self._gesture = self._drag = self._grip = self._boxes = None
         self.box, self.caught_by, self.said = None, None, ""
         self.changed.emit()
 

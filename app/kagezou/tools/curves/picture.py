@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from types import MappingProxyType
 from typing import Final
 
@@ -12,8 +13,36 @@ from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
 from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Document
-from kagezou.ui.curves.choice import Choice, GraphKind
-from kagezou.ui.curves.curve_list import Curve, same_in
+from kagezou.tools.curves.curve_list import Curve, same_in
+
+
+class GraphKind(StrEnum):
+    """What is drawn over time."""
+
+    VALUE = "value"
+    SPEED = "speed"
+
+
+@dataclass(frozen=True, slots=True)
+class ShownCurves:
+    """What is to be drawn.
+
+    Parameters
+    ----------
+    curves
+        Which curves.
+    kind
+        What of them.
+    normalises
+        Whether each is stretched to the same height.
+    ghost
+        Another version of the document whose curves are drawn beside them.
+    """
+
+    curves: tuple[Curve, ...]
+    kind: GraphKind = GraphKind.VALUE
+    normalises: bool = False
+    ghost: Document | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,10 +102,10 @@ Fittings = Mapping[tuple[Address, int], Fitting]
 NO_FITTINGS: Final[Fittings] = MappingProxyType({})
 
 
-def pictures_of(document: Document, choice: Choice, chosen: Refs, held: Fittings = NO_FITTINGS) -> Pictures:
+def pictures_of(document: Document, shown: ShownCurves, chosen: Refs, held: Fittings = NO_FITTINGS) -> Pictures:
     """Return what is to be drawn now; a drag holds the fittings it began with, so that the curve follows the hand."""
     return tuple(
-        _picture(document, curve, choice, chosen, held.get((curve.address, curve.component))) for curve in choice.shown
+        _picture(document, curve, shown, chosen, held.get((curve.address, curve.component))) for curve in shown.curves
     )
 
 
@@ -111,18 +140,18 @@ def _number(track: Track, curve: Curve, frame: int) -> float | None:
     return value_in(track, curve.component, frame)
 
 
-def _picture(document: Document, curve: Curve, choice: Choice, chosen: Refs, held: Fitting | None) -> CurvePicture:
+def _picture(document: Document, curve: Curve, shown: ShownCurves, chosen: Refs, held: Fitting | None) -> CurvePicture:
     track = track_of(document, curve.address)
     length = document.canvas.length_frames
-    speeds = choice.kind is GraphKind.SPEED
+    speeds = shown.kind is GraphKind.SPEED
     line = (speed_line if speeds else value_line)(track, curve.component, 1, length)
-    fitting = held or (_fitted(line) if choice.normalises else Fitting())
+    fitting = held or (_fitted(line) if shown.normalises else Fitting())
     levels = _levels(curve, track, speeds=speeds)
     keys = tuple(
         _mark(curve, key, float(level), chosen) for key, level in zip(track.keys, fitting.to_graph(levels), strict=True)
     )
     ghost = None
-    if choice.ghost is not None and (other := same_in(choice.ghost, curve, document)) is not None:
+    if shown.ghost is not None and (other := same_in(shown.ghost, curve, document)) is not None:
         drawn = (speed_line if speeds else value_line)(other, curve.component, 1, length)
         ghost = Line(drawn.frames, fitting.to_graph(drawn.values))
     handles = () if speeds else tuple(_handles(curve, track, keys, fitting))

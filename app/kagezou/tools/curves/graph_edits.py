@@ -7,7 +7,7 @@ from kagezou.document.address import track_of, value_of
 from kagezou.document.ease_edits import set_handle
 from kagezou.document.edits import set_key
 from kagezou.document.model import Document
-from kagezou.ui.curves.picture import CurvePicture, HandleMark, KeyMark
+from kagezou.tools.curves.picture import CurvePicture, HandleMark, KeyMark
 
 
 def with_handle(

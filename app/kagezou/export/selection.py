@@ -1,4 +1,4 @@
-"""Which frames and layers of a document a request asks for."""
+"""What of a document a request asks for: its frames and layers, and what they ever do."""
 
 from difflib import get_close_matches
 
@@ -6,6 +6,7 @@ from kagezou.animation.track import Track
 from kagezou.document import properties
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import Property
+from kagezou.document.set_properties import PIECE_CASTS
 from kagezou.errors import UsageProblem
 from kagezou.export.request import ExportRequest
 from kagezou.message import Message
@@ -49,6 +50,16 @@ def chosen_layers(document: Document, request: ExportRequest) -> tuple[Layer, ..
     return tuple(layer for layer in document.layers if layer.name in request.layers)
 
 
+def ever_receives(layer: Layer) -> bool:
+    """Return whether a layer receives the shadows of others at any time."""
+    return _is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)
+
+
+def set_ever_casts(document: Document) -> bool:
+    """Return whether any piece of the set casts a shadow at any time."""
+    return any(_is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
+
+
 def _no_layer(name: str, known: tuple[str, ...]) -> Message:
     near = get_close_matches(name, known, n=1)
     if near:
@@ -60,10 +71,10 @@ def _no_layer(name: str, known: tuple[str, ...]) -> Message:
 
 
 def _is_ever_visible(layer: Layer) -> bool:
-    return is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
+    return _is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
 
 
-def is_ever(track: Track | None, prop: Property[bool]) -> bool:
+def _is_ever(track: Track | None, prop: Property[bool]) -> bool:
     """Whether a switch is on at any time."""
     if track is None:
         return prop.default

@@ -5,7 +5,7 @@ import pytest
 from kagezou.document.edits import add_layer, set_exposures
 from kagezou.document.model import Cels, Document, Exposure
 from kagezou.errors import UsageProblem
-from kagezou.export.jobs import planned
+from kagezou.export.planning import planned
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.box import Box
 from tests.export.small_cuts import cut, with_key, with_values

@@ -1,0 +1,52 @@
+"""What a person chooses for an export: how, whatever it is for, and where to."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True, slots=True)
+class ExportChoices:
+    """One way to export; what an exporter does not know is left alone.
+
+    Parameters
+    ----------
+    kind
+        The key of an exporter.
+    only_work_area
+        Whether frames outside the work area are left out; a hand-off to After Effects always has them all.
+    format
+        One of those of its exporter.
+    depth, composite, receivers, skip_existing
+        As of `ExportRequest`.
+    in_one
+        Whether a farm makes frames of layers instead of shadow layers.
+    per_drawing, copies, mattes
+        As of `HandOffRequest`.
+    chunk
+        Frames a task of a farm.
+    video_layer
+        The name of the layer whose shadow a video shows; empty for the finished picture.
+    """
+
+    kind: str = "layers"
+    only_work_area: bool = False
+    format: str = "png"
+    depth: int = 8
+    composite: bool = False
+    receivers: bool = False
+    in_one: bool = False
+    skip_existing: bool = True
+    per_drawing: bool = False
+    copies: bool = True
+    mattes: tuple[str, ...] = ()
+    chunk: int = 10
+    video_layer: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where an export goes, and what it is of: the project's file, if there is one, and its name."""
+
+    folder: Path
+    project: Path | None
+    name: str

@@ -1,0 +1,244 @@
+"""What the pictures of an export show, which files each is made of, and how it is drawn.
+
+Contents are compared to find pictures that are the same: equal ones have equal pixels. What they are drawn from, the
+first scene that shows them, does not count for that.
+"""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+
+from kagezou.document.model import Drawing
+from kagezou.export.painter import Painter
+from kagezou.export.pictures import FlatPicture, Picture, ShadowPicture
+from kagezou.geometry.box import Box
+from kagezou.geometry.camera import Camera
+from kagezou.io.images.writing import ShadowImage
+from kagezou.picture_source import PictureSource, file_of
+from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.scene.pieces import PieceScene, SetCast
+from kagezou.scene.scene import LayerScene, Received, Scene, SetShadow, ShadowCast, ShadowLook
+
+
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """What a picture is made of.
+
+    Parameters
+    ----------
+    mattes
+        Drawings of which it needs the alpha.
+    cels
+        Drawings that it needs in colour.
+    background
+        A background, whole.
+    sets
+        Files of imported sets.
+    """
+
+    mattes: tuple[PictureSource, ...] = ()
+    cels: tuple[PictureSource, ...] = ()
+    background: PictureSource | None = None
+    sets: tuple[Path, ...] = ()
+
+    @property
+    def pictures(self) -> tuple[PictureSource, ...]:
+        """All but the sets."""
+        return (*self.mattes, *self.cels, *([] if self.background is None else [self.background]))
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Every file that must be there."""
+        return (*map(file_of, self.pictures), *self.sets)
+
+
+@dataclass(frozen=True, slots=True)
+class Content(ABC):
+    """All that decides a picture but its size and format.
+
+    Parameters
+    ----------
+    scene
+        What to draw it from: the first frame that shows it. Not compared.
+    """
+
+    scene: Scene = field(compare=False, repr=False)
+
+    @abstractmethod
+    def draw(self, painter: Painter) -> Picture:
+        """Draw it.
+
+        Raises
+        ------
+        InputProblem
+            A drawing cannot be read.
+        GraphicsProblem
+            OpenGL failed.
+        """
+
+    @property
+    @abstractmethod
+    def sources(self) -> Sources:
+        """What it is made of."""
+
+    @property
+    @abstractmethod
+    def is_filled(self) -> bool:
+        """Whether it may show something everywhere and so packs badly; a shadow is clear nearly everywhere."""
+
+
+@dataclass(frozen=True, slots=True)
+class _ShadowLike(Content):
+    """A picture that is clear but for a shadow or a matte."""
+
+    @property
+    def is_filled(self) -> bool:
+        """Never."""
+        return False
+
+
+@dataclass(frozen=True, slots=True)
+class BlankContent(_ShadowLike):
+    """A shadow where there is none: its colour, 8 bit sRGB, clear everywhere."""
+
+    color: tuple[int, int, int]
+
+    def draw(self, painter: Painter) -> Picture:
+        """Return it; there is nothing to draw."""
+        canvas = self.scene.canvas
+        alpha = np.zeros((0, 0), np.uint8 if painter.depth == 8 else np.uint16)
+        return ShadowPicture(ShadowImage(canvas.width, canvas.height, self.color, alpha, Box(0, 0, 0, 0)))
+
+    @property
+    def sources(self) -> Sources:
+        """Nothing."""
+        return Sources()
+
+
+@dataclass(frozen=True, slots=True)
+class ShadowContent(_ShadowLike):
+    """A character's shadow; ``layer`` is what to draw it from and not compared."""
+
+    layer: LayerScene = field(compare=False, repr=False)
+    cast: ShadowCast
+    look: ShadowLook
+
+    @classmethod
+    def of(cls, scene: Scene, layer: LayerScene, cast: ShadowCast) -> Self:
+        """Return the content of a layer's shadow."""
+        # How it is laid on what is under it does not change the layer itself.
+        return cls(scene, layer, cast, replace(layer.look, multiply=True))
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw the shadow."""
+        return ShadowPicture(painter.renderer.shadow(self.scene, self.layer, painter.depth))
+
+    @property
+    def sources(self) -> Sources:
+        """The alpha of its drawing, and the sets it falls on."""
+        return Sources(mattes=(self.cast.drawing.source,), sets=_sets_in(self.scene))
+
+
+@dataclass(frozen=True, slots=True)
+class SetShadowContent(_ShadowLike):
+    """The shadow of the set itself."""
+
+    shadow: SetShadow
+
+    @classmethod
+    def of(cls, scene: Scene, shadow: SetShadow) -> Self:
+        """Return the content of a scene's set shadow."""
+        # As for a character's.
+        return cls(scene, replace(shadow, look=replace(shadow.look, multiply=True)))
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw the shadow."""
+        return ShadowPicture(painter.renderer.set_shadow(self.scene, self.shadow, painter.depth))
+
+    @property
+    def sources(self) -> Sources:
+        """The sets."""
+        return Sources(sets=_sets_in(self.scene))
+
+
+@dataclass(frozen=True, slots=True)
+class ReceivedContent(_ShadowLike):
+    """What others cast on a character; ``layer`` is what to draw it from and not compared."""
+
+    layer: LayerScene = field(compare=False, repr=False)
+    received: Received
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw what falls on the character."""
+        return ShadowPicture(painter.renderer.received(self.scene, self.layer, painter.depth))
+
+    @property
+    def sources(self) -> Sources:
+        """The alphas of its drawing and of those that cast on it."""
+        casting = (cast.drawing.source for shade in self.received.shades for cast in shade.casts)
+        return Sources(mattes=tuple(dict.fromkeys((self.received.drawing.source, *casting))))
+
+
+@dataclass(frozen=True, slots=True)
+class ReceiverContent(_ShadowLike):
+    """The matte of a receiver.
+
+    Parameters
+    ----------
+    cast
+        Without lights. The piece that casts is the receiver; where none does, the ground is.
+    """
+
+    cast: SetCast
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw where it is seen."""
+        return ShadowPicture(painter.renderer.receiver_matte(self.scene.canvas, self.cast, painter.depth))
+
+    @property
+    def sources(self) -> Sources:
+        """The sets."""
+        return Sources(sets=_sets_in(self.scene))
+
+
+@dataclass(frozen=True, slots=True)
+class CompositeContent(Content):
+    """The finished picture: the background and each layer, from the bottom.
+
+    ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any.
+    """
+
+    background: PictureSource | None
+    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
+    set_shadow: SetShadow | None = None
+    clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
+
+    @classmethod
+    def of(cls, scene: Scene) -> Self:
+        """Return the content of a whole scene."""
+        layers = tuple((each.drawing, each.cast, each.look, each.received) for each in scene.layers)
+        clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
+        return cls(scene, scene.background, layers, scene.set_shadow, (scene.camera, clay) if clay else None)
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw it over the background."""
+        painter.renderer.draw_picture(self.scene, Backdrop.BACKGROUND, painter.depth)
+        return FlatPicture(painter.renderer.read_picture())
+
+    @property
+    def sources(self) -> Sources:
+        """The drawings in colour, which serve their alphas too, the background and the sets."""
+        cels = tuple(drawing.source for drawing, *_ in self.layers if drawing is not None)
+        return Sources(cels=cels, background=self.background, sets=_sets_in(self.scene))
+
+    @property
+    def is_filled(self) -> bool:
+        """Always."""
+        return True
+
+
+def _sets_in(scene: Scene) -> tuple[Path, ...]:
+    return tuple(dict.fromkeys(piece.mesh.path for piece in scene.pieces if piece.mesh is not None))

@@ -1,0 +1,105 @@
+"""The hand-off to After Effects: footage in folders, and one script that builds the composition."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Final
+
+from kagezou.document.model import Document
+from kagezou.export.after_effects.drawings import exposed
+from kagezou.export.after_effects.export import FORMATS, HandedOff, HandOffRequest, export_to_after_effects
+from kagezou.export.after_effects.mattes import at_full_opacity
+from kagezou.export.after_effects.renderings import SHADOWS, matte_renderings
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
+from kagezou.export.exporters.numbered_frames import outcome_of, workers
+from kagezou.export.names import safe_names
+from kagezou.export.planning import planned
+from kagezou.export.request import Cancelled, ExportRequest, Progress
+from kagezou.export.sequences import sequences_of
+from kagezou.message import Message
+from kagezou.render.gpu.context import OpenContext
+
+
+class HandOffExporter(Exporter[HandOffRequest, HandedOff]):
+    """Everything that After Effects needs of a cut."""
+
+    __slots__ = ()
+
+    def lacks(self) -> None:
+        """Return nothing: After Effects may be on another machine."""
+
+    def formats(self, _choices: ExportChoices) -> tuple[str, ...]:
+        """Return the formats that the script imports."""
+        return FORMATS
+
+    def is_layered(self, _choices: ExportChoices) -> bool:
+        """Return False."""
+        return False
+
+    def preview(self, document: Document, choices: ExportChoices, place: Place) -> tuple[str, ...]:
+        """Return the script, the folders of shadows and mattes, and what is copied."""
+        script = f"{safe_names([place.name])[place.name]}.jsx"
+        return (script, *_rendered(document, choices, place), *_copied(document, choices))
+
+    def request(self, _document: Document, choices: ExportChoices, place: Place) -> HandOffRequest:
+        """Return what is to be handed off."""
+        return HandOffRequest(
+            folder=place.folder,
+            name=place.name,
+            per_drawing=choices.per_drawing,
+            copies=choices.copies,
+            mattes=choices.mattes,
+            format=choices.format,
+            depth=choices.depth if choices.format == "png" else 8,
+            skip_existing=choices.skip_existing,
+            workers=workers(),
+        )
+
+    def export(
+        self,
+        document: Document,
+        request: HandOffRequest,
+        open_context: OpenContext,
+        progress: Progress,
+        cancelled: Cancelled,
+    ) -> HandedOff:
+        """Write the footage and the script."""
+        return export_to_after_effects(document, request, open_context, progress, cancelled)
+
+    def outcome(self, made: HandedOff, place: Place) -> ExportOutcome:
+        """Return what came of it; the script is what to look for."""
+        return outcome_of(made.exports, made.script or place.folder, made.notes)
+
+
+def _rendered(document: Document, choices: ExportChoices, place: Place) -> Iterator[str]:
+    """Yield the folders of shadows and mattes, with how many files each gets where that is known."""
+    length = document.canvas.length_frames
+    request = ExportRequest(place.folder, format=choices.format, depth=choices.depth)
+    plan = planned(at_full_opacity(document), request)
+    for sequence in plan.sequences:
+        count = max(plan.pictures_of(sequence)) + 1 if choices.per_drawing else length
+        yield f"{SHADOWS.folder}/{sequence.label}/  {count} × {sequence.suffix}"
+    each = request.suffix if choices.per_drawing else f"{length} × {request.suffix}"
+    for rendering in matte_renderings(choices.mattes):
+        sequences = sequences_of(document, replace(request, only=rendering.only))
+        yield from (f"{rendering.folder}/{sequence.label}/  {each}" for sequence in sequences)
+
+
+def _copied(document: Document, choices: ExportChoices) -> Iterator[str]:
+    """Yield what is copied."""
+    if not choices.copies:
+        return
+    names = safe_names(layer.name for layer in document.layers)
+    for layer in document.layers:
+        if count := len(exposed(layer, document.canvas.length_frames)):
+            yield f"characters/{names[layer.name]}/  {count} × .png"
+    if document.background is not None:
+        yield "background/background.png"
+
+
+HAND_OFF: Final = HandOffExporter(
+    key="after effects",
+    label=Message("After Effects"),
+    verb="export-ae",
+    options=frozenset((Option.DEPTH, Option.PER_DRAWING, Option.COPIES, Option.MATTES, Option.SKIP_EXISTING)),
+)

@@ -1,0 +1,48 @@
+"""Layered frames: each frame as one file that holds background, shadows and characters as layers."""
+
+from typing import Final
+
+from kagezou.document.model import Document
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.exporter import Option
+from kagezou.export.exporters.numbered_frames import NumberedFrames, frames_request, sequence_lines
+from kagezou.export.request import LAYERED_SUFFIXES, ExportRequest
+from kagezou.export.selection import chosen_frames
+from kagezou.export.sequences import layered_subject
+from kagezou.message import Message
+from kagezou.scene.evaluate import evaluate
+
+
+class LayeredFrames(NumberedFrames):
+    """Frames of layers."""
+
+    __slots__ = ()
+
+    def formats(self, _choices: ExportChoices) -> tuple[str, ...]:
+        """Return every format of pictures with layers."""
+        return tuple(LAYERED_SUFFIXES)
+
+    def is_layered(self, _choices: ExportChoices) -> bool:
+        """Return True."""
+        return True
+
+    def preview(self, document: Document, choices: ExportChoices, place: Place) -> tuple[str, ...]:
+        """Return the folder and what is in its files, the uppermost layer first, as lists of layers have it."""
+        request = self.request(document, choices, place)
+        lines = sequence_lines(document, request)
+        # The layers are the same in every frame.
+        frame = chosen_frames(document, request)[0]
+        content = layered_subject(document, request).content_at(document, evaluate(document, frame), frame)
+        return (*lines, *(f"    {name}" for name in reversed(content.part_names)))
+
+    def request(self, document: Document, choices: ExportChoices, place: Place) -> ExportRequest:
+        """Return what the frames are asked for with."""
+        return frames_request(document, choices, place.folder, is_layered=True)
+
+
+LAYERED_FRAMES: Final = LayeredFrames(
+    key="layered",
+    label=Message("Layered frames"),
+    verb="render",
+    options=frozenset((Option.DEPTH, Option.ONLY_WORK_AREA, Option.SKIP_EXISTING)),
+)

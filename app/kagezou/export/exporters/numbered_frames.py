@@ -1,0 +1,93 @@
+"""What exporters of numbered frames have in common: from choices to a request, and from summaries to an outcome."""
+
+import os
+from pathlib import Path
+
+from kagezou.document.model import Document
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.exporter import Exporter, ExportOutcome
+from kagezou.export.frames import export_frames
+from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
+from kagezou.export.selection import chosen_frames
+from kagezou.export.sequences import sequences_of
+from kagezou.message import Message
+from kagezou.render.gpu.context import OpenContext
+
+
+class NumberedFrames(Exporter[ExportRequest, Summary]):
+    """An exporter of numbered frames; what it may write and asks for is left to its kinds."""
+
+    __slots__ = ()
+
+    def lacks(self) -> None:
+        """Return nothing: every machine has what it needs."""
+
+    def export(
+        self,
+        document: Document,
+        request: ExportRequest,
+        open_context: OpenContext,
+        progress: Progress,
+        cancelled: Cancelled,
+    ) -> Summary:
+        """Write the frames."""
+        return export_frames(document, request, open_context, progress, cancelled)
+
+    def outcome(self, made: Summary, place: Place) -> ExportOutcome:
+        """Return what came of it; the folder is the one to look in."""
+        return outcome_of((made,), place.folder)
+
+
+def frames_request(document: Document, choices: ExportChoices, folder: Path, *, is_layered: bool) -> ExportRequest:
+    """Return what numbered frames are asked for with.
+
+    Parameters
+    ----------
+    folder
+        Where the folders of the sequences are made.
+    is_layered
+        Whether each frame is one file that holds all layers; then no composite and no mattes are made beside it.
+    """
+    return ExportRequest(
+        folder=folder,
+        frames=frames_chosen(document, choices),
+        format=choices.format,
+        depth=choices.depth,
+        composite=choices.composite and not is_layered,
+        receivers=choices.receivers and not is_layered,
+        skip_existing=choices.skip_existing,
+        workers=workers(),
+        layered=is_layered,
+    )
+
+
+def frames_chosen(document: Document, choices: ExportChoices) -> tuple[int, ...] | None:
+    """Return the frames of the work area where only it is chosen, None for the whole cut."""
+    if not choices.only_work_area or document.work_area is None:
+        return None
+    first, last = document.played
+    return tuple(range(first, last + 1))
+
+
+def workers() -> int:
+    """Return how many threads write: one core is left to the window."""
+    return max((os.cpu_count() or 2) - 1, 1)
+
+
+def sequence_lines(document: Document, request: ExportRequest) -> tuple[str, ...]:
+    """Return a line for each sequence of a request: its folder, and how many files it gets of which suffix."""
+    length = len(chosen_frames(document, request))
+    return tuple(f"{each.label}/  {length} × {each.suffix}" for each in sequences_of(document, request))
+
+
+def outcome_of(summaries: tuple[Summary, ...], where: Path, notes: tuple[Message, ...] = ()) -> ExportOutcome:
+    """Return what came of exports of frames."""
+    failures = [failure.message for summary in summaries for failure in summary.failures]
+    return ExportOutcome(
+        files=sum(summary.files for summary in summaries),
+        written=sum(summary.written for summary in summaries),
+        cancelled=any(summary.cancelled for summary in summaries),
+        problem=failures[0] if failures else None,
+        where=where,
+        notes=notes,
+    )

@@ -1,0 +1,85 @@
+"""A video: the finished picture, or one layer's shadow alone."""
+
+from typing import Final
+
+from kagezou.document.model import Document
+from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option, Work
+from kagezou.export.exporters.numbered_frames import frames_chosen, workers
+from kagezou.export.names import safe_names
+from kagezou.export.request import Cancelled, Progress
+from kagezou.export.video import VideoRequest, VideoSummary, export_video, video_jobs
+from kagezou.io.files.faults import output_problem
+from kagezou.io.images.video import is_there
+from kagezou.message import Message
+from kagezou.render.gpu.context import OpenContext
+
+
+class VideoFile(Exporter[VideoRequest, VideoSummary]):
+    """The cut as a video."""
+
+    __slots__ = ()
+
+    def lacks(self) -> Message | None:
+        """Return what is to be installed where videos cannot be written."""
+        if is_there():
+            return None
+        return Message("Video needs PyAV: pip install 'kagezou[video]'")
+
+    def formats(self, _choices: ExportChoices) -> tuple[str, ...]:
+        """Return every kind of video."""
+        return ("mp4", "mov")
+
+    def is_layered(self, _choices: ExportChoices) -> bool:
+        """Return False."""
+        return False
+
+    def preview(self, document: Document, choices: ExportChoices, place: Place) -> tuple[str, ...]:
+        """Return the file, how long and how large it is."""
+        request = self.request(document, choices, place)
+        length = sum(len(job.targets) for job in video_jobs(document, request))
+        canvas = document.canvas
+        rate = f"{float(canvas.frame_rate):.6g}"
+        return (f"{request.path.name}  {length} @ {rate} fps  {canvas.width_px} × {canvas.height_px}",)
+
+    def request(self, document: Document, choices: ExportChoices, place: Place) -> VideoRequest:
+        """Return what the video is asked for with; it is called as the project, and as the layer it shows."""
+        wanted = f"{place.name}_{choices.video_layer}_shadow" if choices.video_layer else place.name
+        path = place.folder / f"{safe_names([wanted])[wanted]}.{choices.format}"
+        return VideoRequest(path, frames_chosen(document, choices), choices.video_layer or None, workers())
+
+    def export(
+        self,
+        document: Document,
+        request: VideoRequest,
+        open_context: OpenContext,
+        progress: Progress,
+        cancelled: Cancelled,
+    ) -> VideoSummary:
+        """Write the video."""
+        return export_video(document, request, open_context, progress, cancelled)
+
+    def outcome(self, made: VideoSummary, _place: Place) -> ExportOutcome:
+        """Return what came of it; the file is what to look at."""
+        return ExportOutcome(1, int(made.is_whole), cancelled=not made.is_whole, problem=None, where=made.path)
+
+    def work(self, document: Document, choices: ExportChoices, place: Place) -> Work:
+        """Return what carries the choices out; the folder is made, as it is for frames."""
+        make = super().work(document, choices, place)
+
+        def work(open_context: OpenContext, progress: Progress, cancelled: Cancelled) -> ExportOutcome:
+            try:
+                place.folder.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise output_problem(place.folder, error) from error
+            return make(open_context, progress, cancelled)
+
+        return work
+
+
+VIDEO_FILE: Final = VideoFile(
+    key="video",
+    label=Message("Video"),
+    verb="video",
+    options=frozenset((Option.VIDEO_LAYER, Option.ONLY_WORK_AREA)),
+)

@@ -1,0 +1,116 @@
+"""What an export is to make: each different picture once, with every file that holds it."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kagezou.document.model import Document
+from kagezou.export.contents import Content
+from kagezou.export.names import safe_names
+from kagezou.export.request import ExportRequest
+from kagezou.export.selection import chosen_frames
+from kagezou.export.sequences import OutputSequence, sequences_of
+from kagezou.scene.evaluate import evaluate
+
+
+@dataclass(frozen=True, slots=True)
+class OutputFile:
+    """One file of a sequence; ``frame`` is the first that it is for."""
+
+    sequence: OutputSequence
+    frame: int
+    path: Path
+
+
+@dataclass(frozen=True, slots=True)
+class FrameJob:
+    """One picture and the files it goes into.
+
+    Parameters
+    ----------
+    content
+        What it shows.
+    targets
+        In the order of their frames, never empty.
+    """
+
+    content: Content
+    targets: tuple[OutputFile, ...]
+
+    def only(self, targets: tuple[OutputFile, ...]) -> "FrameJob":
+        """Return the job with some of its targets."""
+        return replace(self, targets=targets)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Everything an export is to make: the pictures in the order of their first frames, sequences and names.
+
+    ``names`` holds, for the name of each layer that has sequences of its own, the one that they carry.
+    """
+
+    jobs: tuple[FrameJob, ...]
+    sequences: tuple[OutputSequence, ...]
+    names: dict[str, str]
+
+    @property
+    def files(self) -> int:
+        """How many files that are."""
+        return sum(len(job.targets) for job in self.jobs)
+
+    @property
+    def folders(self) -> tuple[Path, ...]:
+        """The folders of the sequences."""
+        return tuple(sequence.folder for sequence in self.sequences)
+
+    def pictures_of(self, sequence: OutputSequence) -> tuple[int, ...]:
+        """Return which picture, from 0 in the order in which they appear, a sequence shows on each of its frames."""
+        shown: dict[int, int] = {}
+        number = 0
+        for job in self.jobs:
+            frames = [target.frame for target in job.targets if target.sequence == sequence]
+            shown.update(dict.fromkeys(frames, number))
+            number += bool(frames)
+        return tuple(shown[frame] for frame in sorted(shown))
+
+
+def planned(document: Document, request: ExportRequest) -> Plan:
+    """Return what an export is to make.
+
+    Raises
+    ------
+    UsageProblem
+        A layer or a frame is asked for that the document does not have, or there is nothing to make.
+    """
+    frames = chosen_frames(document, request)
+    sequences = sequences_of(document, request)
+    jobs = jobs_of(document, frames, sequences)
+    if request.once:
+        jobs = tuple(_each_once(jobs))
+    owners = {sequence.subject.owner for sequence in sequences}
+    names = safe_names(layer.name for layer in document.layers)
+    return Plan(jobs, sequences, {each.name: names[each.name] for each in document.layers if each.id in owners})
+
+
+def jobs_of(document: Document, frames: Iterable[int], sequences: tuple[OutputSequence, ...]) -> tuple[FrameJob, ...]:
+    """Return the different pictures of some sequences in the order of their first frames."""
+    targets: dict[Content, list[OutputFile]] = {}
+    for frame in frames:
+        scene = evaluate(document, frame)
+        for sequence in sequences:
+            content = sequence.subject.content_at(document, scene, frame)
+            targets.setdefault(content, []).append(OutputFile(sequence, frame, sequence.file(frame)))
+    # A dictionary keeps the key that came first: a picture is drawn from the first frame that shows it.
+    return tuple(FrameJob(content, tuple(files)) for content, files in targets.items())
+
+
+def _each_once(jobs: tuple[FrameJob, ...]) -> Iterator[FrameJob]:
+    """Yield the jobs with one target in each sequence they go to, numbered from 1."""
+    numbers: dict[OutputSequence, int] = {}
+    for job in jobs:
+        first = {target.sequence: target for target in reversed(job.targets)}
+        targets = []
+        for sequence in dict.fromkeys(target.sequence for target in job.targets):
+            numbers[sequence] = numbers.get(sequence, 0) + 1
+            targets.append(replace(first[sequence], path=sequence.file(numbers[sequence])))
+        yield job.only(tuple(targets))

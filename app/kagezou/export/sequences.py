@@ -1,0 +1,120 @@
+"""The sequences of an export: what each shows, and by which names it lies where."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
+from kagezou.export.layered import LayerOfFrame
+from kagezou.export.names import digits_for, safe_names
+from kagezou.export.receivers import receivers_of
+from kagezou.export.request import RECEIVED, RECEIVERS, SHADOWS, ExportRequest
+from kagezou.export.selection import chosen_layers, ever_receives, set_ever_casts
+from kagezou.export.subjects import (
+    CompositeSubject,
+    LayeredSubject,
+    ReceivedSubject,
+    SetShadowSubject,
+    ShadowSubject,
+    Subject,
+)
+from kagezou.message import Message
+
+COMPOSITE: Final = "composite"
+"""The folder and the first part of the files of composites."""
+LAYERED: Final = "layered"
+"""The same of frames that hold all layers in one file."""
+
+
+@dataclass(frozen=True, slots=True)
+class OutputSequence:
+    """Numbered files of one subject in a folder of their own.
+
+    Parameters
+    ----------
+    subject
+        What they show.
+    label
+        The name of the folder, and the first part of the files'.
+    folder
+        The folder itself.
+    digits
+        How many the number of each file has.
+    suffix
+        The suffix of the files.
+    """
+
+    subject: Subject
+    label: str
+    folder: Path
+    digits: int
+    suffix: str
+
+    def file(self, number: int) -> Path:
+        """Return the path of a file."""
+        return self.folder / f"{self.label}_{number:0{self.digits}d}{self.suffix}"
+
+
+def sequences_of(document: Document, request: ExportRequest) -> tuple[OutputSequence, ...]:
+    """Return the sequences that a request asks for, never none.
+
+    Raises
+    ------
+    UsageProblem
+        A layer is asked for that the document does not have, or there is nothing to make.
+    """
+    layered: list[tuple[str, Subject]] = [(LAYERED, layered_subject(document, request))] if request.layered else []
+    subjects = layered or list(_apart(document, request))
+    if not subjects:
+        raise _nothing()
+    digits = digits_for(document.canvas.length_frames)
+    return tuple(
+        OutputSequence(each, label, request.folder / label, digits, request.suffix) for label, each in subjects
+    )
+
+
+def layered_subject(document: Document, request: ExportRequest) -> LayeredSubject:
+    """Return what layered frames show: with some layers chosen they hold those alone.
+
+    Raises
+    ------
+    UsageProblem
+        As for `sequences_of`.
+    """
+    layers = chosen_layers(document, request)
+    if not layers:
+        raise _nothing()
+    is_whole = request.layers is None
+    characters = tuple(LayerOfFrame(layer.id, layer.name, ever_receives(layer)) for layer in layers)
+    return LayeredSubject(characters, is_whole and set_ever_casts(document), is_whole)
+
+
+def _nothing() -> UsageProblem:
+    return UsageProblem(Message("there is nothing to render: the project has no visible character layer"))
+
+
+def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Subject]]:
+    """Yield each sequence that has a folder of its own."""
+    layers = chosen_layers(document, request)
+    names = safe_names(layer.name for layer in document.layers)
+    if request.only in (None, SHADOWS):
+        yield from ((f"{names[layer.name]}_shadow", ShadowSubject(layer.id)) for layer in layers)
+    if request.only in (None, RECEIVED):
+        receiving = filter(ever_receives, layers)
+        yield from ((f"{names[layer.name]}_received", ReceivedSubject(layer.id)) for layer in receiving)
+    if request.only in (None, SHADOWS) and request.layers is None and set_ever_casts(document):
+        yield _set_label(document, names), SetShadowSubject()
+    if request.receivers or request.only == RECEIVERS:
+        yield from ((each.label, each.subject) for each in receivers_of(document))
+    if request.composite:
+        yield COMPOSITE, CompositeSubject()
+
+
+def _set_label(document: Document, names: dict[str, str]) -> str:
+    """Return the name of the set's folder and files, which no layer's may be."""
+    wanted = "set"
+    while wanted in names:
+        wanted += "_"
+    return f"{safe_names((*(layer.name for layer in document.layers), wanted))[wanted]}_shadow"

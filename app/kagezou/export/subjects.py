@@ -1,0 +1,162 @@
+"""What a sequence of an export shows, from frame to frame."""
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+from kagezou.document import properties
+from kagezou.document.model import Document
+from kagezou.document.set_properties import GROUND_RECEIVES
+from kagezou.document.values import rgb_at, value_at
+from kagezou.export.contents import (
+    BlankContent,
+    CompositeContent,
+    Content,
+    ReceivedContent,
+    ReceiverContent,
+    SetShadowContent,
+    ShadowContent,
+)
+from kagezou.export.layered import LayeredContent, LayerOfFrame
+from kagezou.scene.pieces import SetCast
+from kagezou.scene.scene import LayerScene, Scene
+
+SET: Final = "set"
+GROUND: Final = "ground"
+EVERYTHING: Final = "everything"
+"""Stand where layers and set pieces have their ids, which are all of another form."""
+
+_BLACK: Final = (0, 0, 0)
+_WHITE: Final = (255, 255, 255)
+
+
+@dataclass(frozen=True, slots=True)
+class ShadowSubject:
+    """A character's shadow on the ground and the set."""
+
+    layer_id: str
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: the layer's id."""
+        return self.layer_id
+
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
+        """Return the shadow; an empty cel and a hidden layer have an empty one."""
+        seen = _seen(scene, self.layer_id)
+        if seen is None or seen.cast is None:
+            return _nothing(document, self.layer_id, scene, frame)
+        return ShadowContent.of(scene, seen, seen.cast)
+
+
+@dataclass(frozen=True, slots=True)
+class ReceivedSubject:
+    """What other characters cast on one."""
+
+    layer_id: str
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: the layer's id."""
+        return self.layer_id
+
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
+        """Return what falls on the layer; an empty picture where nothing can."""
+        seen = _seen(scene, self.layer_id)
+        if seen is None or seen.received is None or not seen.received.shades:
+            return _nothing(document, self.layer_id, scene, frame)
+        return ReceivedContent(scene, seen, seen.received)
+
+
+@dataclass(frozen=True, slots=True)
+class SetShadowSubject:
+    """The shadow of the set itself."""
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: `SET`."""
+        return SET
+
+    def content_at(self, _document: Document, scene: Scene, _frame: int) -> Content:
+        """Return the shadow; an empty one while no piece casts."""
+        if scene.set_shadow is None:
+            return BlankContent(scene, _BLACK)
+        return SetShadowContent.of(scene, scene.set_shadow)
+
+
+@dataclass(frozen=True, slots=True)
+class ReceiverSubject:
+    """Where the ground, or a set piece by its id, is seen."""
+
+    piece_id: str | None
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: the piece's id, or `GROUND`."""
+        return self.piece_id or GROUND
+
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
+        """Return the matte; an empty one where the receiver is not there."""
+        has_ground = value_at(document.tracks, GROUND_RECEIVES, frame)
+        pieces = tuple(
+            replace(piece, casts=piece.id == self.piece_id, blocks=False, receives=False) for piece in scene.pieces
+        )
+        if not (has_ground if self.piece_id is None else any(piece.casts for piece in pieces)):
+            return BlankContent(scene, _WHITE)
+        return ReceiverContent(scene, SetCast(scene.camera, scene.ground, pieces, (), has_ground))
+
+
+@dataclass(frozen=True, slots=True)
+class CompositeSubject:
+    """Background, shadows and characters in one picture."""
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: `EVERYTHING`."""
+        return EVERYTHING
+
+    def content_at(self, _document: Document, scene: Scene, _frame: int) -> Content:
+        """Return the finished picture."""
+        return CompositeContent.of(scene)
+
+
+@dataclass(frozen=True, slots=True)
+class LayeredSubject:
+    """Frames that hold all layers in one file.
+
+    Parameters
+    ----------
+    layers
+        The characters, from the bottom.
+    has_set
+        Whether the set casts a shadow at any time.
+    is_whole
+        Whether background and set are in it; else the characters alone are.
+    """
+
+    layers: tuple[LayerOfFrame, ...]
+    has_set: bool
+    is_whole: bool
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: `EVERYTHING`."""
+        return EVERYTHING
+
+    def content_at(self, _document: Document, scene: Scene, _frame: int) -> LayeredContent:
+        """Return the frame; every one has the same list of layers."""
+        if not self.is_whole:
+            ids = {layer.id for layer in self.layers}
+            chosen = tuple(layer for layer in scene.layers if layer.id in ids)
+            scene = replace(scene, background=None, layers=chosen, set_shadow=None)
+        return LayeredContent(scene, CompositeContent.of(scene), self.layers, self.has_set)
+
+
+Subject = ShadowSubject | ReceivedSubject | SetShadowSubject | ReceiverSubject | CompositeSubject | LayeredSubject
+
+
+def _seen(scene: Scene, layer_id: str) -> LayerScene | None:
+    return next((each for each in scene.layers if each.id == layer_id), None)
+
+
+def _nothing(document: Document, layer_id: str, scene: Scene, frame: int) -> Content:
+    return BlankContent(scene, rgb_at(document.layer(layer_id).tracks, properties.COLOR, frame))
