@@ -64,9 +64,9 @@ def render(folder: Path, *more: str) -> list[str]:
     return [sys.executable, "-m", "kagezou", "render", str(folder / "cut.kage"), "-o", str(folder / "out"), *more]
 
 
-def wait_for_frames(folder: Path, count: int) -> None:
-    started = time.monotonic()
-    while len(list((folder / "out").rglob("*_shadow_*.png"))) < count and time.monotonic() - started < 30:
+def wait_for_frames(folder: Path, count: int, process: "subprocess.Popen[str] | subprocess.Popen[bytes]") -> None:
+    """Wait until so many frames are there, or nobody is left who could make them."""
+    while len(list((folder / "out").rglob("*_shadow_*.png"))) < count and process.poll() is None:
         time.sleep(0.001)
 
 
@@ -77,7 +77,7 @@ def test_killed_again_and_again_it_comes_to_the_same_bytes(tmp_path: Path) -> No
     for round_ in range(KILLS):
         command = render(tmp_path, "--skip-existing", "--workers", "2")
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        wait_for_frames(tmp_path, 1 + round_ * 6)
+        wait_for_frames(tmp_path, 1 + round_ * 6, process)
         process.send_signal(signal.SIGKILL)
         process.wait()
         assert bytes_below(tmp_path / "out").items() <= whole.items()
@@ -91,9 +91,9 @@ def test_ctrl_c_leaves_only_whole_frames_and_says_so(tmp_path: Path, number: sig
     document = moving(tmp_path)
     export(document, tmp_path / "whole")
     process = subprocess.Popen(render(tmp_path), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    wait_for_frames(tmp_path, 3)
+    wait_for_frames(tmp_path, 3, process)
     process.send_signal(number)
-    _, said = process.communicate(timeout=30)
+    _, said = process.communicate(timeout=120)
     if process.returncode == 0:
         pytest.skip("it was faster than the signal")
     assert process.returncode == code

@@ -1,5 +1,4 @@
 import threading
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
@@ -14,6 +13,9 @@ from kagezou.export.planning import FrameJob, planned
 from kagezou.export.request import ExportRequest
 from kagezou.message import Message
 from tests.export.small_cuts import cut
+
+PATIENCE_S = 60
+"""Nothing takes so long but what would hang."""
 
 
 @pytest.fixture
@@ -48,49 +50,63 @@ def never() -> bool:
 
 
 def test_outcomes_come_in_order_whatever_the_workers_do(jobs: tuple[FrameJob, ...]) -> None:
-    def slow(job: FrameJob, drawn: Picture) -> str:
-        time.sleep(0.002 * (number(job) % 3))
+    done = {number(job): threading.Event() for job in jobs}
+    order: list[int] = []
+
+    def write(job: FrameJob, drawn: Picture) -> str:
+        own = number(job)
+        if own % 2:
+            assert done[own + 1].wait(PATIENCE_S), "each second frame is written before the one before it"
+        order.append(own)
+        done[own].set()
         return written(job, drawn)
 
-    outcomes = list(flow(jobs, steps(nothing, picture, slow), 4, 8, never))
+    outcomes = list(flow(jobs, steps(nothing, picture, write), 4, 8, never))
     assert [outcome.written for outcome in outcomes] == [str(n) for n in range(1, 21)]
+    assert order != sorted(order)
 
 
 def test_no_more_is_decoded_or_waits_than_the_window_holds(jobs: tuple[FrameJob, ...]) -> None:
-    lock = threading.Lock()
-    alive = {"decoded": 0, "drawn": 0}
-    most = dict(alive)
+    window = 3
+    drawn_of = {number(job): threading.Event() for job in jobs}
+    counts = {"asked for": 0, "drawn": 0, "out": 0}
+    ahead: list[int] = []
+    waiting: list[int] = []
 
-    def count(name: str, step: int) -> None:
-        with lock:
-            alive[name] += step
-            most[name] = max(most[name], alive[name])
+    def asked_for() -> Iterator[FrameJob]:
+        for job in jobs:
+            counts["asked for"] += 1
+            yield job
 
     def draw(job: FrameJob) -> Picture:
-        count("decoded", -1)
-        count("drawn", 1)
+        ahead.append(counts["asked for"] - counts["drawn"])
+        counts["drawn"] += 1
+        waiting.append(counts["drawn"] - counts["out"])
+        drawn_of[number(job)].set()
         return picture(job)
 
     def write(job: FrameJob, drawn: Picture) -> str:
-        time.sleep(0.003)
-        count("drawn", -1)
+        last_of_window = min(number(job) + window, len(jobs))
+        assert drawn_of[last_of_window].wait(PATIENCE_S), "so many may be drawn while the first is written"
         return written(job, drawn)
 
-    list(flow(jobs, steps(lambda _: count("decoded", 1), draw, write), 2, 3, never))
-    assert most["decoded"] <= 4
-    assert most["drawn"] <= 4
+    # Enough workers for all that wait, and for those that decode.
+    for _ in flow(asked_for(), steps(nothing, draw, write), 4 * window, window, never):
+        counts["out"] += 1
+    assert max(ahead) == max(waiting) == window + 1
+    assert counts == {"asked for": 20, "drawn": 20, "out": 20}
 
 
 def test_the_first_drawings_are_decoded_while_drawing_is_set_up(jobs: tuple[FrameJob, ...]) -> None:
-    decoded: list[int] = []
+    decoded = threading.Semaphore(0)
 
     @contextmanager
     def drawing() -> Iterator[Draw]:
-        while len(decoded) < 3:
-            time.sleep(0.001)
+        for _ in range(3):
+            assert decoded.acquire(timeout=PATIENCE_S)
         yield picture
 
-    several = PipelineSteps(lambda job: decoded.append(number(job)), drawing, written)
+    several = PipelineSteps(lambda _: decoded.release(), drawing, written)
     assert len(list(flow(jobs, several, 2, 3, never))) == 20
 
 

@@ -103,6 +103,37 @@ def test_every_call_failed_once_leaves_old_or_new(
     assert seen >= {"open", "fsync", "replace"}
 
 
+@pytest.mark.parametrize("save", [save_plainly, save_keeping, save_by_path])
+def test_the_content_is_on_the_disk_before_it_takes_the_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, save: Callable[[Path], None]
+) -> None:
+    """A system that fails between the two would leave an empty file of the right name."""
+    path = tmp_path / "p.kage"
+    path.write_bytes(OLD)
+    on_disk: dict[int, int] = {}
+    named: list[tuple[bool, bool]] = []
+    real_sync, real_replace = os.fsync, os.replace
+
+    def sync(descriptor: int) -> None:
+        real_sync(descriptor)
+        state = os.fstat(descriptor)
+        on_disk[state.st_ino] = state.st_size
+
+    def replace(source: Path, target: Path) -> None:
+        state = Path(source).stat()
+        is_new = Path(target) == path
+        named.append((is_new, on_disk.get(state.st_ino) == state.st_size == len(NEW)))
+        real_replace(source, target)
+
+    monkeypatch.setattr(os, "fsync", sync)
+    monkeypatch.setattr(os, "replace", replace)
+    save(path)
+    assert path.read_bytes() == NEW
+    assert [is_safe for is_new, is_safe in named if is_new] == [True]
+    if os.name != "nt":
+        assert tmp_path.stat().st_ino in on_disk
+
+
 def test_keeps_the_previous_file(tmp_path: Path) -> None:
     path = tmp_path / "p.kage"
     write_bytes(path, b"1", keep_previous=True)

@@ -1,6 +1,5 @@
 import os
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -21,17 +20,20 @@ class Reads:
         self.paths: list[tuple[str, str]] = []
         self.gate = threading.Event()
         self.gate.set()
+        self.begun = threading.Event()
         patch.setattr(cel_cache, "read_cel", self._cel)
         patch.setattr(cel_cache, "read_matte", self._matte)
 
     def _cel(self, path: Path) -> Cel:
         self.paths.append(("cel", path.name))
-        self.gate.wait(5)
+        self.begun.set()
+        assert self.gate.wait(60)
         return read_cel(path)
 
     def _matte(self, path: Path) -> Matte:
         self.paths.append(("matte", path.name))
-        self.gate.wait(5)
+        self.begun.set()
+        assert self.gate.wait(60)
         return read_matte(path)
 
 
@@ -126,25 +128,34 @@ def test_threads_wait_for_one_reading(tmp_path: Path, reads: Reads, *, good: boo
     else:
         path.write_bytes(b"junk")
     reads.gate.clear()
+    together = threading.Barrier(8, timeout=60)
+
+    def cel() -> Cel:
+        together.wait()
+        return cache.cel(path)
+
+    def matte() -> Matte:
+        together.wait()
+        return cache.matte(path)
+
     with ThreadPoolExecutor(8) as pool:
         first = pool.submit(cache.cel, path)
-        while not reads.paths:
-            time.sleep(0.001)
-        wholes = [pool.submit(cache.cel, path) for _ in range(4)]
-        mattes = [pool.submit(cache.matte, path) for _ in range(3)]
-        time.sleep(0.02)
+        assert reads.begun.wait(60)
+        wholes = [pool.submit(cel) for _ in range(4)]
+        mattes = [pool.submit(matte) for _ in range(3)]
+        together.wait()
         reads.gate.set()
         if good:
-            cel = first.result()
-            assert all(whole.result() is cel for whole in wholes)
-            assert all(matte.result() is cel.matte for matte in mattes)
+            found = first.result()
+            assert all(whole.result() is found for whole in wholes)
+            assert all(each.result() is found.matte for each in mattes)
         else:
             for whole in (first, *wholes):
                 with pytest.raises(InputProblem):
                     whole.result()
-            for matte in mattes:
+            for each in mattes:
                 with pytest.raises(InputProblem):
-                    matte.result()
+                    each.result()
     if good:
         assert reads.paths == [("cel", "a.png")]
 

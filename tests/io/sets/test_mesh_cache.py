@@ -4,7 +4,6 @@ import contextlib
 import json
 import os
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -15,7 +14,7 @@ from hypothesis import strategies as st
 
 from kagezou.errors import InputProblem
 from kagezou.geometry.mesh import Mesh
-from kagezou.io.sets import mesh_cache
+from kagezou.io.sets import bounded_bytes, mesh_cache
 from kagezou.io.sets.mesh_cache import MeshCache, is_mesh, read_mesh
 from tests.io.sets.mesh_files import TRIANGLE, glb, gltf, tree_with, triangle_tree
 
@@ -217,19 +216,21 @@ def test_a_damaged_file_is_a_set_or_a_sentence(tmp_path: Path, data: st.DataObje
 def test_many_threads_get_one_reading(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = glb(tmp_path / "a.glb", *triangle_tree())
     cache, readings = MeshCache(), []
-    together = threading.Barrier(4)
+    asked = threading.Semaphore(0)
+
+    def state_of(wanted: Path) -> tuple[int, int]:
+        asked.release()
+        return bounded_bytes.state_of(wanted)
 
     def slow(wanted: Path) -> Mesh:
         readings.append(wanted)
-        time.sleep(0.05)
+        for _ in range(4 if len(readings) == 1 else 0):
+            assert asked.acquire(timeout=60), "all four ask while one reads"
         return read_mesh(wanted)
 
-    def ask(_: int) -> Mesh:
-        together.wait()
-        return cache.mesh(path)
-
+    monkeypatch.setattr(mesh_cache, "state_of", state_of)
     monkeypatch.setattr(mesh_cache, "read_mesh", slow)
     with ThreadPoolExecutor(4) as pool:
-        found = list(pool.map(ask, range(4)))
+        found = list(pool.map(cache.mesh, [path] * 4))
     assert all(each is found[0] for each in found)
     assert readings == [path]

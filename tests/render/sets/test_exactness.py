@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from itertools import pairwise
+from math import radians, sin
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,10 @@ from numpy.typing import NDArray
 
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
+from kagezou.geometry.light import grazing_strength
+from kagezou.geometry.sets.bodies import Solid
 from kagezou.geometry.sets.measures import PieceKind
+from kagezou.geometry.vectors import height_over
 from kagezou.io.images.writing import ShadowImage
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
@@ -94,6 +98,46 @@ def test_every_kind_agrees_with_rays(renderer: Renderer, figure: Path, kind: Pie
     own = renderer.set_coverage(scene) / 65535
     if own.sum() >= MIN_SHADOW_PX:
         assert judged(own, own_rays_of(scene)).is_right
+
+
+@pytest.mark.parametrize("degrees", [1.4, 2.0, 2.6])
+def test_a_piece_that_turns_away_from_the_sun_grows_dark_before_it_is_turned(
+    renderer: Renderer, figure: Path, degrees: float
+) -> None:
+    wall = {"kind": "wall", "position": [500, 800], "width": 500, "height": 300, "casts": True}
+
+    def lit_from(azimuth: float) -> Scene:
+        values = {"light.kind": "sun", "light.azimuth": azimuth, "light.elevation": 35.0}
+        return evaluate(in_a_set(figure, {"wall": wall}, values), 1)
+
+    def height_of_sun(scene: Scene) -> float:
+        assert scene.set_shadow is not None
+        (body,), (light,) = scene.pieces[0].bodies, scene.set_shadow.cast.lights
+        assert isinstance(body, Solid)
+        plane = body.facets[0].equation
+        return height_over(plane, light) if height_over(plane, scene.camera.eye) > 0 else -height_over(plane, light)
+
+    # The sun before the wall, moved aside until its light only grazes the side that is seen.
+    before, behind = 20.0, 160.0
+    assert height_of_sun(lit_from(before)) > sin(radians(degrees)) > height_of_sun(lit_from(behind))
+    for _ in range(40):
+        middle = (before + behind) / 2
+        is_before = height_of_sun(lit_from(middle)) > sin(radians(degrees))
+        before, behind = (middle, behind) if is_before else (before, middle)
+    scene = lit_from(before)
+    own = renderer.set_coverage(scene) / 65535
+    on_wall = own[600:700, 400:600]
+    assert on_wall == pytest.approx(1 - grazing_strength(sin(radians(degrees))), abs=1e-3)
+    assert judged(own, own_rays_of(scene)).is_right
+
+
+@pytest.mark.parametrize(("kind", "z"), [("wall", -98.0), ("box", -63.5)])
+def test_a_piece_grows_dark_where_a_lamp_only_grazes_it(renderer: Renderer, figure: Path, kind: str, z: float) -> None:
+    """A lamp 15 px before the plane of the side that is seen: near it is lit, far from it dark, between it fades."""
+    piece = {"kind": kind, "position": [500, 800], "width": 700, "height": 200, "depth": 60, "casts": True}
+    scene = evaluate(in_a_set(figure, {"one": piece}, {"light.position": [100, 700, z]}), 1)
+    own = renderer.set_coverage(scene) / 65535
+    assert judged(own, own_rays_of(scene)).is_right
 
 
 @pytest.mark.parametrize("fov", [0.0, 40.0])
