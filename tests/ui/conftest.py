@@ -104,6 +104,23 @@ def present(qtbot: QtBot) -> Iterator[Callable[[], None]]:
 
 
 @pytest.fixture
+def focus(qtbot: QtBot, present: Callable[[], None]) -> Callable[[QWidget], None]:
+    """What gives a widget the keyboard, asking again until the window system grants it."""
+
+    def give(widget: QWidget) -> None:
+        def has_focus() -> bool:
+            present()
+            widget.window().activateWindow()
+            widget.setFocus()
+            QGuiApplication.processEvents()
+            return widget.hasFocus()
+
+        qtbot.waitUntil(has_focus)
+
+    return give
+
+
+@pytest.fixture
 def clipboard() -> OwnClipboard:
     """The clipboard of the test alone."""
     return OwnClipboard()

@@ -217,7 +217,7 @@ class TestPresets:
     @pytest.mark.parametrize(
         ("text", "words"),
         [
-            ("{", "not whole JSON"),
+            ("{", "not complete JSON"),
             ('{"export_preset": 2, "name": "a", "plan": {}}', "export_preset"),
             ('{"export_preset": 1, "name": "", "plan": {}}', "printable characters"),
             ("[" * 70000, "too large"),

@@ -1,7 +1,10 @@
 """The set in the picture: outlines that are touched, handles that are dragged, and what keys do to them."""
 
+from collections.abc import Callable
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
@@ -94,11 +97,11 @@ def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindo
     assert bridge.session.undo_name == "Nudge Set piece"
 
 
-def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(qtbot: QtBot, furnished: MainWindow) -> None:
+def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(
+    qtbot: QtBot, furnished: MainWindow, focus: Callable[[QWidget], None]
+) -> None:
     viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
-    furnished.activateWindow()
-    viewport.setFocus()
-    qtbot.waitUntil(viewport.hasFocus)
+    focus(viewport)
     bridge.session.select_piece("piece-2")
     viewport.controller.selected_id = "light.lamp"
     furnished.parts.actions["delete"].trigger()

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import edits
@@ -277,16 +277,16 @@ def test_the_menu_lists_the_drawings(timeline: Timeline, sheet: OpenProject) -> 
     assert menu.title() == "Filled"
 
 
-def test_the_window_answers_copy_paste_and_delete_for_drawings(qtbot: QtBot, walking: MainWindow) -> None:
+def test_the_window_answers_copy_paste_and_delete_for_drawings(
+    walking: MainWindow, focus: Callable[[QWidget], None]
+) -> None:
     timeline, session, actions = (
         walking.parts.time.timeline,
         walking.parts.open_project.bridge.session,
         walking.parts.actions,
     )
     layer = session.document.layers[0]
-    walking.activateWindow()
-    timeline.lanes.setFocus()
-    qtbot.waitUntil(timeline.lanes.hasFocus)
+    focus(timeline.lanes)
     timeline.lanes.drawings.choice.choose(layer.id, 2)
     actions["copy_keys"].trigger()
     session.go_to(5)

@@ -404,13 +404,11 @@ def test_letters_reveal_properties_and_a_second_press_goes_back() -> None:
     assert all(REVEALED.values()), "every letter shows something"
 
 
-def test_with_shift_a_letter_adds_what_it_reveals(qtbot: QtBot, walking: MainWindow) -> None:
+def test_with_shift_a_letter_adds_what_it_reveals(walking: MainWindow, focus: Callable[[QWidget], None]) -> None:
     both = added(toggled(ANIMATED, "reveal_light"), "reveal_tilt")
     assert both == Reveal(REVEALED["reveal_light"] | REVEALED["reveal_tilt"])
     assert added(ANIMATED, "reveal_tilt") == Reveal(REVEALED["reveal_tilt"])
-    walking.activateWindow()
-    walking.parts.time.timeline.lanes.setFocus()
-    qtbot.waitUntil(walking.parts.time.timeline.lanes.hasFocus)
+    focus(walking.parts.time.timeline.lanes)
     QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_P)
     QTest.keyClick(walking.parts.time.timeline.lanes, Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
     assert walking.parts.time.timeline.rows.reveal == both

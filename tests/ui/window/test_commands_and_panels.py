@@ -1,5 +1,6 @@
 """The frame of the window: commands found and run, their keys shown and changed, panels hidden and put back."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -61,7 +62,9 @@ class TestActions:
         actions["velocity"].trigger()
         assert done == ["velocity"]
 
-    def test_a_command_goes_to_the_part_that_has_the_keyboard(self, qtbot: QtBot) -> None:
+    def test_a_command_goes_to_the_part_that_has_the_keyboard(
+        self, qtbot: QtBot, focus: Callable[[QWidget], None]
+    ) -> None:
         owner = QWidget()
         qtbot.addWidget(owner)
         curves, field = QWidget(owner), QLineEdit(owner)
@@ -71,10 +74,8 @@ class TestActions:
         actions.on("fit", lambda: done.append("picture"))
         actions.on("fit", lambda: done.append("curves"), within=curves)
         owner.show()
-        owner.activateWindow()
         for focused in (field, inside, field):
-            focused.setFocus()
-            qtbot.waitUntil(focused.hasFocus)
+            focus(focused)
             actions["fit"].trigger()
         assert done == ["picture", "curves", "picture"]
 

@@ -1,5 +1,6 @@
 """The whole window: projects come, are saved and go; what is wrong is said and the rest goes on."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -195,10 +196,10 @@ def test_backdrops_change_the_picture(walking: MainWindow) -> None:
     assert len(seen) == 3
 
 
-def test_delete_removes_the_layer_while_the_list_has_the_focus(qtbot: QtBot, walking: MainWindow) -> None:
-    walking.activateWindow()
-    walking.parts.panels.layers.view.setFocus()
-    qtbot.waitUntil(walking.parts.panels.layers.view.hasFocus)
+def test_delete_removes_the_layer_while_the_list_has_the_focus(
+    walking: MainWindow, focus: Callable[[QWidget], None]
+) -> None:
+    focus(walking.parts.panels.layers.view)
     walking.parts.actions["delete"].trigger()
     assert walking.parts.open_project.bridge.document.layers == ()
 
