@@ -70,7 +70,7 @@ def open_context() -> "GraphicsContext":
     Raises
     ------
     GraphicsProblem
-        Neither is to be had.
+        Neither is available.
     """
     from kagezou.render.gpu.context import open_headless_context
 
@@ -92,7 +92,7 @@ class _WindowSystemContext:
             from kagezou.ui.system.offscreen_context import OffscreenSurface
         except ImportError as error:
             raise GraphicsProblem(
-                Message("no OpenGL is to be had: the window's libraries cannot be loaded: {error}", error=error)
+                Message("OpenGL is not available: the window's libraries cannot be loaded: {error}", error=error)
             ) from error
         self._application = None if QGuiApplication.instance() else QGuiApplication([PROGRAM])
         self._context = OffscreenSurface().open()

@@ -58,7 +58,7 @@ class DiskFullProblem(OutputProblem):
 
 
 class GraphicsProblem(Problem):
-    """OpenGL 3.3 is not to be had, or it failed."""
+    """OpenGL 3.3 is not available, or it failed."""
 
     exit_code = 6
 

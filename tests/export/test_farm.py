@@ -214,7 +214,7 @@ def read_source(kind: str, source: str, destination: str) -> Rule:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("{", "these are no rules of path mapping"),
+        ("{", "these are not rules of path mapping"),
         ("[]", "is not an object"),
         ('{"version": "2"}', "the key 'path_mapping_rules' is missing"),
         ('{"version": "2", "path_mapping_rules": []}', "is not one of pathmapping-1.0"),

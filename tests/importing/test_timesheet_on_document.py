@@ -69,9 +69,7 @@ def test_missing_cels_stay_empty_and_are_told_once() -> None:
     cels = tuple((frame, str(cel)) for frame, cel in enumerate((1, 7, 1, 8, 7, 9, 10, 11, 12)))
     (exposures,), notes = exposed(document_with(A=["1"]), SheetTrack("A", cels))
     assert exposures == (Exposure(1, 0), Exposure(2, None), Exposure(3, 0), Exposure(4, None))
-    assert notes == [
-        "A: the timesheet asks for cels that are not among its drawings and stay empty: 7, 8, 9, 10, 11, …"
-    ]
+    assert notes == ["A: the timesheet names cels without a drawing; they stay empty: 7, 8, 9, 10, 11, …"]
 
 
 def test_a_decimal_is_no_number_of_another_cel() -> None:
@@ -99,7 +97,7 @@ def test_what_does_not_match_is_told() -> None:
     exposures, notes = exposed(document, *tracks)
     assert exposures == [(), (Exposure(1, 0),), (Exposure(1, 0),)]
     assert notes == [
-        "no layer of that name is left for the timesheet's column 'C'",
+        "there is no layer for the timesheet's column 'C'",
         "Hero C: the timesheet has no column for it; it keeps its timing",
         "Prop C: the timesheet has no column for it; it keeps its timing",
     ]

@@ -30,7 +30,7 @@ class Parser(argparse.ArgumentParser):
         )
 
     def error(self, message: str) -> NoReturn:
-        """Raise UsageProblem with the message and where help is to be had."""
+        """Raise UsageProblem with the message and where help is."""
         raise UsageProblem(Message("{message} (see {prog} --help)", message=message, prog=self.prog))
 
     def options_of(self, words: Sequence[str]) -> argparse.Namespace:
@@ -60,7 +60,7 @@ def size(text: str) -> tuple[int, int]:
     """Return ``WIDTHxHEIGHT`` as px."""
     sides = text.lower().replace("×", "x").split("x")
     if len(sides) != 2 or not all(side.isascii() and side.isdigit() and len(side) <= 6 for side in sides):
-        raise argparse.ArgumentTypeError(f"{text!r} is no size such as 1920x1080")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a size such as 1920x1080")
     width, height = (int(side) for side in sides)
     if not (1 <= width <= LARGEST_SIDE_PX and 1 <= height <= LARGEST_SIDE_PX):
         raise argparse.ArgumentTypeError(f"{text!r} is not within 1x1 and {LARGEST_SIDE_PX}x{LARGEST_SIDE_PX} px")
@@ -76,7 +76,7 @@ def frame_rate(text: str) -> Fraction:
     except (ValueError, ZeroDivisionError):
         rate = Fraction(0)
     if not 0 < rate <= 1000:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of frames a second such as 24 or 24000/1001")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of frames a second such as 24 or 24000/1001")
     return rate
 
 
@@ -102,7 +102,7 @@ def positive(text: str) -> float:
     except ValueError:
         number = nan
     if not (isfinite(number) and number > 0):
-        raise argparse.ArgumentTypeError(f"{text!r} is no number over 0")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number over 0")
     return number
 
 
@@ -114,5 +114,5 @@ def point(text: str) -> tuple[float, float]:
     except ValueError:
         x = y = nan
     if not (isfinite(x) and isfinite(y)):
-        raise argparse.ArgumentTypeError(f"{text!r} is no point such as 960,870")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a point such as 960,870")
     return x, y

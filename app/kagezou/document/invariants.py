@@ -26,9 +26,7 @@ def check(document: Document) -> None:
             raise ProjectProblem(Message("layers.{layer}: exposures are out of order", layer=layer.name))
         shown = [exposure.drawing for exposure in layer.cels.exposures if exposure.drawing is not None]
         if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
-            raise ProjectProblem(
-                Message("layers.{layer}: an exposure names a drawing that is not there", layer=layer.name)
-            )
+            raise ProjectProblem(Message("layers.{layer}: an exposure names a missing drawing", layer=layer.name))
     _check_pieces(document)
     _check_links(document)
     _check_tracks(document)
@@ -39,7 +37,7 @@ def _check_review(document: Document) -> None:
     first, last = document.work_area or (1, 1)
     if not 1 <= first <= last:
         raise ProjectProblem(
-            Message("work_area: frames {first} to {last} are no stretch of time", first=first, last=last)
+            Message("work_area: frames {first} to {last} are not a range of frames", first=first, last=last)
         )
     frames = [marker.frame for marker in document.markers]
     if frames != sorted(set(frames)) or (frames and frames[0] < 1):

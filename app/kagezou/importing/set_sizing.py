@@ -43,6 +43,6 @@ def sized(
     """
     length = dist(*between)
     if length <= 0 or figure_heights <= 0:
-        raise UsageProblem(Message("a size is told by two different points of the set and a length over 0"))
+        raise UsageProblem(Message("a size is given by two different points of the set and a length over 0"))
     scale = figure_heights * figure_height(document) / length
     return set_value(document, of_piece(PIECE_SCALE, piece_id), scale, frame)

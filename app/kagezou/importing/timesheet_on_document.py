@@ -26,9 +26,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
         layer = _layer_for(track.name, free)
         if layer is None:
             if track.entries:
-                notes.append(
-                    Message("no layer of that name is left for the timesheet's column {track!r}", track=track.name)
-                )
+                notes.append(Message("there is no layer for the timesheet's column {track!r}", track=track.name))
             continue
         free.remove(layer)
         exposures, missing = _exposed(layer, track)
@@ -37,8 +35,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
             more = ", …" if len(missing) > _SHOWN_CELS else ""
             notes.append(
                 Message(
-                    "{layer}: the timesheet asks for cels that are not among its drawings "
-                    "and stay empty: {missing}{more}",
+                    "{layer}: the timesheet names cels without a drawing; they stay empty: {missing}{more}",
                     layer=layer.name,
                     missing=", ".join(missing[:_SHOWN_CELS]),
                     more=more,

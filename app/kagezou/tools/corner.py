@@ -45,20 +45,20 @@ def drawing(document: Document, lay: Lay) -> Drag:
 
 def ground_line(document: Document, frame: int) -> Lay:
     """Return what lays the ground's line; its position stays under or over where it was."""
-    setting = FrameGeometry.of(document, frame, None, CanvasView())
+    geometry = FrameGeometry.of(document, frame, None, CanvasView())
 
     def lay(start: Point2, end: Point2) -> Document:
         way = (end[0] - start[0], end[1] - start[1])
         sign = -1.0 if way[0] < 0 else 1.0
         roll = degrees(atan2(sign * way[1], sign * way[0]))
-        x, y = setting.ground.origin[:2]
+        x, y = geometry.ground.origin[:2]
         along = (cos(radians(roll)), sin(radians(roll)))
         if abs(roll) < _STEEP_DEG:
             place = (x, start[1] + (x - start[0]) * along[1] / along[0])
         else:
             part = (x - start[0]) * along[0] + (y - start[1]) * along[1]
             place = (start[0] + part * along[0], start[1] + part * along[1])
-        return setting.edited(GROUND_ROLL, roll, setting.edited(GROUND_POSITION, kept_near(place)))
+        return geometry.edited(GROUND_ROLL, roll, geometry.edited(GROUND_POSITION, kept_near(place)))
 
     return lay
 
@@ -77,22 +77,22 @@ def wall_line(document: Document, frame: int, layer_id: str | None, name: str) -
     """
     if layer_id is None and document.layers:
         layer_id = document.layers[-1].id
-    setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
+    geometry = FrameGeometry.of(document, frame, layer_id, CanvasView())
 
     def lay(start: Point2, end: Point2) -> Document:
-        end = before_horizon(setting, kept_near(end), start)
-        ends = [place_on(setting.camera, setting.ground, point) for point in (start, end)]
+        end = before_horizon(geometry, kept_near(end), start)
+        ends = [place_on(geometry.camera, geometry.ground, point) for point in (start, end)]
         if ends[0] is None or ends[1] is None:
             return document
-        return add_piece(document, name, PieceKind.WALL, _wall_between(setting, ends[0], ends[1]))
+        return add_piece(document, name, PieceKind.WALL, _wall_between(geometry, ends[0], ends[1]))
 
     return lay
 
 
 def is_on_ground(document: Document, frame: int, canvas_px: Point2) -> bool:
     """Whether the ground is seen at a canvas point, so that a wall can begin there."""
-    setting = FrameGeometry.of(document, frame, None, CanvasView())
-    return place_on(setting.camera, setting.ground, canvas_px) is not None
+    geometry = FrameGeometry.of(document, frame, None, CanvasView())
+    return place_on(geometry.camera, geometry.ground, canvas_px) is not None
 
 
 def _drawing(document: Document, lay: Lay) -> Generator[Document, Pointer, None]:
@@ -114,15 +114,15 @@ def straightened(start: Pointer, pointer: Pointer) -> Point2:
     return (start.canvas_px[0] + part * cos(angle), start.canvas_px[1] + part * sin(angle))
 
 
-def _wall_between(setting: FrameGeometry, start: Vector3, end: Vector3) -> dict[str, object]:
+def _wall_between(geometry: FrameGeometry, start: Vector3, end: Vector3) -> dict[str, object]:
     """Return the properties of a wall whose foot runs between two places of the ground, its front to the viewer."""
-    camera, ground, way = setting.camera, setting.ground, between(start, end)
+    camera, ground, way = geometry.camera, geometry.ground, between(start, end)
     middle = moved(start, (0.5, way))
     angle = degrees(atan2(dot(way, ground.v), dot(way, ground.u)))
     if dot(stand_on(ground, middle, angle).v, camera.toward_eye((*middle, 1.0))) < 0:
         angle += 180.0 if angle <= 0 else -180.0
     width = sqrt(dot(way, way)) / depth_of(camera, middle)
-    sizes = {lines.PIECE_WIDTH: width, lines.PIECE_HEIGHT: _height_at(setting, middle)}
+    sizes = {lines.PIECE_WIDTH: width, lines.PIECE_HEIGHT: _height_at(geometry, middle)}
     x, y = seen(camera, middle)
     return {
         lines.PIECE_POSITION.name: (x, y),
@@ -131,17 +131,17 @@ def _wall_between(setting: FrameGeometry, start: Vector3, end: Vector3) -> dict[
     }
 
 
-def _height_at(setting: FrameGeometry, place: Vector3) -> float:
+def _height_at(geometry: FrameGeometry, place: Vector3) -> float:
     """Return how high a wall must be to be seen over the figure, canvas px at its depth."""
-    canvas = setting.document.canvas
-    x, y = seen(setting.camera, place)
-    figure = setting.layer.figure if setting.layer is not None else canvas.box
-    tall = figure.height * (1.0 if setting.layer is not None else 0.5)
+    canvas = geometry.document.canvas
+    x, y = seen(geometry.camera, place)
+    figure = geometry.layer.figure if geometry.layer is not None else canvas.box
+    tall = figure.height * (1.0 if geometry.layer is not None else 0.5)
     top = ((figure.left + figure.right) / 2, figure.bottom - tall)
-    up = (-setting.across[0], -setting.across[1])
+    up = (-geometry.across[0], -geometry.across[1])
     rises = (top[0] - x) * up[0] + (top[1] - y) * up[1] + _ABOVE_FIGURE * tall
-    scale = depth_of(setting.camera, place)
+    scale = depth_of(geometry.camera, place)
     aim = (x + rises * up[0], y + rises * up[1])
     nowhere: Vector3 = (0.0, 0.0, 0.0)
-    height = part_seen_at(setting.camera, place, moved(nowhere, (scale, setting.ground.normal)), aim)
+    height = part_seen_at(geometry.camera, place, moved(nowhere, (scale, geometry.ground.normal)), aim)
     return min(max(height or 0.0, _LEAST_OF_FIGURE * tall), _MOST_OF_CANVAS * canvas.height_px)

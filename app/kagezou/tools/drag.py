@@ -62,25 +62,25 @@ class Aim:
         """Return an angle, in whole steps if constrained."""
         return round(degrees / STEP_DEG) * STEP_DEG if self.modifiers.constrain else degrees
 
-    def angle_or_zero(self, degrees: float, miss_canvas_px: float, setting: FrameGeometry) -> float:
+    def angle_or_zero(self, degrees: float, miss_canvas_px: float, geometry: FrameGeometry) -> float:
         """Return an angle as above, or zero if snapping and the handle is that little away from where zero is."""
-        near = miss_canvas_px <= setting.view.canvas_length(SNAP_VIEW_PX)
+        near = miss_canvas_px <= geometry.view.canvas_length(SNAP_VIEW_PX)
         return 0.0 if near and self.modifiers.snap and not self.modifiers.constrain else self.angle(degrees)
 
 
 Move: TypeAlias = Callable[[FrameGeometry, Handle, Aim], Document]
-"""Makes of the setting at the press a document in which the handle lies where it is wanted, as nearly as it may."""
+"""Makes of the geometry at the press a document in which the handle lies where it is wanted, as nearly as it may."""
 
 
-def dragging(setting: FrameGeometry, handle: Handle, move: Move) -> Drag:
+def dragging(geometry: FrameGeometry, handle: Handle, move: Move) -> Drag:
     """Return a drag that is ready for the press."""
-    drag = _drag(setting, handle, move)
+    drag = _drag(geometry, handle, move)
     next(drag)
     return drag
 
 
-def _drag(setting: FrameGeometry, handle: Handle, move: Move) -> Drag:
-    shown = setting.document
+def _drag(geometry: FrameGeometry, handle: Handle, move: Move) -> Drag:
+    shown = geometry.document
     anchor = last = yield shown
     carried: Point2 = (0.0, 0.0)
     while True:
@@ -91,10 +91,10 @@ def _drag(setting: FrameGeometry, handle: Handle, move: Move) -> Drag:
         last = pointer
         offset = _travelled(carried, anchor, pointer)
         if offset == (0.0, 0.0):
-            shown = setting.document
+            shown = geometry.document
             continue
         target = (handle.canvas_px[0] + offset[0], handle.canvas_px[1] + offset[1])
-        shown = move(setting, handle, Aim(target, offset, pointer.modifiers, shown))
+        shown = move(geometry, handle, Aim(target, offset, pointer.modifiers, shown))
 
 
 def _travelled(carried: Point2, anchor: Pointer, pointer: Pointer) -> Point2:

@@ -31,71 +31,71 @@ MIN_END_VIEW_PX = 80.0
 _OUTLINE_OF_FIGURE = 0.5
 
 
-def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
+def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the three handles of the ground."""
-    layer_id = setting.layer.id if setting.layer else None
-    lever = setting.view.canvas_length(LEVER_VIEW_PX) * cos(radians(setting.value(properties.GROUND_DECLINATION)))
+    layer_id = geometry.layer.id if geometry.layer else None
+    lever = geometry.view.canvas_length(LEVER_VIEW_PX) * cos(radians(geometry.value(properties.GROUND_DECLINATION)))
     return (
         Handle(
-            DECLINATION, HandleShape.LEVER, _off(setting, setting.across, lever),
-            setting.address(properties.GROUND_DECLINATION), properties.GROUND_DECLINATION.label, Cursor.VERTICAL,
+            DECLINATION, HandleShape.LEVER, _off(geometry, geometry.across, lever),
+            geometry.address(properties.GROUND_DECLINATION), properties.GROUND_DECLINATION.label, Cursor.VERTICAL,
             layer_id=layer_id,
         ),
         Handle(
-            END, HandleShape.SQUARE, _off(setting, setting.along, _side(setting) * _end_distance(setting)),
-            setting.address(properties.GROUND_ROLL), properties.GROUND_ROLL.label, Cursor.ROTATE, layer_id=layer_id,
+            END, HandleShape.SQUARE, _off(geometry, geometry.along, _side(geometry) * _end_distance(geometry)),
+            geometry.address(properties.GROUND_ROLL), properties.GROUND_ROLL.label, Cursor.ROTATE, layer_id=layer_id,
         ),
         Handle(
-            POSITION, HandleShape.CROSS, _position(setting), setting.address(properties.GROUND_POSITION),
+            POSITION, HandleShape.CROSS, _position(geometry), geometry.address(properties.GROUND_POSITION),
             Message("Ground"), layer_id=layer_id,
         ),
     )  # fmt: skip
 
 
-def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
+def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the ground line, a square of the ground around its position, and the lever's arm."""
-    canvas = setting.document.canvas
-    reach = hypot(canvas.width_px, canvas.height_px) + hypot(*_position(setting))
-    half = _OUTLINE_OF_FIGURE * (setting.layer.figure.height if setting.layer else canvas.height_px / 2)
-    ground = setting.ground
+    canvas = geometry.document.canvas
+    reach = hypot(canvas.width_px, canvas.height_px) + hypot(*_position(geometry))
+    half = _OUTLINE_OF_FIGURE * (geometry.layer.figure.height if geometry.layer else canvas.height_px / 2)
+    ground = geometry.ground
     corners = tuple(
-        seen(setting.camera, ground.point(u * half, v * half)) for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        seen(geometry.camera, ground.point(u * half, v * half)) for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))
     )
-    lever = setting.view.canvas_length(LEVER_VIEW_PX)
+    lever = geometry.view.canvas_length(LEVER_VIEW_PX)
     return (
         Guide(GuideKind.GROUND_OUTLINE, corners, closed=True),
-        Guide(GuideKind.GROUND_LINE, (_off(setting, setting.along, -reach), _off(setting, setting.along, reach))),
-        Guide(GuideKind.DECLINATION, (_position(setting), _off(setting, setting.across, lever))),
+        Guide(GuideKind.GROUND_LINE, (_off(geometry, geometry.along, -reach), _off(geometry, geometry.along, reach))),
+        Guide(GuideKind.DECLINATION, (_position(geometry), _off(geometry, geometry.across, lever))),
     )
 
 
-def move_position(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_position(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the ground; it is drawn to the height of the figure's lowest pixel."""
     x, y = aim.straightened((1.0, 0.0)).target
-    if setting.layer and aim.modifiers.snap and not aim.modifiers.constrain:
-        lowest = float(setting.layer.figure.bottom)
-        if abs(y - lowest) <= setting.view.canvas_length(SNAP_VIEW_PX):
+    if geometry.layer and aim.modifiers.snap and not aim.modifiers.constrain:
+        lowest = float(geometry.layer.figure.bottom)
+        if abs(y - lowest) <= geometry.view.canvas_length(SNAP_VIEW_PX):
             y = lowest
-    return setting.edited(properties.GROUND_POSITION, kept_near((x, y)))
+    return geometry.edited(properties.GROUND_POSITION, kept_near((x, y)))
 
 
-def move_end(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
+def move_end(geometry: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Roll the ground about its position."""
-    origin = _position(setting)
-    side = 1.0 if _dot(_between(origin, handle.canvas_px), setting.along) >= 0 else -1.0
+    origin = _position(geometry)
+    side = 1.0 if _dot(_between(origin, handle.canvas_px), geometry.along) >= 0 else -1.0
     x, y = (side * part for part in _between(origin, aim.target))
     if hypot(x, y) < 1e-6:
-        return setting.document
+        return geometry.document
     roll = degrees(atan2(y, x))
     miss = abs(y) if x > 0 else inf
-    return setting.edited(properties.GROUND_ROLL, aim.angle_or_zero(roll, miss, setting))
+    return geometry.edited(properties.GROUND_ROLL, aim.angle_or_zero(roll, miss, geometry))
 
 
-def move_declination(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_declination(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Raise or lower the lever's end: the ground is seen more from the edge or more from above."""
-    down = _dot(_between(_position(setting), aim.target), setting.across)
-    part = down / setting.view.canvas_length(LEVER_VIEW_PX)
-    return setting.edited(properties.GROUND_DECLINATION, aim.angle(degrees(acos(min(max(part, 0.0), 1.0)))))
+    down = _dot(_between(_position(geometry), aim.target), geometry.across)
+    part = down / geometry.view.canvas_length(LEVER_VIEW_PX)
+    return geometry.edited(properties.GROUND_DECLINATION, aim.angle(degrees(acos(min(max(part, 0.0), 1.0)))))
 
 
 def kept_near(point: Point2) -> Point2:
@@ -104,29 +104,29 @@ def kept_near(point: Point2) -> Point2:
     return (x, y)
 
 
-def _position(setting: FrameGeometry) -> Point2:
-    return setting.ground.origin[:2]
+def _position(geometry: FrameGeometry) -> Point2:
+    return geometry.ground.origin[:2]
 
 
-def _off(setting: FrameGeometry, direction: Point2, distance: float) -> Point2:
-    x, y = _position(setting)
+def _off(geometry: FrameGeometry, direction: Point2, distance: float) -> Point2:
+    x, y = _position(geometry)
     return (x + distance * direction[0], y + distance * direction[1])
 
 
-def _side(setting: FrameGeometry) -> float:
+def _side(geometry: FrameGeometry) -> float:
     """Return which end of the line is taken hold of: the one that has more of the picture, whatever the roll."""
-    return 1.0 if _position(setting)[0] <= setting.document.canvas.width_px / 2 else -1.0
+    return 1.0 if _position(geometry)[0] <= geometry.document.canvas.width_px / 2 else -1.0
 
 
-def _end_distance(setting: FrameGeometry) -> float:
+def _end_distance(geometry: FrameGeometry) -> float:
     """Return how far along the line its end is taken hold of: shortly before it leaves the picture, canvas px."""
-    canvas, side = setting.document.canvas, _side(setting)
+    canvas, side = geometry.document.canvas, _side(geometry)
     leaves = min(
         _leaves(at, side * way, size)
-        for at, way, size in zip(_position(setting), setting.along, (canvas.width_px, canvas.height_px), strict=True)
+        for at, way, size in zip(_position(geometry), geometry.along, (canvas.width_px, canvas.height_px), strict=True)
     )
-    inside = leaves - setting.view.canvas_length(END_INSET_VIEW_PX) if leaves < inf else 0.0
-    return max(inside, setting.view.canvas_length(MIN_END_VIEW_PX))
+    inside = leaves - geometry.view.canvas_length(END_INSET_VIEW_PX) if leaves < inf else 0.0
+    return max(inside, geometry.view.canvas_length(MIN_END_VIEW_PX))
 
 
 def _leaves(at: float, way: float, size: float) -> float:

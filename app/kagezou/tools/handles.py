@@ -48,17 +48,17 @@ def handles_of(
     The view only matters for what hangs on arms and dials of constant length on screen: sun, tilt, declination, the
     end of the ground line, and a piece's turn and lean.
     """
-    setting = FrameGeometry.of(document, frame, layer_id, view, piece_id)
+    geometry = FrameGeometry.of(document, frame, layer_id, view, piece_id)
     return HandleSet(
-        tuple(handle for room in _ROOMS for handle in room.handles(setting)),
-        tuple(guide for room in _ROOMS for guide in room.guides(setting)),
+        tuple(handle for room in _ROOMS for handle in room.handles(geometry)),
+        tuple(guide for room in _ROOMS for guide in room.guides(geometry)),
     )
 
 
 def matching_handles_of(document: Document, frame: int, view: CanvasView) -> HandleSet:
     """Return what lies over the picture while the camera is matched to it."""
-    setting = FrameGeometry.of(document, frame, None, view)
-    return HandleSet(matching.handles(setting), matching.guides(setting), matching.note_of(setting))
+    geometry = FrameGeometry.of(document, frame, None, view)
+    return HandleSet(matching.handles(geometry), matching.guides(geometry), matching.note_of(geometry))
 
 
 def drag_of(handle: Handle, document: Document, frame: int, view: CanvasView) -> Drag:

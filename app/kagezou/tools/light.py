@@ -21,31 +21,31 @@ MIN_HEIGHT_PX = 1.0
 """The least height over the ground a drag leaves a lamp."""
 
 
-def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
+def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the foot and the lamp, none for the sun."""
-    if setting.is_sun:
+    if geometry.is_sun:
         return ()
-    address = setting.address(properties.LIGHT_POSITION)
-    layer_id = setting.layer.id if setting.layer else None
-    position, foot = _lamp(setting), _foot(setting)
+    address = geometry.address(properties.LIGHT_POSITION)
+    layer_id = geometry.layer.id if geometry.layer else None
+    position, foot = _lamp(geometry), _foot(geometry)
     return (
         Handle(
-            FOOT, HandleShape.FOOT, seen(setting.camera, foot), address, Message("Lamp's foot"),
+            FOOT, HandleShape.FOOT, seen(geometry.camera, foot), address, Message("Lamp's foot"),
             layer_id=layer_id, stays_in_view=True,
         ),
         Handle(
-            LAMP, HandleShape.SUN_DISC, seen(setting.camera, position), address, Message("Lamp"),
+            LAMP, HandleShape.SUN_DISC, seen(geometry.camera, position), address, Message("Lamp"),
             layer_id=layer_id, stays_in_view=True,
         ),
     )  # fmt: skip
 
 
-def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
+def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the lines from the lamp to its foot and on to where the character stands."""
-    if setting.is_sun:
+    if geometry.is_sun:
         return ()
     position, foot, contact = (
-        seen(setting.camera, place) for place in (_lamp(setting), _foot(setting), setting.contact)
+        seen(geometry.camera, place) for place in (_lamp(geometry), _foot(geometry), geometry.contact)
     )
     return (
         Guide(GuideKind.LAMP_TO_FOOT, (position, foot)),
@@ -53,63 +53,63 @@ def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     )
 
 
-def move_lamp(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_lamp(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the lamp in the upright plane along the ground line; seen edge-on, px of the hand are px of the lamp."""
-    ground, start = setting.ground, _lamp(setting)
-    place = place_seen_at(setting.camera, start, ground.v, aim.target)
+    ground, start = geometry.ground, _lamp(geometry)
+    place = place_seen_at(geometry.camera, start, ground.v, aim.target)
     if place is None:
-        right, down = _hand(setting, aim, start)
+        right, down = _hand(geometry, aim, start)
         way_along, up = right, -down
     else:
         way = between(start, place)
         way_along, up = dot(way, ground.u), dot(way, ground.normal)
     if aim.modifiers.constrain:
-        way_along, up = (way_along, 0.0) if _is_along(setting, aim) else (0.0, up)
+        way_along, up = (way_along, 0.0) if _is_along(geometry, aim) else (0.0, up)
     height = height_over(ground.equation, lamp(start))
     lifted = max(up, MIN_HEIGHT_PX - height)
-    return _placed(setting, moved(start, (way_along, ground.u), (lifted, ground.normal)))
+    return _placed(geometry, moved(start, (way_along, ground.u), (lifted, ground.normal)))
 
 
-def move_foot(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_foot(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the foot over the ground; seen edge-on, down is toward the viewer."""
-    ground, foot = setting.ground, _foot(setting)
-    place = place_seen_at(setting.camera, foot, ground.normal, aim.target)
+    ground, foot = geometry.ground, _foot(geometry)
+    place = place_seen_at(geometry.camera, foot, ground.normal, aim.target)
     if place is None:
-        way_along, nearer = _hand(setting, aim, foot)
+        way_along, nearer = _hand(geometry, aim, foot)
     else:
         way = between(foot, place)
         way_along, nearer = dot(way, ground.u), dot(way, ground.v)
     if aim.modifiers.constrain:
-        way_along, nearer = (way_along, 0.0) if _is_along(setting, aim) else (0.0, nearer)
-    return _placed(setting, moved(_lifted(setting), (way_along, ground.u), (nearer, ground.v)))
+        way_along, nearer = (way_along, 0.0) if _is_along(geometry, aim) else (0.0, nearer)
+    return _placed(geometry, moved(_lifted(geometry), (way_along, ground.u), (nearer, ground.v)))
 
 
-def _placed(setting: FrameGeometry, wanted: Vector3) -> Document:
-    return setting.edited(properties.LIGHT_POSITION, within_reach(_lifted(setting), wanted))
+def _placed(geometry: FrameGeometry, wanted: Vector3) -> Document:
+    return geometry.edited(properties.LIGHT_POSITION, within_reach(_lifted(geometry), wanted))
 
 
-def _lamp(setting: FrameGeometry) -> Vector3:
-    return setting.light[:3]
+def _lamp(geometry: FrameGeometry) -> Vector3:
+    return geometry.light[:3]
 
 
-def _foot(setting: FrameGeometry) -> Vector3:
-    return foot_of(setting.ground, _lamp(setting))
+def _foot(geometry: FrameGeometry) -> Vector3:
+    return foot_of(geometry.ground, _lamp(geometry))
 
 
-def _lifted(setting: FrameGeometry) -> Vector3:
+def _lifted(geometry: FrameGeometry) -> Vector3:
     """Return the lamp, brought over the ground where it lay under it, so that any way on from it stays over."""
-    height = height_over(setting.ground.equation, setting.light)
-    return moved(_lamp(setting), (max(0.0, MIN_HEIGHT_PX - height), setting.ground.normal))
+    height = height_over(geometry.ground.equation, geometry.light)
+    return moved(_lamp(geometry), (max(0.0, MIN_HEIGHT_PX - height), geometry.ground.normal))
 
 
-def _hand(setting: FrameGeometry, aim: Aim, place: Vector3) -> tuple[float, float]:
+def _hand(geometry: FrameGeometry, aim: Aim, place: Vector3) -> tuple[float, float]:
     """Return the hand's way along and across the ground line in world px at a place's depth."""
-    depth = max(depth_of(setting.camera, place), MIN_DEPTH)
-    (x, y), along, across = aim.offset, setting.along, setting.across
+    depth = max(depth_of(geometry.camera, place), MIN_DEPTH)
+    (x, y), along, across = aim.offset, geometry.along, geometry.across
     return (depth * (x * along[0] + y * along[1]), x * across[0] + y * across[1])
 
 
-def _is_along(setting: FrameGeometry, aim: Aim) -> bool:
+def _is_along(geometry: FrameGeometry, aim: Aim) -> bool:
     """Whether the hand went further along the ground line than across it."""
-    (x, y), along, across = aim.offset, setting.along, setting.across
+    (x, y), along, across = aim.offset, geometry.along, geometry.across
     return abs(x * along[0] + y * along[1]) >= abs(x * across[0] + y * across[1])

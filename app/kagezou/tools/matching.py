@@ -51,22 +51,22 @@ _NOTES = {
 }  # fmt: skip
 
 
-def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
+def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the ends of the four lines, and two places of the horizon."""
     fov, roll, declination = (
-        setting.address(prop) for prop in (properties.FOV, properties.GROUND_ROLL, properties.GROUND_DECLINATION)
+        geometry.address(prop) for prop in (properties.FOV, properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
     made = [
         Handle(
             f"{END}.{2 * number + side}", HandleShape.SQUARE if number < 2 else HandleShape.DIAMOND, end, fov,
             _END_WORDS[number // 2], also=(declination, roll), index=2 * number + side, stays_in_view=True,
         )
-        for number, line in enumerate(lines_of(setting).all)
+        for number, line in enumerate(lines_of(geometry).all)
         for side, end in enumerate(line)
     ]  # fmt: skip
-    horizon = _horizon(setting)
+    horizon = _horizon(geometry)
     if horizon is not None:
-        middle, end = (_on_horizon(setting, horizon, along) for along in (0.0, _end_distance(setting)))
+        middle, end = (_on_horizon(geometry, horizon, along) for along in (0.0, _end_distance(geometry)))
         made += [
             Handle(HORIZON_END, HandleShape.SQUARE, end, roll, properties.GROUND_ROLL.label, Cursor.ROTATE),
             Handle(
@@ -76,113 +76,113 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     return tuple(made)
 
 
-def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
+def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the four lines, what lies between them and the points where they meet, and the horizon."""
-    lines, size = lines_of(setting), _size(setting)
+    lines, size = lines_of(geometry), _size(geometry)
     made: list[Guide] = []
     for pair, kind in ((lines.first, GuideKind.FLOOR_FIRST), (lines.second, GuideKind.FLOOR_SECOND)):
         point = vanishing_point(pair, size)
         if point is not None:
             made += [Guide(GuideKind.FLOOR_RAY, (_nearest(line, point), point)) for line in pair]
         made += [Guide(kind, line) for line in pair]
-    horizon = _horizon(setting)
+    horizon = _horizon(geometry)
     if horizon is not None:
         reach = hypot(*size)
-        ends = (_on_horizon(setting, horizon, along) for along in (-reach, reach))
+        ends = (_on_horizon(geometry, horizon, along) for along in (-reach, reach))
         made.insert(0, Guide(GuideKind.HORIZON, tuple(ends)))
     return tuple(made)
 
 
-def note_of(setting: FrameGeometry) -> Message | None:
+def note_of(geometry: FrameGeometry) -> Message | None:
     """Return why the lines tell no camera, None where they tell one."""
-    if setting.document.vanishing is None:
+    if geometry.document.vanishing is None:
         return None
-    match = matched(setting.document.vanishing, _size(setting), setting.camera.fov_deg)
+    match = matched(geometry.document.vanishing, _size(geometry), geometry.camera.fov_deg)
     return _NOTES[match] if isinstance(match, Mismatch) else None
 
 
-def lines_of(setting: FrameGeometry) -> VanishingLines:
+def lines_of(geometry: FrameGeometry) -> VanishingLines:
     """Return the lines of the project; before there are any, four that run as the present ground would."""
-    if setting.document.vanishing is not None:
-        return setting.document.vanishing
-    return laid(first_lines(_size(setting)), _camera(setting), setting.ground, _FIRST_AZIMUTH_DEG)
+    if geometry.document.vanishing is not None:
+        return geometry.document.vanishing
+    return laid(first_lines(_size(geometry)), _camera(geometry), geometry.ground, _FIRST_AZIMUTH_DEG)
 
 
-def move_end(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
+def move_end(geometry: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Move an end of a line; camera and ground follow as soon as the lines make sense."""
     assert handle.index is not None
-    lines, number, side = lines_of(setting), handle.index // 2, handle.index % 2
+    lines, number, side = lines_of(geometry), handle.index // 2, handle.index % 2
     ends = list(lines.all[number])
     ends[side] = kept_near(aim.target)
     lines = lines.with_line(number, (ends[0], ends[1]))
-    document = replace(setting.document, vanishing=lines)
-    match = matched(lines, _size(setting), setting.camera.fov_deg)
+    document = replace(geometry.document, vanishing=lines)
+    match = matched(lines, _size(geometry), geometry.camera.fov_deg)
     if isinstance(match, Mismatch):
         return document
-    document = setting.edited(properties.FOV, match.fov_deg, document)
-    document = setting.edited(properties.GROUND_ROLL, match.roll_deg, document)
-    return setting.edited(properties.GROUND_DECLINATION, match.declination_deg, document)
+    document = geometry.edited(properties.FOV, match.fov_deg, document)
+    document = geometry.edited(properties.GROUND_ROLL, match.roll_deg, document)
+    return geometry.edited(properties.GROUND_DECLINATION, match.declination_deg, document)
 
 
-def move_horizon(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_horizon(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Raise or lower the horizon: the ground is seen more from above or more from the edge."""
-    roll = radians(setting.value(properties.GROUND_ROLL))
+    roll = radians(geometry.value(properties.GROUND_ROLL))
     x, y = aim.target
-    width, height = _size(setting)
+    width, height = _size(geometry)
     above = sin(roll) * (x - width / 2) - cos(roll) * (y - height / 2)
-    declination = declination_below(_camera(setting), above)
-    return _turned(setting, setting.value(properties.GROUND_ROLL), aim.angle(declination))
+    declination = declination_below(_camera(geometry), above)
+    return _turned(geometry, geometry.value(properties.GROUND_ROLL), aim.angle(declination))
 
 
-def move_horizon_end(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_horizon_end(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Roll the horizon about its middle."""
-    horizon = _horizon(setting)
+    horizon = _horizon(geometry)
     if horizon is None:
-        return setting.document
-    x, y = _on_horizon(setting, horizon, 0.0)
+        return geometry.document
+    x, y = _on_horizon(geometry, horizon, 0.0)
     dx, dy = aim.target[0] - x, aim.target[1] - y
     if hypot(dx, dy) < 1e-6:
-        return setting.document
+        return geometry.document
     miss = abs(dy) if dx > 0 else inf
     return _turned(
-        setting,
-        aim.angle_or_zero(degrees(atan2(dy, dx)), miss, setting),
-        setting.value(properties.GROUND_DECLINATION),
+        geometry,
+        aim.angle_or_zero(degrees(atan2(dy, dx)), miss, geometry),
+        geometry.value(properties.GROUND_DECLINATION),
     )
 
 
-def _turned(setting: FrameGeometry, roll_deg: float, declination_deg: float) -> Document:
+def _turned(geometry: FrameGeometry, roll_deg: float, declination_deg: float) -> Document:
     """Return the document with the ground turned, the lines turned with it about their middles."""
-    camera, lines = _camera(setting), lines_of(setting)
-    document = setting.edited(properties.FOV, camera.fov_deg)
-    document = setting.edited(properties.GROUND_ROLL, roll_deg, document)
-    document = setting.edited(properties.GROUND_DECLINATION, declination_deg, document)
-    azimuth = azimuth_of(lines.first, camera, setting.ground)
+    camera, lines = _camera(geometry), lines_of(geometry)
+    document = geometry.edited(properties.FOV, camera.fov_deg)
+    document = geometry.edited(properties.GROUND_ROLL, roll_deg, document)
+    document = geometry.edited(properties.GROUND_DECLINATION, declination_deg, document)
+    azimuth = azimuth_of(lines.first, camera, geometry.ground)
     if azimuth is None:
         return document
-    return replace(document, vanishing=laid(lines, camera, _ground(setting, document), azimuth))
+    return replace(document, vanishing=laid(lines, camera, _ground(geometry, document), azimuth))
 
 
-def _ground(setting: FrameGeometry, document: Document) -> Plane:
+def _ground(geometry: FrameGeometry, document: Document) -> Plane:
     roll, declination = (
-        setting.value(prop, document) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION)
+        geometry.value(prop, document) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION)
     )
-    return ground_plane(setting.ground.origin[:2], roll, declination)
+    return ground_plane(geometry.ground.origin[:2], roll, declination)
 
 
-def _camera(setting: FrameGeometry) -> Camera:
+def _camera(geometry: FrameGeometry) -> Camera:
     """Return the camera, in perspective: without one a usual one is begun with."""
-    camera = setting.camera
+    camera = geometry.camera
     return camera if camera.eye[3] else Camera(camera.width_px, camera.height_px, USUAL_FOV_DEG)
 
 
-def _horizon(setting: FrameGeometry) -> Horizon | None:
-    roll, declination = (setting.value(prop) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION))
-    return horizon_of(_camera(setting), roll, declination)
+def _horizon(geometry: FrameGeometry) -> Horizon | None:
+    roll, declination = (geometry.value(prop) for prop in (properties.GROUND_ROLL, properties.GROUND_DECLINATION))
+    return horizon_of(_camera(geometry), roll, declination)
 
 
-def _on_horizon(setting: FrameGeometry, horizon: Horizon, along_px: float) -> Point2:
-    width, height = _size(setting)
+def _on_horizon(geometry: FrameGeometry, horizon: Horizon, along_px: float) -> Point2:
+    width, height = _size(geometry)
     roll = radians(horizon.roll_deg)
     return (
         width / 2 + horizon.height_px * sin(roll) + along_px * cos(roll),
@@ -190,12 +190,12 @@ def _on_horizon(setting: FrameGeometry, horizon: Horizon, along_px: float) -> Po
     )
 
 
-def _end_distance(setting: FrameGeometry) -> float:
-    return _HORIZON_END_OF_WIDTH * setting.document.canvas.width_px
+def _end_distance(geometry: FrameGeometry) -> float:
+    return _HORIZON_END_OF_WIDTH * geometry.document.canvas.width_px
 
 
-def _size(setting: FrameGeometry) -> Point2:
-    canvas = setting.document.canvas
+def _size(geometry: FrameGeometry) -> Point2:
+    canvas = geometry.document.canvas
     return (float(canvas.width_px), float(canvas.height_px))
 
 

@@ -65,12 +65,12 @@ def add_placed(
     """
     if layer_id is None and document.layers:
         layer_id = document.layers[-1].id
-    setting = FrameGeometry.of(document, frame, layer_id, CanvasView())
-    spot = _best_spot(setting, kind)
+    geometry = FrameGeometry.of(document, frame, layer_id, CanvasView())
+    spot = _best_spot(geometry, kind)
     values: dict[str, object] = {}
     if spot is not None:
-        scale = depth_of(setting.camera, spot.place)
-        x, y = seen(setting.camera, spot.place)
+        scale = depth_of(geometry.camera, spot.place)
+        x, y = seen(geometry.camera, spot.place)
         values[lines.PIECE_POSITION.name] = (float(round(x)), float(round(y)))
         sized = zip((lines.PIECE_WIDTH, lines.PIECE_HEIGHT, lines.PIECE_DEPTH), spot.size, strict=True)
         values |= {prop.name: float(max(round(size / scale), 1)) for prop, size in sized}
@@ -78,11 +78,11 @@ def add_placed(
     return document, document.pieces[-1].id
 
 
-def _best_spot(setting: FrameGeometry, kind: PieceKind) -> _Spot | None:
+def _best_spot(geometry: FrameGeometry, kind: PieceKind) -> _Spot | None:
     """Return the first spot that is good enough, else the best; None where a piece would be seen nowhere."""
     enough = _ENOUGH_OF_WALL if TRAITS[kind].is_backdrop else _ENOUGH
     best: _Spot | None = None
-    for spot in _spots(setting, kind):
+    for spot in _spots(geometry, kind):
         if best is None or spot.worth > best.worth:
             best = spot
         if best.worth >= enough:
@@ -90,15 +90,15 @@ def _best_spot(setting: FrameGeometry, kind: PieceKind) -> _Spot | None:
     return best if best is not None and best.worth > 0 else None
 
 
-def _spots(setting: FrameGeometry, kind: PieceKind) -> Iterator[_Spot]:
+def _spots(geometry: FrameGeometry, kind: PieceKind) -> Iterator[_Spot]:
     sizes = TRAITS[kind].first_sizes
     if sizes is None:
         return
-    figure, ground, camera = _figure(setting), setting.ground, setting.camera
-    first = _shadow_side(setting)
+    figure, ground, camera = _figure(geometry), geometry.ground, geometry.camera
+    first = _shadow_side(geometry)
     is_wall = TRAITS[kind].is_backdrop
     behind_it = _BEHIND_OF_WALL if is_wall else _BEHIND
-    taken = tuple(_taken(setting, is_wall=is_wall))
+    taken = tuple(_taken(geometry, is_wall=is_wall))
     for grown, behind, side in product(_GROWN, behind_it, (0.0,) if is_wall else (first, -first)):
         width, height, depth = (figure.height * part * grown for part in sizes.of_figure)
         aside = side * (figure.half_width + width / 2 + _CLEARANCE * figure.height)
@@ -107,28 +107,28 @@ def _spots(setting: FrameGeometry, kind: PieceKind) -> Iterator[_Spot]:
             continue
         size, reach = (width, height, depth), (depth if is_wall else max(width, depth)) / 2
         is_crowded = any(dist(place, at) < reach + room for at, room in taken)
-        yield _Spot(place, size, _part_on_canvas(setting, place, size) * (_CROWDED if is_crowded else 1.0))
+        yield _Spot(place, size, _part_on_canvas(geometry, place, size) * (_CROWDED if is_crowded else 1.0))
 
 
-def _figure(setting: FrameGeometry) -> _Figure:
-    canvas, depth = setting.document.canvas, max(depth_of(setting.camera, setting.contact), MIN_DEPTH)
-    if setting.layer is None or setting.layer.figure.is_empty:
+def _figure(geometry: FrameGeometry) -> _Figure:
+    canvas, depth = geometry.document.canvas, max(depth_of(geometry.camera, geometry.contact), MIN_DEPTH)
+    if geometry.layer is None or geometry.layer.figure.is_empty:
         height = _FIGURE_OF_CANVAS * canvas.height_px * depth
-        return _Figure(setting.contact, height, height / 4)
-    box = setting.layer.figure
-    return _Figure(setting.contact, box.height * depth, box.width * depth / 2)
+        return _Figure(geometry.contact, height, height / 4)
+    box = geometry.layer.figure
+    return _Figure(geometry.contact, box.height * depth, box.width * depth / 2)
 
 
-def _shadow_side(setting: FrameGeometry) -> float:
+def _shadow_side(geometry: FrameGeometry) -> float:
     """Return on which side of the figure its shadow falls, where a new piece shows at once what it does."""
-    tip = tip_of(setting)
-    return -1.0 if tip is not None and dot(between(setting.contact, tip), setting.ground.u) < 0 else 1.0
+    tip = tip_of(geometry)
+    return -1.0 if tip is not None and dot(between(geometry.contact, tip), geometry.ground.u) < 0 else 1.0
 
 
-def _taken(setting: FrameGeometry, *, is_wall: bool) -> Iterator[tuple[Vector3, float]]:
+def _taken(geometry: FrameGeometry, *, is_wall: bool) -> Iterator[tuple[Vector3, float]]:
     """Yield where the other pieces stand and how far they reach; a wall has things before it, but no second wall."""
-    for piece in setting.document.pieces:
-        found = piece_frame(piece, setting.frame, setting.camera, setting.ground)
+    for piece in geometry.document.pieces:
+        found = piece_frame(piece, geometry.frame, geometry.camera, geometry.ground)
         if found is None or found.measures.kind not in BUILT_KINDS:
             continue
         if TRAITS[found.measures.kind].is_backdrop == is_wall:
@@ -136,12 +136,12 @@ def _taken(setting: FrameGeometry, *, is_wall: bool) -> Iterator[tuple[Vector3, 
             yield found.stand.origin, max(sizes) / 2
 
 
-def _part_on_canvas(setting: FrameGeometry, place: Vector3, size: tuple[float, float, float]) -> float:
+def _part_on_canvas(geometry: FrameGeometry, place: Vector3, size: tuple[float, float, float]) -> float:
     """Return which part of the picture of a box at a place lies on the canvas."""
-    ground, canvas = setting.ground, setting.document.canvas
+    ground, canvas = geometry.ground, geometry.document.canvas
     width, height, depth = size
     corners = [
-        seen(setting.camera, moved(place, (a, ground.u), (b, ground.v), (h, ground.normal)))
+        seen(geometry.camera, moved(place, (a, ground.u), (b, ground.v), (h, ground.normal)))
         for a, b, h in product((-width / 2, width / 2), (-depth / 2, depth / 2), (0.0, height))
     ]
     part = 1.0

@@ -26,15 +26,15 @@ _SIZES: dict[str, Property[float]] = {WIDTH: lines.PIECE_WIDTH, DEPTH: lines.PIE
 _CURSORS = {WIDTH: Cursor.HORIZONTAL, DEPTH: Cursor.VERTICAL, HEIGHT: Cursor.VERTICAL}
 
 
-def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
+def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the grips of the piece worked on."""
-    piece = setting.piece
+    piece = geometry.piece
     if piece is None:
         return ()
     return tuple(
         Handle(
-            handle_id, HandleShape.GRIP, seen(setting.camera, _end(piece, handle_id)),
-            setting.address(_SIZES[handle_id]), _SIZES[handle_id].label, _CURSORS[handle_id],
+            handle_id, HandleShape.GRIP, seen(geometry.camera, _end(piece, handle_id)),
+            geometry.address(_SIZES[handle_id]), _SIZES[handle_id].label, _CURSORS[handle_id],
             stays_in_view=True, piece_id=piece.id,
         )
         for handle_id in (DEPTH, HEIGHT, WIDTH)
@@ -42,13 +42,13 @@ def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
     )  # fmt: skip
 
 
-def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
+def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the edges of the whole set while a piece of it is worked on."""
-    if setting.piece_id is None:
+    if geometry.piece_id is None:
         return ()
     made: list[Guide] = []
-    for outline in outlines_of(setting.document, setting.frame):
-        if outline.piece_id == setting.piece_id:
+    for outline in outlines_of(geometry.document, geometry.frame):
+        if outline.piece_id == geometry.piece_id:
             made += [Guide(GuideKind.PIECE_HIDDEN, line) for line in outline.hidden]
             made += [Guide(GuideKind.PIECE_EDGE, line) for line in outline.seen]
         else:
@@ -56,25 +56,25 @@ def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
     return tuple(made)
 
 
-def move_size(setting: FrameGeometry, handle: Handle, aim: Aim) -> Document:
+def move_size(geometry: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Draw a side out, or push it in; constrained, the piece keeps its proportions.
 
     Seen end-on, the hand's way down draws it out.
     """
-    piece, prop = setting.piece, _SIZES[handle.id]
+    piece, prop = geometry.piece, _SIZES[handle.id]
     if piece is None:
-        return setting.document
+        return geometry.document
     base, way = _line(piece, handle.id)
-    size = part_seen_at(setting.camera, base, way, aim.target)
+    size = part_seen_at(geometry.camera, base, way, aim.target)
     if size is None:
-        (x, y), (across_x, across_y) = aim.offset, setting.across
-        size = setting.value(prop) + x * across_x + y * across_y
-    document = setting.edited(prop, size)
+        (x, y), (across_x, across_y) = aim.offset, geometry.across
+        size = geometry.value(prop) + x * across_x + y * across_y
+    document = geometry.edited(prop, size)
     if aim.modifiers.constrain:
-        grown = max(size, prop.low) / setting.value(prop)
+        grown = max(size, prop.low) / geometry.value(prop)
         for other in _SIZES.values():
             if other is not prop and matters(other, piece.measures.kind):
-                document = setting.edited(other, grown * setting.value(other), document)
+                document = geometry.edited(other, grown * geometry.value(other), document)
     return document
 
 

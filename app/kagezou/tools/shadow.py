@@ -35,82 +35,82 @@ MIN_HEIGHT_OF_FIGURE = 0.1
 """A head less high over the ground than this part of the figure has no handle."""
 
 
-def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
+def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the shadow's tip, where there is one."""
-    head, tip = _head(setting), tip_of(setting)
-    if setting.layer is None or head is None or tip is None:
+    head, tip = _head(geometry), tip_of(geometry)
+    if geometry.layer is None or head is None or tip is None:
         return ()
-    lines = (properties.LIGHT_AZIMUTH, properties.LIGHT_ELEVATION) if setting.is_sun else (properties.LIGHT_POSITION,)
-    address, *also = map(setting.address, lines)
+    lines = (properties.LIGHT_AZIMUTH, properties.LIGHT_ELEVATION) if geometry.is_sun else (properties.LIGHT_POSITION,)
+    address, *also = map(geometry.address, lines)
     return (
         Handle(
-            TIP, HandleShape.RING, seen(setting.camera, tip), address, Message("Tip of the shadow"),
-            also=tuple(also), layer_id=setting.layer.id, stays_in_view=True,
+            TIP, HandleShape.RING, seen(geometry.camera, tip), address, Message("Tip of the shadow"),
+            also=tuple(also), layer_id=geometry.layer.id, stays_in_view=True,
         ),
     )  # fmt: skip
 
 
-def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
+def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the line from the head to its shadow."""
-    head, tip = _head(setting), tip_of(setting)
+    head, tip = _head(geometry), tip_of(geometry)
     if head is None or tip is None:
         return ()
-    return (Guide(GuideKind.SHADOW_RAY, (seen(setting.camera, head), seen(setting.camera, tip))),)
+    return (Guide(GuideKind.SHADOW_RAY, (seen(geometry.camera, head), seen(geometry.camera, tip))),)
 
 
-def move_tip(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_tip(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the light so that the head's shadow falls where it is wanted."""
-    ground, head, tip = setting.ground, _head(setting), tip_of(setting)
+    ground, head, tip = geometry.ground, _head(geometry), tip_of(geometry)
     if head is None or tip is None:
-        return setting.document
-    wanted = place_seen_at(setting.camera, tip, ground.normal, aim.straightened(setting.along).target)
+        return geometry.document
+    wanted = place_seen_at(geometry.camera, tip, ground.normal, aim.straightened(geometry.along).target)
     if wanted is None:
-        return setting.document
-    if setting.is_sun:
-        return _sun_through(setting, between(within_reach(tip, wanted), head), aim)
+        return geometry.document
+    if geometry.is_sun:
+        return _sun_through(geometry, between(within_reach(tip, wanted), head), aim)
     toward_head = between(wanted, head)
-    gain = height_over(ground.equation, setting.light) / height_over(ground.equation, (*head, 1.0))
-    place = within_reach(setting.light[:3], moved(wanted, (gain, toward_head)))
-    return setting.edited(properties.LIGHT_POSITION, place)
+    gain = height_over(ground.equation, geometry.light) / height_over(ground.equation, (*head, 1.0))
+    place = within_reach(geometry.light[:3], moved(wanted, (gain, toward_head)))
+    return geometry.edited(properties.LIGHT_POSITION, place)
 
 
-def _sun_through(setting: FrameGeometry, direction: Vector3, aim: Aim) -> Document:
-    ground, length = setting.ground, sqrt(dot(direction, direction))
+def _sun_through(geometry: FrameGeometry, direction: Vector3, aim: Aim) -> Document:
+    ground, length = geometry.ground, sqrt(dot(direction, direction))
     right, nearer, up = (dot(direction, axis) / length for axis in (ground.u, ground.v, ground.normal))
-    document = setting.edited(properties.LIGHT_ELEVATION, degrees(asin(min(max(up, -1.0), 1.0))))
+    document = geometry.edited(properties.LIGHT_ELEVATION, degrees(asin(min(max(up, -1.0), 1.0))))
     if abs(right) + abs(nearer) < 1e-12:
         return document
-    shown = setting.value(properties.LIGHT_AZIMUTH, aim.shown)
+    shown = geometry.value(properties.LIGHT_AZIMUTH, aim.shown)
     azimuth = unwound(degrees(atan2(right, nearer)), shown, properties.LIGHT_AZIMUTH)
-    return setting.edited(properties.LIGHT_AZIMUTH, azimuth, document)
+    return geometry.edited(properties.LIGHT_AZIMUTH, azimuth, document)
 
 
-def _head(setting: FrameGeometry) -> Vector3 | None:
+def _head(geometry: FrameGeometry) -> Vector3 | None:
     """Return the middle of the figure's top on its card, world px, or None if it says too little."""
-    layer, card = setting.layer, setting.card
-    if layer is None or card is None or layer.cels.drawing_at(setting.frame) is None:
+    layer, card = geometry.layer, geometry.card
+    if layer is None or card is None or layer.cels.drawing_at(geometry.frame) is None:
         return None
-    if not setting.value(properties.VISIBLE) or layer.figure.is_empty:
+    if not geometry.value(properties.VISIBLE) or layer.figure.is_empty:
         return None
     figure = layer.figure
-    head = _on_card(setting, card, ((figure.left + figure.right) / 2, float(figure.top)))
+    head = _on_card(geometry, card, ((figure.left + figure.right) / 2, float(figure.top)))
     if head is None:
         return None
-    height = height_over(setting.ground.equation, (*head, 1.0))
+    height = height_over(geometry.ground.equation, (*head, 1.0))
     return head if height >= MIN_HEIGHT_OF_FIGURE * figure.height else None
 
 
-def _on_card(setting: FrameGeometry, card: Card, canvas_px: Point2) -> Vector3 | None:
+def _on_card(geometry: FrameGeometry, card: Card, canvas_px: Point2) -> Vector3 | None:
     piece = next(piece for piece in card.pieces if piece.left <= canvas_px[0] <= piece.right)
     nx, ny, nz, d = piece.plane
-    place = on_plane(setting.camera, (nx, ny, nz, d), canvas_px)
+    place = on_plane(geometry.camera, (nx, ny, nz, d), canvas_px)
     return place if place is None or max(map(abs, place)) <= REACH_PX else None
 
 
-def tip_of(setting: FrameGeometry) -> Vector3 | None:
+def tip_of(geometry: FrameGeometry) -> Vector3 | None:
     """Return where the head's shadow falls on the ground, world px, or None if it does not, or out of sight."""
-    head = _head(setting)
-    ground, light = setting.ground, setting.light
+    head = _head(geometry)
+    ground, light = geometry.ground, geometry.light
     if head is None:
         return None
     x, y, z, w = light
@@ -119,6 +119,6 @@ def tip_of(setting: FrameGeometry) -> Vector3 | None:
     if rise <= sin(radians(GRAZING_DARK_DEG)) * sqrt(dot(ray, ray)):
         return None
     tip = moved(head, (-height_over(ground.equation, (*head, 1.0)) / rise, ray))
-    if max(map(abs, tip)) > REACH_PX or depth_of(setting.camera, tip) <= MIN_DEPTH:
+    if max(map(abs, tip)) > REACH_PX or depth_of(geometry.camera, tip) <= MIN_DEPTH:
         return None
-    return None if is_edge_on(setting.camera, tip, ground.normal) else tip
+    return None if is_edge_on(geometry.camera, tip, ground.normal) else tip

@@ -25,51 +25,51 @@ SQUASH = 0.35
 _ARC_POINTS = 25
 
 
-def handles(setting: FrameGeometry) -> tuple[Handle, ...]:
+def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the lever's end where the tilt can be set."""
-    if setting.layer is None or not _is_set(setting):
+    if geometry.layer is None or not _is_set(geometry):
         return ()
     return (
         Handle(
-            TILT, HandleShape.LEVER, _end(setting, setting.value(properties.TILT)), setting.address(properties.TILT),
-            properties.TILT.label, Cursor.HORIZONTAL, layer_id=setting.layer.id,
+            TILT, HandleShape.LEVER, _end(geometry, geometry.value(properties.TILT)), geometry.address(properties.TILT),
+            properties.TILT.label, Cursor.HORIZONTAL, layer_id=geometry.layer.id,
         ),
     )  # fmt: skip
 
 
-def guides(setting: FrameGeometry) -> tuple[Guide, ...]:
+def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the lever's arm and the arc of its end; for a card folded more than once there is no one tilt."""
-    if setting.card is None or len(setting.card.pieces) > 1:
+    if geometry.card is None or len(geometry.card.pieces) > 1:
         return ()
     arc = (-MAX_SLOPE_DEG + 2 * MAX_SLOPE_DEG * step / (_ARC_POINTS - 1) for step in range(_ARC_POINTS))
     return (
-        Guide(GuideKind.TILT_ARC, tuple(_end(setting, angle) for angle in arc)),
-        Guide(GuideKind.TILT_ARM, (_pivot(setting), _end(setting, setting.card.tilt_deg))),
+        Guide(GuideKind.TILT_ARC, tuple(_end(geometry, angle) for angle in arc)),
+        Guide(GuideKind.TILT_ARM, (_pivot(geometry), _end(geometry, geometry.card.tilt_deg))),
     )
 
 
-def move_tilt(setting: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
+def move_tilt(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Turn the body so that the lever's end lies under the hand, in x."""
-    away = aim.target[0] - _pivot(setting)[0]
-    part = away / setting.view.canvas_length(ARM_VIEW_PX)
+    away = aim.target[0] - _pivot(geometry)[0]
+    part = away / geometry.view.canvas_length(ARM_VIEW_PX)
     tilt = -degrees(asin(min(max(part, -1.0), 1.0)))
-    return setting.edited(properties.TILT, aim.angle_or_zero(tilt, abs(away), setting))
+    return geometry.edited(properties.TILT, aim.angle_or_zero(tilt, abs(away), geometry))
 
 
-def _is_set(setting: FrameGeometry) -> bool:
+def _is_set(geometry: FrameGeometry) -> bool:
     """Whether φ is given by the property rather than measured."""
-    return setting.card is not None and len(setting.card.contacts) <= 1 and not setting.card.merged
+    return geometry.card is not None and len(geometry.card.contacts) <= 1 and not geometry.card.merged
 
 
-def _pivot(setting: FrameGeometry) -> Point2:
+def _pivot(geometry: FrameGeometry) -> Point2:
     """Return where the card's vertical axis passes over the head, kept within the picture."""
-    assert setting.layer is not None
-    figure, canvas_length = setting.layer.figure, setting.view.canvas_length
+    assert geometry.layer is not None
+    figure, canvas_length = geometry.layer.figure, geometry.view.canvas_length
     above = figure.top - canvas_length(ABOVE_HEAD_VIEW_PX)
-    return (seen(setting.camera, setting.contact)[0], max(above, canvas_length(ABOVE_HEAD_VIEW_PX / 2)))
+    return (seen(geometry.camera, geometry.contact)[0], max(above, canvas_length(ABOVE_HEAD_VIEW_PX / 2)))
 
 
-def _end(setting: FrameGeometry, tilt_deg: float) -> Point2:
-    x, y = _pivot(setting)
-    arm, angle = setting.view.canvas_length(ARM_VIEW_PX), radians(tilt_deg)
+def _end(geometry: FrameGeometry, tilt_deg: float) -> Point2:
+    x, y = _pivot(geometry)
+    arm, angle = geometry.view.canvas_length(ARM_VIEW_PX), radians(tilt_deg)
     return (x - arm * sin(angle), y + SQUASH * arm * cos(angle))

@@ -1951,15 +1951,15 @@ Drop a folder of cels here.</source>
 <context>
     <name>Message</name>
     <message>
-        <source>&apos;{path_suffix}&apos; is no picture format that can be read</source>
+        <source>&apos;{path_suffix}&apos; is not a picture format that can be read</source>
         <translation>「{path_suffix}」は読み込める画像形式ではありません</translation>
     </message>
     <message>
-        <source>&apos;{pattern_suffix}&apos; is no picture format that can be read</source>
+        <source>&apos;{pattern_suffix}&apos; is not a picture format that can be read</source>
         <translation>「{pattern_suffix}」は読み込める画像形式ではありません</translation>
     </message>
     <message>
-        <source>&apos;{suffix}&apos; is no picture format that can be read</source>
+        <source>&apos;{suffix}&apos; is not a picture format that can be read</source>
         <translation>「{suffix}」は読み込める画像形式ではありません</translation>
     </message>
     <message>
@@ -2271,7 +2271,7 @@ Drop a folder of cels here.</source>
         <translation>ディスプレイなしの OpenGL には libEGL（Debian のパッケージ libegl1）が要ります：{error}</translation>
     </message>
     <message>
-        <source>OpenGL without a window system is only to be had on Linux</source>
+        <source>OpenGL without a window system is available on Linux only</source>
         <translation>ウィンドウシステムなしの OpenGL は Linux でしか使えません</translation>
     </message>
     <message>
@@ -2687,7 +2687,7 @@ Drop a folder of cels here.</source>
         <translation>大道具にプロパティ {each!r} はありません</translation>
     </message>
     <message>
-        <source>a size is told by two different points of the set and a length over 0</source>
+        <source>a size is given by two different points of the set and a length over 0</source>
         <translation>大きさは、セットの異なる2点と 0 より大きい長さで決まります</translation>
     </message>
     <message>
@@ -2875,7 +2875,7 @@ Drop a folder of cels here.</source>
         <translation>途中で切れています</translation>
     </message>
     <message>
-        <source>it is damaged: a buffer in it is no base64 text</source>
+        <source>it is damaged: a buffer in it is not base64 text</source>
         <translation>壊れています：内蔵バッファが base64 ではありません</translation>
     </message>
     <message>
@@ -2887,11 +2887,11 @@ Drop a folder of cels here.</source>
         <translation>壊れています：頂点の座標が数値ではありません</translation>
     </message>
     <message>
-        <source>it is damaged: a node hangs on two others</source>
+        <source>it is damaged: a node has two parents</source>
         <translation>壊れています：ひとつのノードに親が二つあります</translation>
     </message>
     <message>
-        <source>it is damaged: a triangle names a corner that is not there</source>
+        <source>it is damaged: a triangle names a missing corner</source>
         <translation>壊れています：三角形が存在しない頂点を参照しています</translation>
     </message>
     <message>
@@ -2899,19 +2899,19 @@ Drop a folder of cels here.</source>
         <translation>壊れています：頂点番号が整数ではありません</translation>
     </message>
     <message>
-        <source>it is damaged: it claims more numbers than it holds</source>
+        <source>it is damaged: it refers to more numbers than it holds</source>
         <translation>壊れています：持っている以上の数値を参照しています</translation>
     </message>
     <message>
-        <source>it is damaged: its corners are no points in space</source>
+        <source>it is damaged: its corners are not points in space</source>
         <translation>ファイルが壊れています：頂点が立体の点になっていません</translation>
     </message>
     <message>
-        <source>it is damaged: its nodes hang on one another without end</source>
+        <source>it is damaged: its nodes form an endless loop</source>
         <translation>壊れています：ノードの親子関係が終わりません</translation>
     </message>
     <message>
-        <source>it is damaged: numbers are claimed that are not there</source>
+        <source>it is damaged: it refers to numbers that are missing</source>
         <translation>壊れています：存在しない数値を参照しています</translation>
     </message>
     <message>
@@ -2935,15 +2935,15 @@ Drop a folder of cels here.</source>
         <translation>{megabytes} MB を超えており、セットとして大きすぎます</translation>
     </message>
     <message>
-        <source>it is larger than {megabytes} MB, which no keepsake is</source>
+        <source>it is larger than {megabytes} MB, too large for kept work</source>
         <translation>{megabytes} MB より大きく、退避した作業のファイルではありません</translation>
     </message>
     <message>
-        <source>it is larger than {megabytes} MB, which no project is</source>
+        <source>it is larger than {megabytes} MB, too large for a project</source>
         <translation>{megabytes} MB より大きく、プロジェクトではありません</translation>
     </message>
     <message>
-        <source>it is larger than {megabytes} MB, which no timesheet is</source>
+        <source>it is larger than {megabytes} MB, too large for a timesheet</source>
         <translation>{megabytes} MB より大きく、タイムシートではありません</translation>
     </message>
     <message>
@@ -2955,15 +2955,15 @@ Drop a folder of cels here.</source>
         <translation>入れ子が深すぎます</translation>
     </message>
     <message>
-        <source>it is no glTF 2 file</source>
+        <source>it is not a glTF 2 file</source>
         <translation>glTF 2 のファイルではありません</translation>
     </message>
     <message>
-        <source>it is no whole glTF file</source>
+        <source>it is not a complete glTF file</source>
         <translation>完全な glTF ファイルではありません</translation>
     </message>
     <message>
-        <source>it is no whole glTF file: {name!r} is no list</source>
+        <source>it is not a complete glTF file: {name!r} is not a list</source>
         <translation>完全な glTF ファイルではありません：{name!r} がリストではありません</translation>
     </message>
     <message>
@@ -2987,7 +2987,7 @@ Drop a folder of cels here.</source>
         <translation>タイムシート（XDTS、TDTS、STS）ではありません</translation>
     </message>
     <message>
-        <source>it is not whole JSON text (line {lineno}, column {colno})</source>
+        <source>it is not complete JSON text (line {lineno}, column {colno})</source>
         <translation>JSON として完全ではありません（{lineno} 行 {colno} 列）</translation>
     </message>
     <message>
@@ -3075,7 +3075,7 @@ Drop a folder of cels here.</source>
         <translation>レイヤー付きフレームは {format!r} では書き出せません。psd か exr を選んでください</translation>
     </message>
     <message>
-        <source>layers.{layer}: an exposure names a drawing that is not there</source>
+        <source>layers.{layer}: an exposure names a missing drawing</source>
         <translation>layers.{layer}：セル指定に、ない絵が指定されています</translation>
     </message>
     <message>
@@ -3111,7 +3111,7 @@ Drop a folder of cels here.</source>
         <translation>絵とセル指定とキーが合わせて {most_rows} を超えています</translation>
     </message>
     <message>
-        <source>no OpenGL 3.3 is to be had without a display: on Debian and Ubuntu install libegl1 libgl1 libgl1-mesa-dri</source>
+        <source>OpenGL 3.3 is not available without a display: on Debian and Ubuntu install libegl1 libgl1 libgl1-mesa-dri</source>
         <translation>ディスプレイなしでは OpenGL 3.3 を使えません。Debian と Ubuntu では libegl1 libgl1 libgl1-mesa-dri をインストールしてください</translation>
     </message>
     <message>
@@ -3131,7 +3131,7 @@ Drop a folder of cels here.</source>
         <translation>フレームが指定されていません。カットは 1-{length} フレームです</translation>
     </message>
     <message>
-        <source>no layer of that name is left for the timesheet&apos;s column {track!r}</source>
+        <source>there is no layer for the timesheet&apos;s column {track!r}</source>
         <translation>タイムシートの列 {track!r} に当たるレイヤーがありません</translation>
     </message>
     <message>
@@ -3231,7 +3231,7 @@ Drop a folder of cels here.</source>
         <translation>ディスクの入出力エラーです</translation>
     </message>
     <message>
-        <source>the drawings of {layer!r} are no gap-free sequence, so they were copied</source>
+        <source>the drawings of {layer!r} are not a sequence without gaps, so they were copied</source>
         <translation>{layer!r} の絵は番号の続いた連番ではないため、コピーしました</translation>
     </message>
     <message>
@@ -3299,7 +3299,7 @@ Drop a folder of cels here.</source>
         <translation>キー {name!r} がありません</translation>
     </message>
     <message>
-        <source>the key {name!r} is no property that a style can set</source>
+        <source>the key {name!r} is not a property that a style can set</source>
         <translation>キー {name!r} はスタイルで設定できるプロパティではありません</translation>
     </message>
     <message>
@@ -3347,7 +3347,7 @@ Drop a folder of cels here.</source>
         <translation>三角形がひとつもありません</translation>
     </message>
     <message>
-        <source>there are no triangles in it but some without an area</source>
+        <source>there are only triangles without an area in it</source>
         <translation>面積のない三角形しかありません</translation>
     </message>
     <message>
@@ -3447,7 +3447,7 @@ Drop a folder of cels here.</source>
         <translation>この線の組は同じ床の上で直交しません</translation>
     </message>
     <message>
-        <source>this is no set that can be read, only {mesh_suffixes}</source>
+        <source>this is not a set that can be read; readable are {mesh_suffixes}</source>
         <translation>読み込めるセットではありません。対応形式は {mesh_suffixes} です</translation>
     </message>
     <message>
@@ -3479,7 +3479,7 @@ Drop a folder of cels here.</source>
         <translation>{megabytes} MB は大きすぎて読み込めません</translation>
     </message>
     <message>
-        <source>work_area: frames {first} to {last} are no stretch of time</source>
+        <source>work_area: frames {first} to {last} are not a range of frames</source>
         <translation>work_area：フレーム {first} から {last} は時間の範囲になっていません</translation>
     </message>
     <message>
@@ -3511,12 +3511,12 @@ Drop a folder of cels here.</source>
         <translation>{layer} に描画できないベクターシェイプがあります</translation>
     </message>
     <message>
-        <source>{layer}: the timesheet asks for cels that are not among its drawings and stay empty: {missing}{more}</source>
-        <translation>{layer}：タイムシートのセルに当たる絵がなく、空セルになります：{missing}{more}</translation>
-    </message>
-    <message>
         <source>{layer}: the timesheet has no column for it; it keeps its timing</source>
         <translation>{layer}：タイムシートに列がありません。タイミングはそのままです</translation>
+    </message>
+    <message>
+        <source>{layer}: the timesheet names cels without a drawing; they stay empty: {missing}{more}</source>
+        <translation>{layer}：タイムシートのセルに当たる絵がなく、空セルになります：{missing}{more}</translation>
     </message>
     <message>
         <source>{line}: a key cannot lie on frame {frame}, frames count from 1</source>
@@ -3687,7 +3687,7 @@ Drop a folder of cels here.</source>
         <translation>{path}：カメラ {camera!r} はありません。あるのは {known} です</translation>
     </message>
     <message>
-        <source>{path}: these are no rules of path mapping: {cause}</source>
+        <source>{path}: these are not rules of path mapping: {cause}</source>
         <translation>{path}：パスマッピングの規則ではありません：{cause}</translation>
     </message>
     <message>

@@ -94,9 +94,9 @@ def test_a_set_without_a_camera_has_the_size_that_is_said(shell: Shell, project:
     [
         (("add", "x", "mesh"), "which file"),
         (("add", "x", "wall", "--camera", "a"), "belong to: add NAME mesh"),
-        (("add", "x", "mesh", "--file", "x.glb", "--stand", "here"), "no point"),
+        (("add", "x", "mesh", "--file", "x.glb", "--stand", "here"), "not a point"),
         (("add", "x", "mesh", "lean", "--file", "x.glb"), "not PROPERTY=JSON"),
-        (("add", "x", "mesh", "--file", "x.glb", "--scale", "0"), "no number over 0"),
+        (("add", "x", "mesh", "--file", "x.glb", "--scale", "0"), "not a number over 0"),
         (("add", "x", "mesh", "--file", "x.glb", "--scale", "20", "--camera", "c"), "leave out --scale"),
     ],
 )

@@ -74,12 +74,12 @@ class Terminal(io.StringIO):
 
 
 def no_opengl() -> GraphicsContext:
-    raise GraphicsProblem(Message("no OpenGL 3.3 is to be had"))
+    raise GraphicsProblem(Message("OpenGL 3.3 is not available"))
 
 
 def test_render_without_opengl_is_told(shell: Shell, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(__main__, "open_context", no_opengl)
-    assert "no OpenGL" in shell.fails(6, "render", project, "-o", project.parent / "out")
+    assert "OpenGL 3.3 is not available" in shell.fails(6, "render", project, "-o", project.parent / "out")
 
 
 def test_every_sample_becomes_a_project_and_renders(shell: Shell, samples: Path, tmp_path: Path) -> None:

@@ -281,7 +281,7 @@ def test_drawings_with_gaps_are_copied_and_that_is_said(document: Document, tmp_
     layer = document.layers[1]
     assert referenced(layer, 24) is None
     done = handed_off(document, tmp_path / "ae", copies=False)
-    assert tuple(map(str, done.notes)) == ("the drawings of 'B' are no gap-free sequence, so they were copied",)
+    assert tuple(map(str, done.notes)) == ("the drawings of 'B' are not a sequence without gaps, so they were copied",)
     assert len(list((tmp_path / "ae" / "characters" / "B").iterdir())) == 2
 
 

@@ -147,11 +147,11 @@ def test_gaps(tmp_path: Path) -> None:
     [
         ("none", "it does not exist"),
         ("empty", "there is no picture in this folder"),
-        ("notes.txt", "'.txt' is no picture format that can be read"),
+        ("notes.txt", "'.txt' is not a picture format that can be read"),
         ("B_#.png", "no file has such a name"),
         ("none/B_#.png", "its folder does not exist"),
         ("#_#.png", "one run of '#' is needed where the number stands"),
-        ("B_#.txt", "'.txt' is no picture format that can be read"),
+        ("B_#.txt", "'.txt' is not a picture format that can be read"),
         ("a\0b", "it does not exist"),
     ],
 )

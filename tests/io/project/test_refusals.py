@@ -34,7 +34,7 @@ def test_a_newer_project_is_not_believed_whatever_it_says_of_its_program(made_by
         (b"", "the file is empty"),
         (b" \n", "the file is empty"),
         (b"\xef\xbb\xbf", "the file is empty"),
-        (b'{"format": "kagezou-project"', "it is not whole JSON text (line 1, column 29)"),
+        (b'{"format": "kagezou-project"', "it is not complete JSON text (line 1, column 29)"),
         (b'{"format": "\xff"}', "it is not UTF-8 text (byte 13)"),
         ("{}".encode("utf-16"), "it is not UTF-8 text (byte 1)"),
         (b"[" * 200_000, "it is nested too deep"),
@@ -48,10 +48,10 @@ def test_a_newer_project_is_not_believed_whatever_it_says_of_its_program(made_by
         (b'{"a": -Infinity}', "-Infinity is not a number of a project"),
         (b'{"a": 1e999}', "the number '1e999' is out of range"),
         (b'{"a": ' + b"9" * 5000 + b"}", "is out of range"),
-        ('{"a": １２}'.encode(), "it is not whole JSON text"),
-        (b'{"a": "\x01"}', "it is not whole JSON text"),
+        ('{"a": １２}'.encode(), "it is not complete JSON text"),
+        (b'{"a": "\x01"}', "it is not complete JSON text"),
         (b"\x89PNG\r\n\x1a\n", "it is not UTF-8 text"),
-        (b"<html></html>", "it is not whole JSON text (line 1, column 1)"),
+        (b"<html></html>", "it is not complete JSON text (line 1, column 1)"),
     ],
 )
 def test_what_is_no_project_is_refused_in_one_sentence(content: bytes, cause: str, tmp_path: Path) -> None:

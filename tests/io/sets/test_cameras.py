@@ -103,13 +103,13 @@ def test_a_turn_goes_the_shorter_way_evenly(tmp_path: Path) -> None:
 )
 def test_a_broken_lens_is_one_sentence(tmp_path: Path, lens: dict[str, object]) -> None:
     tree, data = triangle_tree(cameras=[lens], nodes=[{"mesh": 0}, {"camera": 0}])
-    with pytest.raises(InputProblem, match="no whole glTF"):
+    with pytest.raises(InputProblem, match="not a complete glTF"):
         cameras_of(glb(tmp_path / "a.glb", tree, data), RATE)
 
 
 def test_broken_ways_are_one_sentence(tmp_path: Path) -> None:
     for output in (np.zeros((3, 3)), np.full((2, 3), np.nan)):
-        with pytest.raises(InputProblem, match="no whole glTF"):
+        with pytest.raises(InputProblem, match="not a complete glTF"):
             cameras_of(moving(tmp_path, "LINEAR", output), RATE)
     path = moving(tmp_path, "LINEAR", np.zeros((2, 3)))
     with pytest.raises(InputProblem, match="more than the 20000"):

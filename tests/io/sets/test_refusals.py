@@ -137,7 +137,7 @@ def test_what_is_broken_is_refused_in_one_sentence(tmp_path: Path, name: str) ->
 
 @pytest.mark.parametrize("name", ["tree.fbx", "tree", "tree.glb.zip"])
 def test_what_is_no_set_says_what_is(tmp_path: Path, name: str) -> None:
-    with pytest.raises(InputProblem, match=r"this is no set that can be read, only \.glb, \.gltf, \.obj"):
+    with pytest.raises(InputProblem, match=r"this is not a set that can be read; readable are \.glb, \.gltf, \.obj"):
         read_mesh(files.written(tmp_path / name, CUBE))
 
 

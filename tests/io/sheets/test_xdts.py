@@ -98,7 +98,7 @@ def test_byte_order_mark_windows_lines_and_unknown_keys(tmp_path: Path) -> None:
         (b"\x11ShiraheiTimeSheet\x02\x00\x00\x00\x00", "the STS timesheet has no frames"),
         (b"\x11ShiraheiTimeSheet\xff\xff\xff\x00\x00", "255 columns of 65535 frames do not fit"),
         (HEAD.encode(), "the file is empty"),
-        (HEAD.encode() + b"{", "it is not whole JSON text"),
+        (HEAD.encode() + b"{", "it is not complete JSON text"),
         (HEAD.encode() + b"[" * 100_000, "it is nested too deep"),
         (HEAD.encode() + b"\xff", "it is not UTF-8 text"),
         (HEAD.encode() + b"{}", "$: the key 'timeTables' is missing"),

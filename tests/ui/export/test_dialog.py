@@ -333,7 +333,7 @@ def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot:
     walking.parts.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
     walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
     qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
-    assert walking.parts.bar.text == "The drawings of 'walker' are no gap-free sequence, so they were copied"
+    assert walking.parts.bar.text == "The drawings of 'walker' are not a sequence without gaps, so they were copied"
     middle.with_name("aside.png").rename(middle)
     walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
     qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)

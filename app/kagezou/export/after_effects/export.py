@@ -244,7 +244,7 @@ def _note_of_copies(layer: Layer, length: int) -> Message:
     """Return why drawings that were to stay where they lie were copied."""
     if not have_alpha(layer, length):
         return Message("the drawings of {layer!r} have no alpha, so they were copied with it", layer=layer.name)
-    return Message("the drawings of {layer!r} are no gap-free sequence, so they were copied", layer=layer.name)
+    return Message("the drawings of {layer!r} are not a sequence without gaps, so they were copied", layer=layer.name)
 
 
 def _made(folder: Path) -> Path:

@@ -164,6 +164,6 @@ def _values(reader: Reader, props: Mapping[str, AnyProperty]) -> Mapping[str, Va
     values: dict[str, Value] = {}
     for name, each in reader.members().items():
         if name not in props:
-            raise reader.problem(Message("the key {name!r} is no property that a style can set", name=name))
+            raise reader.problem(Message("the key {name!r} is not a property that a style can set", name=name))
         values[name] = props[name].canonical(each.value)
     return MappingProxyType(values)

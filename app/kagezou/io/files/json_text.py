@@ -41,7 +41,9 @@ def parse(text: str) -> object:
         if not text.strip("\ufeff \t\r\n"):
             raise ProjectProblem(Message("the file is empty")) from error
         raise ProjectProblem(
-            Message("it is not whole JSON text (line {lineno}, column {colno})", lineno=error.lineno, colno=error.colno)
+            Message(
+                "it is not complete JSON text (line {lineno}, column {colno})", lineno=error.lineno, colno=error.colno
+            )
         ) from error
     except RecursionError as error:
         raise ProjectProblem(Message("it is nested too deep")) from error

@@ -97,7 +97,7 @@ def _still(path: Path) -> Found:
         raise input_problem(path, Message("it is neither a file nor a folder"))
     if not is_picture(path):
         raise input_problem(
-            path, Message("'{path_suffix}' is no picture format that can be read", path_suffix=path.suffix)
+            path, Message("'{path_suffix}' is not a picture format that can be read", path_suffix=path.suffix)
         )
     return Found((_one(path),), ())
 
@@ -141,7 +141,8 @@ def _by_pattern(pattern: Path) -> Found:
         raise input_problem(pattern, Message("one run of '#' is needed where the number stands"))
     if not is_picture(pattern):
         raise input_problem(
-            pattern, Message("'{pattern_suffix}' is no picture format that can be read", pattern_suffix=pattern.suffix)
+            pattern,
+            Message("'{pattern_suffix}' is not a picture format that can be read", pattern_suffix=pattern.suffix),
         )
     if not pattern.parent.is_dir():
         raise input_problem(pattern, Message("its folder does not exist"))

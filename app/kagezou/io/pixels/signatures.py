@@ -90,7 +90,7 @@ def checked_format(path: Path, *, whole: bool) -> str:
     """
     expected = FORMATS.get(path.suffix.lower())
     if expected is None:
-        raise input_problem(path, Message("'{suffix}' is no picture format that can be read", suffix=path.suffix))
+        raise input_problem(path, Message("'{suffix}' is not a picture format that can be read", suffix=path.suffix))
     try:
         if path.exists() and not path.is_file():
             raise input_problem(path, Message("it is not a file"))

@@ -115,7 +115,7 @@ def _text_at(path: Path) -> str:
         with path.open("rb") as stream:
             if os.fstat(stream.fileno()).st_size > MAX_BYTES:
                 raise ProjectProblem(
-                    Message("it is larger than {megabytes} MB, which no project is", megabytes=MAX_BYTES >> 20)
+                    Message("it is larger than {megabytes} MB, too large for a project", megabytes=MAX_BYTES >> 20)
                 )
             return stream.read(MAX_BYTES + 1).decode("utf-8")
     except UnicodeDecodeError as error:

@@ -37,7 +37,7 @@ def read_rules(path: Path) -> tuple[Rule, ...]:
         raise input_problem(path, error) from error
     except (UnicodeDecodeError, ProjectProblem) as problem:
         raise InputProblem(
-            Message("{path}: these are no rules of path mapping: {cause}", path=shown(path), cause=problem)
+            Message("{path}: these are not rules of path mapping: {cause}", path=shown(path), cause=problem)
         ) from problem
     try:
         return _rules(Reader(tree))

@@ -87,7 +87,7 @@ def read_recovery_file(file: Path) -> RecoveredWork:
     try:
         if file.stat().st_size > 2 * MAX_BYTES:
             raise ProjectProblem(
-                Message("it is larger than {megabytes} MB, which no keepsake is", megabytes=2 * MAX_BYTES >> 20)
+                Message("it is larger than {megabytes} MB, too large for kept work", megabytes=2 * MAX_BYTES >> 20)
             )
         return _keepsake(Reader(parse(file.read_bytes().decode("ascii"))), file.parent)
     except OSError as error:

@@ -111,7 +111,7 @@ def _parts(path: Path, data: bytes) -> tuple[Tree, bytes | None]:
     except RecursionError as error:
         raise input_problem(path, Message("it is nested too deep")) from error
     if not isinstance(tree, dict) or str(tree["asset"]["version"]).partition(".")[0] != "2":
-        raise input_problem(path, Message("it is no glTF 2 file"))
+        raise input_problem(path, Message("it is not a glTF 2 file"))
     return tree, binary
 
 
@@ -119,7 +119,7 @@ def list_of(path: Path, tree: Tree, name: str) -> list[Tree]:
     """Return a list of objects out of a tree, empty where there is none."""
     found = tree.get(name, [])
     if not isinstance(found, list):
-        raise input_problem(path, Message("it is no whole glTF file: {name!r} is no list", name=name))
+        raise input_problem(path, Message("it is not a complete glTF file: {name!r} is not a list", name=name))
     return found
 
 
@@ -156,7 +156,7 @@ def _buffer(path: Path, buffer: Tree, binary: bytes | None) -> bytes:
         try:
             data = base64.b64decode(uri.partition(",")[2], validate=True)
         except binascii.Error as error:
-            raise input_problem(path, Message("it is damaged: a buffer in it is no base64 text")) from error
+            raise input_problem(path, Message("it is damaged: a buffer in it is not base64 text")) from error
     else:
         data = _beside(path, uri)
     if not isinstance(length, int) or len(data) < length:
@@ -193,14 +193,14 @@ def _parents(path: Path, tree: Tree) -> dict[int, int]:
         for child in node.get("children", ()):
             entry_of(path, tree, "nodes", child)
             if child in parents:
-                raise input_problem(path, Message("it is damaged: a node hangs on two others"))
+                raise input_problem(path, Message("it is damaged: a node has two parents"))
             parents[child] = number
     reached = level = [number for number in range(len(nodes)) if number not in parents]
     for _ in range(_MAX_DEPTH):
         level = [child for number in level for child in nodes[number].get("children", ())]
         reached = reached + level
     if len(reached) != len(nodes):
-        raise input_problem(path, Message("it is damaged: its nodes hang on one another without end"))
+        raise input_problem(path, Message("it is damaged: its nodes form an endless loop"))
     for scene in list_of(path, tree, "scenes"):
         for root in scene.get("nodes", ()):
             entry_of(path, tree, "nodes", root)
@@ -216,7 +216,7 @@ def _check_accessor(file: Gltf, accessor: Tree) -> None:
         raise input_problem(file.path, Message("it uses sparse accessors, which are not read"))
     if "bufferView" not in accessor:
         # Nothing but zeros, of any claimed number.
-        raise input_problem(file.path, Message("it is damaged: numbers are claimed that are not there"))
+        raise input_problem(file.path, Message("it is damaged: it refers to numbers that are missing"))
     view = entry_of(file.path, file.tree, "bufferViews", accessor["bufferView"])
     buffer = file.buffers[_index(view["buffer"], len(file.buffers))]
     start, inner = view.get("byteOffset", 0), accessor.get("byteOffset", 0)
@@ -224,7 +224,7 @@ def _check_accessor(file: Gltf, accessor: Tree) -> None:
     length = view["byteLength"]
     needed = inner + (step * (count - 1) + size if count else 0)
     if min(start, inner, length, step) < 0 or start + length > len(buffer) or needed > length:
-        raise input_problem(file.path, Message("it is damaged: it claims more numbers than it holds"))
+        raise input_problem(file.path, Message("it is damaged: it refers to more numbers than it holds"))
 
 
 def _index(index: object, count: int) -> int:
@@ -235,4 +235,4 @@ def _index(index: object, count: int) -> int:
 
 def damaged(path: Path) -> InputProblem:
     """Return the problem of a file whose numbers do not fit together."""
-    return input_problem(path, Message("it is no whole glTF file"))
+    return input_problem(path, Message("it is not a complete glTF file"))

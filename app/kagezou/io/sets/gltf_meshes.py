@@ -116,6 +116,6 @@ def _triangles_of(file: Gltf, part: Tree) -> int:
         if indices["componentType"] not in (5121, 5123, 5125) or indices["type"] != "SCALAR":
             raise input_problem(file.path, Message("it is damaged: corners are not named by whole numbers"))
         if indices["count"] and file.accessor(part["indices"]).max() >= count:
-            raise input_problem(file.path, Message("it is damaged: a triangle names a corner that is not there"))
+            raise input_problem(file.path, Message("it is damaged: a triangle names a missing corner"))
         count = int(indices["count"])
     return count // 3 if part.get("mode", 4) == 4 else max(count - 2, 0)

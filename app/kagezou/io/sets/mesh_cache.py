@@ -108,7 +108,10 @@ def read_mesh(path: Path) -> Mesh:
     if suffix not in MESH_SUFFIXES:
         raise input_problem(
             path,
-            Message("this is no set that can be read, only {mesh_suffixes}", mesh_suffixes=", ".join(MESH_SUFFIXES)),
+            Message(
+                "this is not a set that can be read; readable are {mesh_suffixes}",
+                mesh_suffixes=", ".join(MESH_SUFFIXES),
+            ),
         )
     if suffix in _USD:
         vertices, triangles = read_usd(path, MAX_TRIANGLES)
@@ -145,11 +148,11 @@ def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
     if not points.size or not corners.size:
         raise input_problem(path, Message("there are no triangles in it"))
     if points.shape[1:] != (3,) or corners.shape[1:] != (3,) or corners.dtype.kind not in "iu":
-        raise input_problem(path, Message("it is damaged: its corners are no points in space"))
+        raise input_problem(path, Message("it is damaged: its corners are not points in space"))
     if len(corners) > MAX_TRIANGLES:
         raise too_many(path, len(corners), MAX_TRIANGLES)
     if corners.min() < 0 or corners.max() >= len(points):
-        raise input_problem(path, Message("it is damaged: a triangle names a corner that is not there"))
+        raise input_problem(path, Message("it is damaged: a triangle names a missing corner"))
     is_used = np.zeros(len(points), bool)
     is_used[corners] = True
     used = points[is_used]
@@ -159,7 +162,7 @@ def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
         raise input_problem(path, Message("a corner lies more than {farthest:g} units away", farthest=_FARTHEST))
     mesh = mesh_of(points, corners)
     if not len(mesh.triangles):
-        raise input_problem(path, Message("there are no triangles in it but some without an area"))
+        raise input_problem(path, Message("there are only triangles without an area in it"))
     return mesh
 
 

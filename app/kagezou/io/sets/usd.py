@@ -39,7 +39,7 @@ def read_usd(path: Path, most: int) -> tuple[Any, Any]:
         if not len(counts) or not len(local):
             continue
         if counts.min() < 3 or counts.sum() != len(indices) or indices.min() < 0 or indices.max() >= len(local):
-            raise input_problem(path, Message("it is damaged: a triangle names a corner that is not there"))
+            raise input_problem(path, Message("it is damaged: a triangle names a missing corner"))
         total += int((counts - 2).sum())
         if total > most:
             raise input_problem(

@@ -50,7 +50,7 @@ def read_timesheet(path: Path) -> Timesheet:
             data = stream.read(MAX_BYTES + 1)
         if len(data) > MAX_BYTES:
             raise input_problem(
-                path, Message("it is larger than {megabytes} MB, which no timesheet is", megabytes=MAX_BYTES >> 20)
+                path, Message("it is larger than {megabytes} MB, too large for a timesheet", megabytes=MAX_BYTES >> 20)
             )
         return sts_sheet(data) if is_sts(data) else sheet_of(data.decode("utf-8-sig"))
     except OSError as error:

@@ -43,7 +43,7 @@ def open_headless_context() -> GraphicsContext:
         the window's room can make.
     """
     if not sys.platform.startswith("linux"):
-        raise GraphicsProblem(Message("OpenGL without a window system is only to be had on Linux"))
+        raise GraphicsProblem(Message("OpenGL without a window system is available on Linux only"))
     from kagezou.render.gpu.egl import EglContext
 
     return EglContext()

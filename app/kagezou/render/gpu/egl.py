@@ -91,7 +91,7 @@ class EglContext:
                 return display, context
         raise GraphicsProblem(
             Message(
-                "no OpenGL 3.3 is to be had without a display: "
+                "OpenGL 3.3 is not available without a display: "
                 "on Debian and Ubuntu install libegl1 libgl1 libgl1-mesa-dri"
             )
         )
