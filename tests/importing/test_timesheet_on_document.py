@@ -47,6 +47,14 @@ def test_a_cel_may_be_called_in_many_ways(cel: str) -> None:
     assert notes == []
 
 
+def test_a_cel_may_begin_with_the_name_of_its_column_though_that_has_a_number() -> None:
+    drawings = (Drawing("2", Path("/c/x2.png")), Drawing("3", Path("/c/x3.png")))
+    document = edits.add_layer(Document(Canvas(10, 10, length_frames=99)), "A2", Cels(drawings, ()), FIGURE)
+    (exposures,), notes = exposed(document, SheetTrack("A2", ((0, "A2_3"), (4, "a2-2"))))
+    assert exposures == (Exposure(1, 1), Exposure(5, 0))
+    assert notes == []
+
+
 def test_a_cel_may_be_called_by_its_file() -> None:
     document = document_with(A=["5", "x"])
     drawings = (Drawing("5", Path("/c/A1.5.png")), Drawing("x", Path("/c/x.png")))
@@ -58,7 +66,7 @@ def test_a_cel_may_be_called_by_its_file() -> None:
 
 
 def test_missing_cels_stay_empty_and_are_told_once() -> None:
-    cels = tuple((frame, str(cel)) for frame, cel in enumerate((1, 7, 1, 8, 9, 10, 11, 12, 7)))
+    cels = tuple((frame, str(cel)) for frame, cel in enumerate((1, 7, 1, 8, 7, 9, 10, 11, 12)))
     (exposures,), notes = exposed(document_with(A=["1"]), SheetTrack("A", cels))
     assert exposures == (Exposure(1, 0), Exposure(2, None), Exposure(3, 0), Exposure(4, None))
     assert notes == ["A: the timesheet names cels without a drawing; they stay empty: 7, 8, 9, 10, 11, …"]

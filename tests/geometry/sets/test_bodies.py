@@ -274,6 +274,19 @@ def test_boxes_of_regions() -> None:
     assert region_box(Region(np.array([[-1.0, 0.0, 100.0]]), circle), CANVAS) is None
 
 
+def test_a_body_that_only_touches_a_receiver_is_not_sunk_into_it() -> None:
+    (face,) = faces_of(Camera(1000, 1000), Box(0, 0, 1000, 1000), GROUND_PLANE, ())
+    occlusion = occlusion_of(shapes.ball(stand(), 60.0)[0], lamp((300.0, -200.0, 900.0)))
+    assert occlusion.inside is not None
+
+    def regions(low: float) -> int:
+        taken = face.flat.group((low, 100.0), occlusion, keeps_footprint=True)
+        return 0 if taken is None else len(taken[0].regions)
+
+    assert regions(-5e-5) == regions(0.0)
+    assert regions(-1.0) == regions(0.0) + 1
+
+
 def test_what_lies_in_a_receiver_s_plane_takes_nothing_but_a_round_footprint() -> None:
     """A box beside a wall of the same plane, and a drum on the ground."""
     at = stand(angle=0.0)

@@ -308,6 +308,9 @@ def test_exr_windows(
 def test_wide_integer_and_float_tiff(tmp_path: Path) -> None:
     files.save(tmp_path / "i.tif", np.array([[[0, 2**31, 2**32 - 1, 2**32 - 1]]], np.uint32))
     assert read_cel(tmp_path / "i.tif").rgba.tolist() == [[[0, 32768, 65535, 65535]]]
+    files.save(tmp_path / "s.tif", np.array([[[0, 0.25, 0.5, 0.5]]], np.float32), straight=True)
+    rgba = read_cel(tmp_path / "s.tif").rgba[0, 0]
+    assert np.abs(rgba - np.append(coded(np.array([0, 0.25, 0.5])), 32768)).max() <= 1
     files.save(tmp_path / "f.tif", np.array([[[0, 0.25, 0.5, 0.5]]], np.float32), straight=False)
     rgba = read_cel(tmp_path / "f.tif").rgba[0, 0]
     assert np.abs(rgba - np.append(coded(np.array([0, 0.5, 1])), 32768)).max() <= 1
