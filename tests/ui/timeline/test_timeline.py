@@ -1,7 +1,6 @@
 """The dope sheet under the hand: choosing, moving, stretching, copying, marking and playing."""
 
 from collections.abc import Callable
-from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QInputDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
-from kagezou.animation.timecode import Count, counted
+from kagezou.animation.timecode import Count
 from kagezou.animation.track import Interpolation
 from kagezou.document import edits, review
 from kagezou.document.address import Address, track_of
@@ -445,18 +444,6 @@ def test_the_ruler_counts_as_it_is_told(timeline: Timeline) -> None:
         timeline.ruler.show_count(count)
         pictures.append(timeline.ruler.grab().toImage())
     assert all(one != other for one, other in pairwise(pictures))
-
-
-@pytest.mark.parametrize(
-    ("frame", "words"),
-    [
-        (1, ("1", "0+00", "p1", "p1", "00:00:00")),
-        (73, ("73", "3+00", "73", "p2", "00:03:00")),
-        (146, ("146", "6+01", "2", "2", "00:06:01")),
-    ],
-)
-def test_frames_as_sheets_and_seconds_write_them(frame: int, words: tuple[str, ...]) -> None:
-    assert tuple(counted(frame, Fraction(24), count) for count in Count) == words
 
 
 def test_frames_that_are_decoded_are_marked_ready(timeline: Timeline, keyed: OpenProject) -> None:
