@@ -19,10 +19,12 @@ hypothesis.settings.register_profile("kagezou", deadline=None)
 hypothesis.settings.load_profile("kagezou")
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Where tests run side by side, keep those of one file together, and all that share the one screen.
 
-    What a file sets up, such as the renderer, is then set up once; two windows never fight for the keyboard.
+    What a file sets up, such as the renderer, is then set up once; two windows never fight for the keyboard. First of
+    all, for whoever hands the tests out reads these marks in the same hook.
     """
     for item in items:
         file = item.path.relative_to(TESTS)
