@@ -93,7 +93,7 @@ def run_checks(environment: Environment) -> list[str]:
 def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     """Run pytest on a screen of its own; the last line on stdout is pytest's summary."""
     # A part of the tests cannot reach the coverage that all of them must, and is not worth several processes.
-    whole = ("--cov", "--cov-report=term-missing:skip-covered", "--numprocesses", str(PROCESSES), "--dist", "loadgroup")
+    whole = ("--cov", "--cov-report=term-missing:skip-covered", "--numprocesses", str(PROCESSES), "--dist", "loadscope")
     selection = arguments or whole
     with private_display() as variables:
         say("-- pytest")

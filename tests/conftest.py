@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import hypothesis
 import numpy as np
 import pytest
+from xdist.remote import Producer
+from xdist.scheduler import LoadScopeScheduling
 
 if TYPE_CHECKING:
     from kagezou.render.renderer import Renderer
@@ -19,16 +21,21 @@ hypothesis.settings.register_profile("kagezou", deadline=None)
 hypothesis.settings.load_profile("kagezou")
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Where tests run side by side, keep those of one file together, and all that share the one screen.
+class ByFile(LoadScopeScheduling):
+    """Where tests run side by side, those of one file stay together, and all that share the one screen.
 
-    What a file sets up, such as the renderer, is then set up once; two windows never fight for the keyboard. First of
-    all, for whoever hands the tests out reads these marks in the same hook.
+    What a file sets up, such as the renderer, is then set up once; two windows never fight for the keyboard.
     """
-    for item in items:
-        file = item.path.relative_to(TESTS)
-        item.add_marker(pytest.mark.xdist_group("screen" if file.parts[0] == "ui" else file.as_posix()))
+
+    def _split_scope(self, nodeid: str) -> str:
+        file = nodeid.split("::", 1)[0]
+        return "screen" if file.startswith("tests/ui/") else file
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadScopeScheduling:
+    """Hand tests out by file, whatever is asked for: marks of groups are lost with some releases of pytest."""
+    return ByFile(config, log)
 
 
 @pytest.fixture(autouse=True)
