@@ -38,7 +38,7 @@ from tests.ui.viewing import drag, move
 
 LIGHT = Address(LIGHT_POSITION)
 FOLDER = os.environ.get("KAGEZOU_SCREENSHOTS", "")
-LARGE, SMALL = (1920, 1080), (1280, 800)
+LARGE, SMALL = (1920, 1080), (1280, 720)
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="SIGKILL is POSIX's")
