@@ -1,6 +1,6 @@
 """Meshes against float64 rays, and against the same set made of analytic pieces."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,8 +12,6 @@ from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.camera import project
 from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.sets.bodies import Solid
-from kagezou.io.images.cel_cache import CelCache
-from kagezou.render.gpu.context import open_headless_context
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import Scene
@@ -45,19 +43,6 @@ VIEWS: dict[str, Values] = {
     "low sun, rolled": {"light.kind": "sun", "light.azimuth": 40.0, "light.elevation": 30.0, "ground.roll": 5.0},
     "sun, perspective": {"light.kind": "sun", "light.azimuth": -35.0, "light.elevation": 50.0, "camera.fov": 25.0},
 }
-
-
-@pytest.fixture(scope="module")
-def meshes() -> Meshes:
-    return Meshes()
-
-
-@pytest.fixture(scope="module")
-def mesh_renderer(meshes: Meshes) -> Iterator[Renderer]:
-    with open_headless_context():
-        renderer = Renderer(CelCache(), meshes)
-        yield renderer
-        renderer.close()
 
 
 @pytest.fixture(scope="module")

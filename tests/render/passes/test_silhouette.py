@@ -1,14 +1,12 @@
 """Filters on meshes and round bodies: what falls there is cast by the filtered silhouette."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from kagezou.document.set_pieces import add_piece
-from kagezou.io.images.cel_cache import CelCache
-from kagezou.render.gpu.context import open_headless_context
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import Scene
@@ -28,19 +26,6 @@ VIEWS: dict[str, dict[str, object]] = {
     "sun, perspective": {"light.kind": "sun", "light.azimuth": -35.0, "light.elevation": 50.0, "camera.fov": 25.0},
     "folded": {"layers.A.grounding": [[420.0, 892.0], [580.0, 908.0]], "camera.fov": 20.0},
 }
-
-
-@pytest.fixture(scope="module")
-def meshes() -> Meshes:
-    return Meshes()
-
-
-@pytest.fixture(scope="module")
-def mesh_renderer(meshes: Meshes) -> Iterator[Renderer]:
-    with open_headless_context():
-        renderer = Renderer(CelCache(), meshes)
-        yield renderer
-        renderer.close()
 
 
 def scene_of(figure: Path, values: Mapping[str, object]) -> Scene:
