@@ -10,8 +10,9 @@ from kagezou.export.choices import ExportChoices
 from kagezou.export.names import safe_names
 from kagezou.export.remembered import choices_of
 from kagezou.io.files.atomic import write_bytes
-from kagezou.io.files.faults import input_problem, output_problem, shown
+from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.files.json_text import Reader, parse
+from kagezou.io.files.small_files import remove_file, small_text
 from kagezou.message import Message
 
 SUFFIX: Final = ".json"
@@ -54,20 +55,13 @@ def load_preset(path: Path) -> Preset:
         It cannot be read or is no preset.
     """
     try:
-        with path.open("rb") as file:
-            data = file.read(_MAX_BYTES + 1)
-    except OSError as error:
-        raise input_problem(path, error) from error
-    try:
-        if len(data) > _MAX_BYTES:
-            raise ProjectProblem(Message("it is too large for one"))
-        found = Reader(parse(data.decode())).record(("export_preset", "name", "plan"))
+        text = small_text(path, _MAX_BYTES, Message("it is too large for one"))
+        found = Reader(parse(text)).record(("export_preset", "name", "plan"))
         found["export_preset"].whole(VERSION, VERSION)
         return Preset(_checked(str(found["name"].value)), choices_of(found["plan"].value), path)
-    except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
-        cause = Message("it is not UTF-8 text") if isinstance(problem, UnicodeDecodeError) else problem
+    except (ProjectProblem, UsageProblem) as problem:
         raise InputProblem(
-            Message("{path} is not an export preset: {cause}", path=shown(path), cause=cause)
+            Message("{path} is not an export preset: {cause}", path=shown(path), cause=problem)
         ) from problem
 
 
@@ -121,10 +115,7 @@ def remove_preset(preset: Preset) -> None:
     OutputProblem
         Its file cannot be removed.
     """
-    try:
-        preset.path.unlink(missing_ok=True)
-    except OSError as error:
-        raise output_problem(preset.path, error) from error
+    remove_file(preset.path)
 
 
 def _checked(name: str) -> str:

@@ -3587,10 +3587,6 @@ Drop a folder of cels here.</source>
         <translation>{path}：読み込めません：{cause}</translation>
     </message>
     <message>
-        <source>{path} does not hold shortcuts: it is not UTF-8 text</source>
-        <translation>{path} はショートカットのファイルではありません。UTF-8 のテキストではありません</translation>
-    </message>
-    <message>
         <source>{path} does not hold shortcuts: {cause}</source>
         <translation>{path} はショートカットのファイルではありません：{cause}</translation>
     </message>

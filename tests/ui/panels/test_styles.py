@@ -9,6 +9,8 @@ from pytestqt.qtbot import QtBot
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.ui.panels.style_list import StyleList
+from kagezou.ui.system.language import Language
+from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
 
 
@@ -66,6 +68,22 @@ def test_what_cannot_be_kept_is_said(styles: StyleList) -> None:
     styles.failed.connect(said.append)
     styles.save("")
     assert len(said) == 1
+
+
+def test_what_cannot_be_removed_is_said_in_the_language_of_the_window(
+    styles: StyleList, settings: Settings, english: Language
+) -> None:
+    count = styles.list.count()
+    styles.save("mine")
+    (file,) = settings.style_folder.iterdir()
+    file.unlink()
+    file.mkdir()
+    said: list[str] = []
+    styles.failed.connect(said.append)
+    styles.list.setCurrentRow(count)
+    english.speak("ja")
+    styles.remove_current()
+    assert said[0] == f"{file}：削除できません：フォルダーです"
 
 
 def test_no_pictures_are_drawn_behind_another_panel(

@@ -11,6 +11,7 @@ from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
 from kagezou.io.files.json_text import JsonRow, Reader, formatted, parse
+from kagezou.io.files.small_files import small_text
 from kagezou.locations import resource_folder
 from kagezou.message import Message
 
@@ -59,18 +60,8 @@ def load_key_set(path: Path) -> KeySet:
         If it cannot be read or is none; one sentence naming the file and the place.
     """
     try:
-        with path.open("rb") as file:
-            data = file.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise InputProblem(
-            Message("{path} cannot be read: {cause}", path=shown(path), cause=error.strerror or error)
-        ) from error
-    try:
-        if len(data) > MAX_BYTES:
-            raise ProjectProblem(Message("it is too large for shortcuts"))
-        return _key_set(Reader(parse(data.decode())), path.stem.lstrip("0123456789-"))
-    except UnicodeDecodeError as error:
-        raise InputProblem(Message("{path} does not hold shortcuts: it is not UTF-8 text", path=shown(path))) from error
+        text = small_text(path, MAX_BYTES, Message("it is too large for shortcuts"))
+        return _key_set(Reader(parse(text)), path.stem.lstrip("0123456789-"))
     except ProjectProblem as problem:
         raise InputProblem(
             Message("{path} does not hold shortcuts: {cause}", path=shown(path), cause=problem)

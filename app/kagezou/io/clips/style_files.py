@@ -15,6 +15,7 @@ from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
 from kagezou.io.files.json_text import Reader, parse
+from kagezou.io.files.small_files import small_text
 from kagezou.locations import resource_folder
 from kagezou.message import Message
 
@@ -60,19 +61,9 @@ def load_style(path: Path) -> Style:
         If it cannot be read or is no style; one sentence naming the file and the place.
     """
     try:
-        with path.open("rb") as file:
-            data = file.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise InputProblem(
-            Message("{path} cannot be read: {cause}", path=shown(path), cause=error.strerror or error)
-        ) from error
-    try:
-        if len(data) > MAX_BYTES:
-            raise ProjectProblem(Message("it is too large for a style"))
-        return _style(Reader(parse(data.decode())))
-    except (ProjectProblem, UsageProblem, UnicodeDecodeError) as problem:
-        cause = Message("it is not UTF-8 text") if isinstance(problem, UnicodeDecodeError) else problem.message
-        raise InputProblem(Message("{path} is not a style: {cause}", path=shown(path), cause=cause)) from problem
+        return _style(Reader(parse(small_text(path, MAX_BYTES, Message("it is too large for a style")))))
+    except (ProjectProblem, UsageProblem) as problem:
+        raise InputProblem(Message("{path} is not a style: {cause}", path=shown(path), cause=problem)) from problem
 
 
 def save_style(folder: Path, style: Style) -> Path:

@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.errors import OutputProblem, ProjectProblem
+from kagezou.errors import ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import cause_of, output_problem, shown
 from kagezou.io.files.json_text import Reader, parse
+from kagezou.io.files.small_files import remove_file
 from kagezou.io.project.file import MAX_BYTES, dumps, loads
 from kagezou.message import Message
 
@@ -116,12 +117,7 @@ def forget(file: Path) -> None:
     OutputProblem
         The system refuses.
     """
-    try:
-        file.unlink(missing_ok=True)
-    except OSError as error:
-        raise OutputProblem(
-            Message("{path}: cannot be removed: {cause}", path=shown(file), cause=cause_of(error))
-        ) from error
+    remove_file(file)
 
 
 def now_s() -> int:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QInputDialog, QListView, QListWidget,
 from kagezou.document.style import apply_style, style_of
 from kagezou.errors import Problem
 from kagezou.io.clips.style_files import StyleFile, bundled_styles, own_styles, save_style
+from kagezou.io.files.small_files import remove_file
 from kagezou.ui.panels.style_pictures import StylePictures, Wanted
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import named, translated
@@ -99,9 +100,9 @@ class StyleList(QWidget):
         index = self.list.currentRow()
         if 0 <= index < len(self._files) and self._files[index].is_own:
             try:
-                self._files[index].path.unlink(missing_ok=True)
-            except OSError as error:
-                self.failed.emit(f"{self._files[index].path}: {error.strerror}")
+                remove_file(self._files[index].path)
+            except Problem as problem:
+                self.failed.emit(translated(problem))
             self.reload()
 
     def showEvent(self, event: QShowEvent) -> None:
