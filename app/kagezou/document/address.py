@@ -5,10 +5,9 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from kagezou.animation.track import Track, Value
-from kagezou.document.model import Document, Tracks
+from kagezou.document.model import Document, Tracks, drawing_offset
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import AnyProperty
-from kagezou.document.values import value_at
+from kagezou.document.property import AnyProperty, Usual
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
@@ -77,10 +76,21 @@ def tracks_of(document: Document, address: Address) -> Tracks:
 
 
 def track_of(document: Document, address: Address) -> Track:
-    """Return the track at an address; a property that was never set has its default as its constant."""
-    return tracks_of(document, address).get(address.property.name) or Track(address.property.default)
+    """Return the track at an address; a property that was never set has its usual value as its constant."""
+    return tracks_of(document, address).get(address.property.name) or Track(usual_value(document, address))
+
+
+def usual_value(document: Document, address: Address) -> Value:
+    """Return what a property is while nobody has set it."""
+    if address.property.usual is Usual.DEFAULT or address.layer_id is None:
+        return address.property.default
+    middle = document.canvas.box.middle
+    if address.property.usual is Usual.CANVAS_MIDDLE:
+        return middle
+    left, top = drawing_offset(document.canvas, document.layer(address.layer_id))
+    return (middle[0] - left, middle[1] - top)
 
 
 def value_of(document: Document, address: Address, frame: float) -> Value:
     """Return the value at a frame."""
-    return value_at(tracks_of(document, address), address.property, frame)
+    return track_of(document, address).value_at(frame)

@@ -10,6 +10,11 @@ from kagezou.message import Message
 CHOICE_LABELS: Final[Mapping[str, Message]] = MappingProxyType({
     "point": Message("Lamp"),
     "sun": Message("Sun"),
+    "feet": Message("Feet"),
+    "points": Message("Grounding points"),
+    "line": Message("Ground line"),
+    "cast": Message("Cast"),
+    "disc": Message("Disc"),
     "solid": Message("Solid"),
     "translucent": Message("Translucent"),
     "multiply": Message("Multiply"),

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.address import Address, track_of, usual_value, value_of
 from kagezou.document.edits import remove_key, set_constant, set_key, set_value
 from kagezou.document.linking import is_linked
 from kagezou.document.model import Document
@@ -36,7 +36,7 @@ def change_all(document: Document, addresses: Addresses, change: Callable[[float
 def reset_all(document: Document, addresses: Addresses) -> Document:
     """Go back to the default everywhere, without keys."""
     for address in addresses:
-        document = set_constant(document, address, address.property.default)
+        document = set_constant(document, address, usual_value(document, address))
     return document
 
 

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks
+from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks, parts_of
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.message import Message
@@ -101,8 +101,12 @@ def add_layer(document: Document, name: str, cels: Cels, figure: Box, tracks: Tr
 
 
 def remove_layer(document: Document, layer_id: str) -> Document:
-    """Take a layer away, and the notes about it."""
-    layers = tuple(layer for layer in document.layers if layer.id != layer_id)
+    """Take a layer away, and the notes about it; what joined it becomes a figure of its own."""
+    layers = tuple(
+        replace(layer, joins=None) if layer.joins == layer_id else layer
+        for layer in document.layers
+        if layer.id != layer_id
+    )
     return replace(document, layers=layers, notes=tuple(note for note in document.notes if note.layer_id != layer_id))
 
 
@@ -124,6 +128,28 @@ def move_layer(document: Document, layer_id: str, index: int) -> Document:
     others.insert(index, layer)
     moved = tuple(others)
     return document if moved == document.layers else replace(document, layers=moved)
+
+
+def join_layer(document: Document, layer_id: str, figure_id: str | None) -> Document:
+    """Make a layer a part of another one's figure, or with None a figure of its own.
+
+    What joined the layer goes with it; a layer that is itself a part stands for its figure.
+
+    Raises
+    ------
+    UsageProblem
+        A layer cannot join itself.
+    """
+    if figure_id is not None:
+        figure_id = document.layer(figure_id).joins or figure_id
+    if figure_id == layer_id:
+        name = document.layer(layer_id).name
+        raise UsageProblem(Message("{name} cannot be a part of its own figure", name=name))
+    if document.layer(layer_id).joins == figure_id:
+        return document
+    moving = {layer_id} if figure_id is None else {layer_id, *(part.id for part in parts_of(document, layer_id)[1:])}
+    layers = (replace(layer, joins=figure_id) if layer.id in moving else layer for layer in document.layers)
+    return replace(document, layers=tuple(layers))
 
 
 def set_exposures(document: Document, layer_id: str, exposures: tuple[Exposure, ...]) -> Document:

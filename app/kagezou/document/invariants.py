@@ -27,6 +27,7 @@ def check(document: Document) -> None:
         shown = [exposure.drawing for exposure in layer.cels.exposures if exposure.drawing is not None]
         if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
             raise ProjectProblem(Message("layers.{layer}: an exposure names a missing drawing", layer=layer.name))
+    _check_joins(document)
     _check_pieces(document)
     _check_links(document)
     _check_tracks(document)
@@ -62,6 +63,18 @@ def _check_links(document: Document) -> None:
         tracks = [track_of(document, Address(LINKABLE[name], layer.id)) for layer in document.layers]
         if any(track != tracks[0] for track in tracks):
             raise ProjectProblem(Message("linked: {name} is not the same for all layers", name=name))
+
+
+def _check_joins(document: Document) -> None:
+    by_id = {layer.id: layer for layer in document.layers}
+    for layer in document.layers:
+        if layer.joins is None:
+            continue
+        figure = by_id.get(layer.joins)
+        if figure is None or figure is layer or figure.joins is not None:
+            raise ProjectProblem(
+                Message("layers.{layer}: it joins a layer that is no figure of its own", layer=layer.name)
+            )
 
 
 def _check_pieces(document: Document) -> None:

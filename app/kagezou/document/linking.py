@@ -10,6 +10,7 @@ from typing import Final
 
 from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
+from kagezou.document.figure_properties import PLACEMENT_LINES
 from kagezou.document.model import Document
 from kagezou.document.properties import GROUNDING, OF_LAYER
 from kagezou.document.property import AnyProperty
@@ -17,7 +18,7 @@ from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 LINKABLE: Final[Mapping[str, AnyProperty]] = MappingProxyType({
-    name: prop for name, prop in OF_LAYER.items() if prop is not GROUNDING
+    name: prop for name, prop in OF_LAYER.items() if prop is not GROUNDING and prop not in PLACEMENT_LINES
 })  # fmt: skip
 """Every layer property but the places on the canvas, which are each character's own."""
 

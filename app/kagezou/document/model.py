@@ -8,9 +8,10 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.track import Track
-from kagezou.geometry.box import Box
+from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vanishing import VanishingLines
 from kagezou.picture_source import PicturePart, PictureSource
+from kagezou.standing.foot import Foot, FootPin
 
 Tracks = Mapping[str, Track]
 """Property name → track; a property that is missing has its default as its constant."""
@@ -37,17 +38,37 @@ class Canvas:
 class Drawing:
     """One cel: its name on the sheet, its picture file, and perhaps the part of that file which it is.
 
-    It lies centred on the canvas, pixel for pixel.
+    It lies centred on the canvas, pixel for pixel, unless its layer moves it.
+
+    Parameters
+    ----------
+    name, path, part
+        As above; ``part`` is None for a whole file.
+    size_px
+        Width and height of the picture; None where that is not known, which counts as the canvas's.
+    feet
+        What was found in the picture, by track; None where nothing was looked for.
+    pins
+        What a person said about them, by track.
     """
 
     name: str
     path: Path
     part: str | None = None
+    size_px: tuple[int, int] | None = None
+    feet: tuple[Foot, ...] | None = None
+    pins: tuple[FootPin, ...] = ()
 
     @property
     def source(self) -> PictureSource:
         """What its pixels come from."""
         return self.path if self.part is None else PicturePart(self.path, self.part)
+
+
+def drawing_size(canvas: Canvas, drawing: Drawing | None) -> tuple[int, int]:
+    """Return width and height of a drawing, px; the canvas's where they are not known."""
+    known = None if drawing is None else drawing.size_px
+    return known or (canvas.width_px, canvas.height_px)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +117,8 @@ class Layer:
         The opaque part of the first drawing, canvas px: the measure of the character's height.
     tracks
         By layer property name.
+    joins
+        The id of the layer of whose figure it is a part; None for a figure of its own.
     """
 
     id: str
@@ -103,6 +126,13 @@ class Layer:
     cels: Cels
     figure: Box
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
+    joins: str | None = None
+
+
+def drawing_offset(canvas: Canvas, layer: Layer) -> tuple[int, int]:
+    """Return where the top left pixel of a layer's first drawing lies on the canvas before the layer moves it, px."""
+    drawings = layer.cels.drawings
+    return centred_offset(canvas.box, *drawing_size(canvas, drawings[0] if drawings else None))
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,3 +245,9 @@ class Document:
             if piece.id == piece_id:
                 return piece
         raise KeyError(piece_id)
+
+
+def parts_of(document: Document, figure_id: str) -> tuple[Layer, ...]:
+    """Return the layer of a figure and those that join it, from bottom to top, the figure's own layer first."""
+    joined = (layer for layer in document.layers if layer.joins == figure_id)
+    return (document.layer(figure_id), *joined)

@@ -6,6 +6,14 @@ A new property is one line here.
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from kagezou.document.figure_properties import (
+    LEAST_PART,
+    LIFT_LINES,
+    PLACEMENT_LINES,
+    SHADOWS_UNITE,
+    SHAPE,
+    STANCE_LINES,
+)
 from kagezou.document.property import AnyProperty, Kind, Property, Scope
 from kagezou.document.set_properties import SET_LINES
 from kagezou.geometry.vectors import Point2
@@ -258,10 +266,10 @@ WAVE2 = _wave(2, 37.0, 70.0, 2.0)
 
 TABLE: tuple[AnyProperty, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
-    LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS,
-    GROUNDING, TILT, VISIBLE, RECEIVES, TIMING, MATTE,
-    SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, GROW, SOFTNESS, PENUMBRA,
-    COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE,
+    LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS, SHADOWS_UNITE,
+    *PLACEMENT_LINES, GROUNDING, TILT, *STANCE_LINES, VISIBLE, RECEIVES, TIMING, SHAPE, MATTE,
+    SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, LEAST_PART, GROW, SOFTNESS, PENUMBRA,
+    COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE, *LIFT_LINES,
     WAVES_ON, WAVE1.amplitude, WAVE1.wavelength, WAVE1.direction, WAVE1.velocity,
     WAVE2.amplitude, WAVE2.wavelength, WAVE2.direction, WAVE2.velocity, WAVE_ANCHOR, WAVE_SEED,
     *SET_LINES,

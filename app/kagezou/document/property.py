@@ -39,6 +39,14 @@ class Scope(StrEnum):
     PIECE = "piece"
 
 
+class Usual(StrEnum):
+    """Where a property's value comes from while nobody has set it."""
+
+    DEFAULT = "default"
+    CANVAS_MIDDLE = "the middle of the canvas"
+    DRAWING_MIDDLE = "the middle of the layer's drawing"
+
+
 class ValueProblem(UsageProblem):
     """A value that a property cannot have.
 
@@ -62,7 +70,7 @@ class Property(Generic[T_co]):
     name
         The path; for a property of a layer or a set piece the part after ``layers.NAME.`` or ``set.NAME.``.
     kind, scope, unit
-        ``unit`` is "px", "°" or "" for a plain number.
+        ``unit`` is "px", "°", "%" or "" for a plain number.
     default
         What it is where nothing was ever set; every value is of its type.
     low, high
@@ -71,6 +79,8 @@ class Property(Generic[T_co]):
         The words a choice may take.
     slides
         The part of the range that a slider offers, where a slider is natural.
+    usual
+        What it is where nothing was ever set; ``default`` unless that depends on the cut.
     label, help
         What the window and the help print.
     """
@@ -86,6 +96,7 @@ class Property(Generic[T_co]):
     high: float = MAX_COORDINATE_PX
     choices: tuple[str, ...] = ()
     slides: tuple[float, float] | None = None
+    usual: Usual = Usual.DEFAULT
 
     def __hash__(self) -> int:
         """By scope and name, which tell the lines of the table apart; selected keys are looked up by the thousand."""
@@ -166,7 +177,7 @@ class Property(Generic[T_co]):
         return number
 
     def _coordinates(self, raw: object, count: int) -> tuple[float, ...]:
-        wanted = Message("a point [{axes}] in px", axes=", ".join("xyz"[:count]))
+        wanted = Message("a point [{axes}] in {unit}", axes=", ".join("xyz"[:count]), unit=self.unit or "px")
         if not isinstance(raw, (list, tuple)) or len(raw) != count:
             raise self._refused(raw, wanted)
         numbers = tuple(_finite(part) for part in raw)

@@ -8,12 +8,15 @@ from typing import cast
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track, Value
-from kagezou.document.model import Canvas, Document, Layer, Piece, Tracks
+from kagezou.document.figure_properties import ANCHOR
+from kagezou.document.model import Canvas, Document, Drawing, Layer, Piece, Tracks, drawing_offset, drawing_size
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import AnyProperty
-from kagezou.geometry.box import Box
+from kagezou.document.property import AnyProperty, Usual
+from kagezou.geometry.box import Box, centred_offset
+from kagezou.geometry.vectors import Point2
 
-_LENGTH = "px"
+_POWERS = MappingProxyType({"px": 1, "px²": 2})
+"""Units of lengths and areas: how often a size divides them."""
 
 
 def usable_divisor(canvas: Canvas, wanted: int) -> int:
@@ -37,17 +40,46 @@ def scaled(document: Document, divisor: int) -> Document:
     return replace(
         document,
         canvas=replace(canvas, width_px=canvas.width_px // divisor, height_px=canvas.height_px // divisor),
-        layers=tuple(_layer(layer, divisor) for layer in document.layers),
+        layers=tuple(_layer(layer, canvas, divisor) for layer in document.layers),
         tracks=_tracks(document.tracks, OF_DOCUMENT, divisor),
         pieces=tuple(_piece(piece, divisor) for piece in document.pieces),
     )
 
 
-def _layer(layer: Layer, divisor: int) -> Layer:
+def _layer(layer: Layer, canvas: Canvas, divisor: int) -> Layer:
     box = layer.figure
     corner = (floor(box.left / divisor), floor(box.top / divisor))
     figure = Box(*corner, ceil(box.right / divisor), ceil(box.bottom / divisor))
-    return replace(layer, figure=figure, tracks=_tracks(layer.tracks, OF_LAYER, divisor))
+    offset = drawing_offset(canvas, layer)
+    drawings = tuple(_drawing(drawing, canvas, divisor) for drawing in layer.cels.drawings)
+    cels = layer.cels if drawings == layer.cels.drawings else replace(layer.cels, drawings=drawings)
+    tracks = dict(layer.tracks)
+    if ANCHOR.name in tracks:
+        tracks[ANCHOR.name] = _moved(tracks[ANCHOR.name], offset)
+    return replace(layer, cels=cels, figure=figure, tracks=_tracks(tracks, OF_LAYER, divisor))
+
+
+def _drawing(drawing: Drawing, canvas: Canvas, divisor: int) -> Drawing:
+    """Return the drawing with its places counted from the corner of the smaller canvas, where its pixels begin."""
+    if drawing.size_px is None and drawing.feet is None:
+        return drawing
+    offset = centred_offset(canvas.box, *drawing_size(canvas, drawing))
+    feet = drawing.feet and tuple(replace(foot, place=_place(foot.place, offset, divisor)) for foot in drawing.feet)
+    pins = tuple(replace(pin, place=pin.place and _place(pin.place, offset, divisor)) for pin in drawing.pins)
+    return replace(drawing, size_px=None, feet=feet, pins=pins)
+
+
+def _place(place: Point2, offset: tuple[int, int], divisor: int) -> Point2:
+    return ((place[0] + offset[0]) / divisor, (place[1] + offset[1]) / divisor)
+
+
+def _moved(track: Track, offset: tuple[int, int]) -> Track:
+    def moved(value: Value) -> Value:
+        x, y = cast("Point2", value)
+        return (x + offset[0], y + offset[1])
+
+    keys = tuple(replace(key, value=moved(key.value)) for key in track.keys)
+    return Track(moved(track.constant), keys)
 
 
 def _piece(piece: Piece, divisor: int) -> Piece:
@@ -55,10 +87,15 @@ def _piece(piece: Piece, divisor: int) -> Piece:
 
 
 def _tracks(tracks: Tracks, table: Mapping[str, AnyProperty], divisor: int) -> Tracks:
-    lengths = {name: prop for name, prop in table.items() if prop.unit == _LENGTH}
-    # What has no track has its default, which is a length as well.
-    whole = {name: tracks.get(name, Track(prop.default)) for name, prop in lengths.items()}
-    return MappingProxyType({**tracks, **{name: _track(track, divisor) for name, track in whole.items()}})
+    measures = {name: prop for name, prop in table.items() if prop.unit in _POWERS}
+    # What has no track has its default, which is a length as well; what is usual for the cut follows its canvas.
+    whole = {
+        name: tracks.get(name, Track(prop.default))
+        for name, prop in measures.items()
+        if name in tracks or prop.usual is Usual.DEFAULT
+    }
+    smaller = {name: _track(track, divisor ** _POWERS[measures[name].unit]) for name, track in whole.items()}
+    return MappingProxyType({**tracks, **smaller})
 
 
 def _track(track: Track, divisor: int) -> Track:

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from functools import reduce
 
+from kagezou.geometry.vectors import Point2
+
 
 @dataclass(frozen=True, slots=True)
 class Box:
@@ -22,6 +24,11 @@ class Box:
     def height(self) -> int:
         """The extent in y, px."""
         return self.bottom - self.top
+
+    @property
+    def middle(self) -> Point2:
+        """Its middle, px."""
+        return ((self.left + self.right) / 2, (self.top + self.bottom) / 2)
 
     @property
     def is_empty(self) -> bool:

@@ -1427,6 +1427,14 @@
         <translation>フェード</translation>
     </message>
     <message>
+        <source>Placement</source>
+        <translation>配置</translation>
+    </message>
+    <message>
+        <source>In a jump</source>
+        <translation>跳躍</translation>
+    </message>
+    <message>
         <source>Waves</source>
         <translation>波</translation>
     </message>
@@ -2659,10 +2667,6 @@ Drop a folder of cels here.</source>
         <translation>{width_px}x{height_px} px の絵は、このグラフィックスドライバーの上限 {limit} px を超えています</translation>
     </message>
     <message>
-        <source>a point [{axes}] in px</source>
-        <translation>点 [{axes}]（px）</translation>
-    </message>
-    <message>
         <source>a printable name</source>
         <translation>表示できる名前</translation>
     </message>
@@ -3379,20 +3383,108 @@ Drop a folder of cels here.</source>
         <translation>このプロジェクトにレイヤー {name!r} はありません（レイヤーがひとつもありません）</translation>
     </message>
     <message>
+        <source>0 stands parallel to the screen, 1 along the ground&apos;s normal, as walls do.</source>
+        <translation>0 は画面に平行に立ち、1 は壁のように地面の法線に沿って立ちます。</translation>
+    </message>
+    <message>
         <source>After Effects</source>
         <translation>After Effects</translation>
+    </message>
+    <message>
+        <source>Cast</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>円</translation>
+    </message>
+    <message>
+        <source>Fade in a jump</source>
+        <translation>跳躍時の薄れ</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>足</translation>
+    </message>
+    <message>
+        <source>Ground line</source>
+        <translation>接地線</translation>
+    </message>
+    <message>
+        <source>How large the drawings are; below 0 they are mirrored.</source>
+        <translation>作画の大きさ。0 より小さいと反転します。</translation>
+    </message>
+    <message>
+        <source>How much of its edge the shadow loses at a height of one figure over the ground.</source>
+        <translation>地面からキャラクター 1 体分の高さで影の縁がどれだけぼけるか。</translation>
+    </message>
+    <message>
+        <source>How much of its opacity the shadow loses at a height of one figure over the ground.</source>
+        <translation>地面からキャラクター 1 体分の高さで影の不透明度がどれだけ下がるか。</translation>
+    </message>
+    <message>
+        <source>How much of its size the shadow loses at a height of one figure over the ground.</source>
+        <translation>地面からキャラクター 1 体分の高さで影がどれだけ小さくなるか。</translation>
+    </message>
+    <message>
+        <source>Islands and holes of a simplified shadow that are smaller than this are left out.</source>
+        <translation>簡略化した影の、これより小さい島や穴を省きます。</translation>
     </message>
     <message>
         <source>Layered frames</source>
         <translation>レイヤー付きフレーム</translation>
     </message>
     <message>
+        <source>Least part</source>
+        <translation>最小の部分</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
         <source>Render farm job</source>
         <translation>レンダーファームのジョブ</translation>
     </message>
     <message>
+        <source>Rotation</source>
+        <translation>回転</translation>
+    </message>
+    <message>
         <source>Shadow layers</source>
         <translation>影レイヤー</translation>
+    </message>
+    <message>
+        <source>Shadows unite</source>
+        <translation>影を合わせる</translation>
+    </message>
+    <message>
+        <source>Shrink in a jump</source>
+        <translation>跳躍時の縮み</translation>
+    </message>
+    <message>
+        <source>Soften in a jump</source>
+        <translation>跳躍時のぼけ</translation>
+    </message>
+    <message>
+        <source>Stance</source>
+        <translation>立ち方</translation>
+    </message>
+    <message>
+        <source>The point of the drawing that is laid on the position; drawings turn and grow about it.</source>
+        <translation>位置に置かれる作画上の点。作画はこの点を中心に回転・拡大します。</translation>
+    </message>
+    <message>
+        <source>The shadow that the light casts, or a disc under the figure.</source>
+        <translation>光が落とす影、またはキャラクターの足元の円。</translation>
+    </message>
+    <message>
+        <source>Turn of the drawings in the picture, clockwise.</source>
+        <translation>画面内での作画の回転 (時計回り)。</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>直立</translation>
     </message>
     <message>
         <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
@@ -3401,6 +3493,26 @@ Drop a folder of cels here.</source>
     <message>
         <source>Video</source>
         <translation>動画</translation>
+    </message>
+    <message>
+        <source>What the figure stands on: its feet where they were found, its grounding points, or the ground line.</source>
+        <translation>キャラクターが何で立つか: 見つかった足、接地点、または接地線。</translation>
+    </message>
+    <message>
+        <source>Where the anchor of the layer&apos;s drawings lies on the canvas.</source>
+        <translation>レイヤーの作画のアンカーポイントがキャンバスのどこに置かれるか。</translation>
+    </message>
+    <message>
+        <source>Whether shadows of like look unite where they meet; else each darkens what the others left.</source>
+        <translation>同じ見た目の影が重なる所で一つになるか。オフでは重なるほど濃くなります。</translation>
+    </message>
+    <message>
+        <source>a point [{axes}] in {unit}</source>
+        <translation>点 [{axes}] ({unit})</translation>
+    </message>
+    <message>
+        <source>layers.{layer}: it joins a layer that is no figure of its own</source>
+        <translation>layers.{layer}: 独立したキャラクターではないレイヤーに結合されています</translation>
     </message>
     <message>
         <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>
@@ -3529,6 +3641,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{names} and {count} more</source>
         <translation>{names} ほか {count} 点</translation>
+    </message>
+    <message>
+        <source>{name} cannot be a part of its own figure</source>
+        <translation>{name} は自分自身のキャラクターの部分にはできません</translation>
     </message>
     <message>
         <source>{name} cannot be the same for all characters</source>

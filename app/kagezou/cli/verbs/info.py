@@ -167,7 +167,7 @@ def _lines(document: "Document") -> Iterator[str]:
 
 def _property_table(document: "Document") -> Json:
     from kagezou.cli.values import json_of_keys, json_of_value
-    from kagezou.document.address import addresses, path_of, track_of
+    from kagezou.document.address import addresses, path_of, track_of, usual_value
     from kagezou.document.property import Kind
     from kagezou.io.clips.catalogues import messages_in
 
@@ -179,7 +179,7 @@ def _property_table(document: "Document") -> Json:
             "path": path_of(document, address),
             "kind": prop.kind.value,
             "unit": prop.unit,
-            "default": json_of_value(prop.default),
+            "default": json_of_value(usual_value(document, address)),
             "value": None if track.is_keyed else json_of_value(track.constant),
             "keys": json_of_keys(track),
             "help": str(prop.help),

@@ -66,10 +66,20 @@ LAYER: Final[Fields] = MappingProxyType({
     "name": Field("text", "Unique; part of property paths and of the names of rendered files."),
     "figure": Field("[left, top, right, bottom]", "Whole canvas px, half-open: the opaque part of the first drawing."),
     "drawings": Field("list of [name, path] and [name, path, part]",
-                      "The cels; each lies centred on the canvas, pixel for pixel."),
+                      "The cels; each lies centred on the canvas, pixel for pixel, unless its layer moves it."),
     "exposures": Field("list of [frame, index]",
                        "From this frame on that drawing is seen, counted from 0, or none for null; frames go up."),
     "tracks": Field("object", "Property name → track, for the properties of the layer."),
+    "joins": Field("text", "The id of the layer of whose figure this one is a part.", optional=True),
+    "sizes": Field("list of [index, width, height]",
+                   "Pictures whose size is known, px: from this drawing on all have it, until the next row.",
+                   optional=True),
+    "feet": Field("list of [index, [[track, x, y], …]]",
+                  "Drawings in which feet were looked for, and those that were found: which foot, and its lowest "
+                  "point in px of the picture.", optional=True),
+    "pins": Field("list of [index, track, verdict, place]",
+                  'What a person said about a foot of a drawing: "planted", "lifted", "none" or null, and [x, y] in px '
+                  "of the picture or null.", optional=True),
 })  # fmt: skip
 
 PIECE: Final[Fields] = MappingProxyType({

@@ -12,7 +12,7 @@ from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import AnyProperty, Kind
+from kagezou.document.property import AnyProperty, Kind, Usual
 from kagezou.geometry.box import Box
 from kagezou.io.files.json_text import formatted
 from kagezou.io.project import fields as fields
@@ -82,8 +82,8 @@ def _field_row(name: str, field: fields.Field) -> str:
 
 
 def _property_row(prop: AnyProperty) -> str:
-    default = formatted(prop.default).strip()
-    return f"| `{prop.name}` | {_kind(prop)} | `{default}` | {prop.help} |\n"
+    default = f"`{formatted(prop.default).strip()}`" if prop.usual is Usual.DEFAULT else prop.usual.value
+    return f"| `{prop.name}` | {_kind(prop)} | {default} | {prop.help} |\n"
 
 
 def _kind(prop: AnyProperty) -> str:
@@ -91,7 +91,7 @@ def _kind(prop: AnyProperty) -> str:
         case Kind.NUMBER:
             return f"number, {prop.low:g} to {prop.high:g}{prop.unit and ' ' + prop.unit}"
         case Kind.POINT:
-            return "[x, y] in px"
+            return f"[x, y] in {prop.unit}"
         case Kind.PLACE:
             return "[x, y, z] in px"
         case Kind.POINTS:

@@ -20,6 +20,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import Line, VanishingLines
 from kagezou.io.files.json_text import Reader
 from kagezou.io.project import fields as fields
+from kagezou.io.project.feet import read_feet
 from kagezou.io.project.paths import MAX_PATH_CHARACTERS, local_path
 from kagezou.io.project.review import read_review
 from kagezou.message import Message
@@ -96,9 +97,10 @@ def _layer(reader: Reader, folder: Path) -> Layer:
     return Layer(
         id=_name(found["id"]),
         name=_name(found["name"]),
-        cels=_cels(found["drawings"], found["exposures"], folder),
+        cels=read_feet(found, _cels(found["drawings"], found["exposures"], folder)),
         figure=_figure(found["figure"]),
         tracks=_tracks(found["tracks"], OF_LAYER),
+        joins=_name(found["joins"]) if "joins" in found else None,
     )
 
 

@@ -29,15 +29,28 @@ class FormatVersion(IntEnum):
     """What the number ``version`` in a project stands for."""
 
     FIRST_SHADOWS = 1
+    FIGURES = 2
 
 
 BROUGHT: Final[Mapping[FormatVersion, str]] = MappingProxyType({
     FormatVersion.FIRST_SHADOWS: "Canvas, background, character layers, light, ground and the look of a shadow.",
+    FormatVersion.FIGURES: "Figures of several layers, moved layers, feet, height, shadows that unite.",
 })  # fmt: skip
 
 CURRENT: Final = max(FormatVersion)
 
-UPGRADES: Final[Mapping[FormatVersion, Callable[[Tree], Tree]]] = MappingProxyType({})
+
+def _with_shadows_apart(tree: Tree) -> Tree:
+    """Lead a project over to ``FIGURES``: its shadows go on darkening each other where they meet."""
+    tracks = tree.get("tracks")
+    if not isinstance(tracks, dict):
+        return tree  # The reader says what is wrong.
+    return {**tree, "tracks": {**tracks, "scene.shadows_unite": False}}
+
+
+UPGRADES: Final[Mapping[FormatVersion, Callable[[Tree], Tree]]] = MappingProxyType({
+    FormatVersion.FIRST_SHADOWS: _with_shadows_apart,
+})  # fmt: skip
 """Version → the step from it to the next one; a pure function of trees. Every version but the current has one."""
 
 

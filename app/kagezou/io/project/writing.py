@@ -10,6 +10,7 @@ from kagezou.document.model import Document, Drawing, Layer, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
 from kagezou.io.files.json_text import JsonRow
+from kagezou.io.project.feet import feet_tree
 from kagezou.io.project.paths import stored_path
 from kagezou.io.project.review import review_tree
 from kagezou.io.project.versions import CURRENT, FORMAT_NAME, Tree
@@ -65,6 +66,8 @@ def _layer(layer: Layer, folder: Path) -> dict[str, object]:
         "drawings": [JsonRow(_drawing(drawing, folder)) for drawing in cels.drawings],
         "exposures": [JsonRow([exposure.frame, exposure.drawing]) for exposure in cels.exposures],
         "tracks": _tracks(layer.tracks, OF_LAYER),
+        **({} if layer.joins is None else {"joins": layer.joins}),
+        **feet_tree(cels.drawings),
     }
 
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QCoreApplication
 
 from kagezou.animation.track import Track, Value
-from kagezou.document.address import Address, path_of, track_of, value_of
+from kagezou.document.address import Address, path_of, track_of, usual_value, value_of
 from kagezou.document.common_edits import (
     change_all,
     is_keyed_here,
@@ -48,6 +48,11 @@ class EditedProperty:
     def tracks(self) -> tuple[Track, ...]:
         """The tracks of all layers, that of the one worked on first."""
         return tuple(track_of(self.bridge.document, address) for address in self.addresses)
+
+    @property
+    def usual(self) -> Value:
+        """What the property is while nobody has set it."""
+        return usual_value(self.bridge.document, self.address)
 
     @property
     def path(self) -> str:

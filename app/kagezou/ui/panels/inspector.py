@@ -1,12 +1,14 @@
 """The inspector: every property of the table, for the scene and for the layer or set piece worked on."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
 from kagezou.document.address import Address
+from kagezou.document.figure_properties import LEAST_PART, LIFT_LINES, PLACEMENT_LINES, SHADOWS_UNITE
 from kagezou.document.piece_kinds import kind_of, matters
 from kagezou.document.properties import TABLE
 from kagezou.document.property import AnyProperty, Scope
@@ -30,11 +32,15 @@ _ONLY_FOR_LIGHT = {
 """Properties that mean nothing for the other kind of light and are hidden then."""
 
 _SHAPE = (
-    properties.SIMPLIFY_ON, properties.SIMPLIFY, properties.DISTANCE, properties.ELONGATION,
+    properties.SIMPLIFY_ON, properties.SIMPLIFY, properties.DISTANCE, properties.ELONGATION, LEAST_PART,
     properties.GROW, properties.SOFTNESS, properties.PENUMBRA,
 )  # fmt: skip
 _SHADOW_OF_SET = (SET_COLOR, SET_OPACITY, SET_BLEND)
 _FADING = (properties.FADE, properties.FADE_CURVE, properties.TIP_COLOR, properties.TIP_DISTANCE)
+_GROUPS: Mapping[str, tuple[AnyProperty, ...]] = MappingProxyType({
+    "placement": PLACEMENT_LINES, "shape": _SHAPE, "fading": _FADING, "jump": LIFT_LINES, "light": (SHADOWS_UNITE,),
+})  # fmt: skip
+"""Sections whose lines are not told by the names of their properties."""
 
 
 class Inspector(QScrollArea):
@@ -157,6 +163,8 @@ class Inspector(QScrollArea):
             "shadow": lambda: self.tr("Shadow"),
             "shape": lambda: self.tr("Shape"),
             "fading": lambda: self.tr("Fading"),
+            "placement": lambda: self.tr("Placement"),
+            "jump": lambda: self.tr("In a jump"),
             "waves": lambda: self.tr("Waves"),
             "set.shadow": lambda: self.tr("Shadow of the set"),
             "": lambda: self.tr("Character"),
@@ -195,10 +203,9 @@ class Inspector(QScrollArea):
 def _group_of(prop: AnyProperty) -> str:
     """Return which section a property is shown in."""
     group, _, last = prop.name.rpartition(".")
-    if prop in _SHAPE:
-        return "shape"
-    if prop in _FADING:
-        return "fading"
+    for title, lines in _GROUPS.items():
+        if prop in lines:
+            return title
     return "waves" if last.startswith("wave") or group.startswith("shadow.wave") else group
 
 

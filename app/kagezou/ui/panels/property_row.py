@@ -90,7 +90,7 @@ class PropertyRow(QObject):
         self.key.show_state(KeyState.HERE if edited.is_keyed_here else KeyState.KEYED if keyed else KeyState.NONE)
         self.link.show_linked(linked=linked)
         self.link.setVisible(self._is_visible and edited.can_be_linked)
-        default = self.address.property.default
+        default = self.edited.usual
         self._show_changed(changed=keyed or any(track.constant != default for track in tracks))
 
     def set_visible(self, *, visible: bool) -> None:
@@ -135,7 +135,7 @@ class PropertyRow(QObject):
         line, words = self.address.property, ""
         if changed:
             # The words say it too: colour alone does not reach everyone.
-            words = self.tr("Changed; double-click for the default, %1").replace("%1", dumps_value(line.default))
+            words = self.tr("Changed; double-click for the default, %1").replace("%1", dumps_value(self.edited.usual))
         self.label.setToolTip(f"{translated(line.help)}\n{self.edited.path}\n{words}".strip())
         self.label.show_changed(changed=changed)
 

@@ -4,8 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from kagezou.animation.track import Track
-from kagezou.document.address import Address, track_of
+from kagezou.document.address import Address, track_of, usual_value
 from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
@@ -72,11 +71,12 @@ class Reveal:
     names: frozenset[str] | None = None
     changed: bool = False
 
-    def shows(self, track: Track, address: Address) -> bool:
+    def shows(self, document: Document, address: Address) -> bool:
         """Return whether a property is shown."""
+        track = track_of(document, address)
         if self.names is not None:
             return address.property.name in self.names
-        return track.is_keyed or (self.changed and track.constant != address.property.default)
+        return track.is_keyed or (self.changed and track.constant != usual_value(document, address))
 
 
 def rows_of(document: Document, closed: frozenset[str | None], reveal: Reveal) -> tuple[TimelineRow, ...]:
@@ -120,7 +120,7 @@ def _group(document: Document, group: TimelineRow, closed: frozenset[str | None]
     # Only what was ever set has a track; asking for all others would cost 200 layers their speed.
     names = (name for name in table if name in tracks or (reveal.names and name in reveal.names))
     known = [Address(table[name], group.layer_id, group.piece_id) for name in names]
-    shown = [address for address in known if reveal.shows(track_of(document, address), address)]
+    shown = [address for address in known if reveal.shows(document, address)]
     keyed = tuple(address for address in known if track_of(document, address).is_keyed)
     is_open = group.group not in closed
     rows = [replace(group, addresses=keyed, is_open=is_open)]
