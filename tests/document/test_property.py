@@ -101,7 +101,7 @@ def test_the_default_is_canonical(prop: AnyProperty) -> None:
 def test_the_table_has_words(prop: AnyProperty) -> None:
     assert str(prop.label)
     assert str(prop.help).endswith(".")
-    assert prop.unit in {"", "px", "°"}
+    assert prop.unit in {"", "px", "px²", "°", "%"}
 
 
 @props
