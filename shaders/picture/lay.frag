@@ -1,12 +1,17 @@
 #version 330 core
 // Lays one source over what is under it and writes the whole result: straight alpha, sRGB-coded as compositing is done.
-// The source is a picture (character, background) or one colour with a covered part of its own (shadow).
+// The source is a picture (character, background) or one colour with a covered part of its own (shadow). Switch:
+//   MOVED   the picture's texels do not fall on pixels
 
 #include "common/look.glsl"
 
 uniform sampler2D u_under;          // copy of the target's pixels
 uniform sampler2D u_source;         // RGBA picture, or covered part in red
+#ifdef MOVED
+#include "common/between_texels.glsl"
+#else
 uniform vec2 u_source_corner_px;  // canvas px of the source's first texel
+#endif
 uniform bool u_is_picture;
 uniform vec3 u_color;
 uniform float u_opacity;
@@ -38,7 +43,11 @@ float line_at(ivec2 here) {
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     vec4 under = texelFetch(u_under, here, 0);
+#ifdef MOVED
+    vec4 texel = moved_texel(u_source);
+#else
     vec4 texel = texelFetch(u_source, here - ivec2(u_source_corner_px), 0);
+#endif
     vec4 source = u_is_picture ? texel : vec4(color_at(gl_FragCoord.xy, u_color), texel.r * opacity_at(gl_FragCoord.xy, u_opacity));
 #ifdef OUTLINED
     source = vec4(u_color, line_at(here));

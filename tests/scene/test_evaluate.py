@@ -17,7 +17,7 @@ from kagezou.geometry.light import sun
 from kagezou.picture_source import PicturePart
 from kagezou.scene.evaluate import card_at, contact_of, evaluate, light_at
 from kagezou.scene.receiving import without_drawings
-from kagezou.scene.scene import ShadowLook
+from kagezou.scene.scene import PlacedDrawing, ShadowLook
 from tests.documents import documents
 
 CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0), Exposure(9, None)))
@@ -33,6 +33,12 @@ def document_with(**values: object) -> Document:
     return document
 
 
+def set_constant_on(document: Document, layer_id: str, **values: object) -> Document:
+    for name, raw in values.items():
+        document = edits.set_constant(document, Address(OF_LAYER[name], layer_id), raw)
+    return document
+
+
 def test_defaults() -> None:
     scene = evaluate(document_with(ground__position=[150, 250], light__position=[50, -100, 300]), 1)
     (layer,) = scene.layers
@@ -40,7 +46,7 @@ def test_defaults() -> None:
     assert scene.camera == Camera(400, 300, 0.0)
     assert scene.ground == ground_plane((150.0, 250.0), 0.0, 60.0)
     assert scene.background is None
-    assert (layer.id, layer.name, layer.drawing) == ("layer-1", "A", CELS.drawings[0])
+    assert (layer.id, layer.name, layer.drawing) == ("layer-1", "A", PlacedDrawing(CELS.drawings[0].source))
     assert layer.look == ShadowLook(color=(0x20, 0x20, 0x3A), opacity=0.6, multiply=True)
     assert layer.cast is not None
     assert layer.cast.lights == ((50.0, -100.0, 300.0, 1.0),)
@@ -220,7 +226,10 @@ def test_what_cannot_be_read_casts_on_nobody() -> None:
     assert without_drawings(layer, set()) is layer
     kept = without_drawings(layer, {PicturePart(Path("/c/2.psd"), "A/1")}).received
     assert kept is not None
-    assert [cast.drawing for shade in kept.shades for cast in shade.casts] == [CELS.drawings[0]]
-    nothing = without_drawings(layer, {PicturePart(Path("/c/2.psd"), "A/1"), Path("/c/1.png")}).received
+    assert [cast.sources for shade in kept.shades for cast in shade.casts] == [(CELS.drawings[0].source,)]
+    third = evaluate(set_constant_on(document, "layer-3", receives=True), 1).layers[2]
+    nothing = without_drawings(third, {Path("/c/1.png")}).received
     assert nothing is not None
     assert nothing.shades == ()
+    gone = without_drawings(layer, {Path("/c/1.png")})
+    assert (gone.drawing, gone.cast, gone.received) == (None, None, None)

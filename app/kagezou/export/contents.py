@@ -11,7 +11,6 @@ from typing import Self
 
 import numpy as np
 
-from kagezou.document.model import Drawing
 from kagezou.export.painter import Painter
 from kagezou.export.pictures import FlatPicture, Picture, ShadowPicture
 from kagezou.geometry.box import Box
@@ -20,7 +19,7 @@ from kagezou.io.images.writing import ShadowImage
 from kagezou.picture_source import PictureSource, file_of
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.scene.pieces import PieceScene, SetCast
-from kagezou.scene.scene import LayerScene, Received, Scene, SetShadow, ShadowCast, ShadowLook
+from kagezou.scene.scene import LayerScene, PlacedDrawing, Received, Scene, SetShadow, ShadowCast, ShadowLook
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +138,7 @@ class ShadowContent(_ShadowLike):
     @property
     def sources(self) -> Sources:
         """The alpha of its drawing, and the sets it falls on."""
-        return Sources(mattes=(self.cast.drawing.source,), sets=_sets_in(self.scene))
+        return Sources(mattes=self.cast.sources, sets=_sets_in(self.scene))
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +177,7 @@ class ReceivedContent(_ShadowLike):
     @property
     def sources(self) -> Sources:
         """The alphas of its drawing and of those that cast on it."""
-        casting = (cast.drawing.source for shade in self.received.shades for cast in shade.casts)
+        casting = (source for shade in self.received.shades for cast in shade.casts for source in cast.sources)
         return Sources(mattes=tuple(dict.fromkeys((self.received.drawing.source, *casting))))
 
 
@@ -212,7 +211,7 @@ class CompositeContent(Content):
     """
 
     background: PictureSource | None
-    layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
+    layers: tuple[tuple[PlacedDrawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
 

@@ -18,6 +18,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
+from kagezou.geometry.placement import Placement
 from kagezou.geometry.polygon import box_polygon, clipped, distance_form, rectangle_edges, shifted
 from kagezou.geometry.vectors import Matrix, Vector4, coincide, height_over
 
@@ -66,6 +67,11 @@ class Cast:
             right_fold=distance_form(self.right_fold @ canvas_from_target),
         )
 
+    def of_moved(self, placement: Placement) -> "Cast":
+        """Return the same shadow with the drawing's px as they lie before a placement moves them."""
+        art = placement.centred_from_canvas() @ self.art_from_canvas
+        return replace(self, art_from_canvas=art / np.abs(art).max())
+
     def region(self, canvas: Box, art: Box, margin_px: float = 1.0) -> Matrix:
         """Return the convex polygon (N, 2) of ``canvas`` that can hold shadow of the drawing's box ``art``.
 
@@ -94,6 +100,10 @@ class SpaceCast:
     side: Matrix
     left_fold: Matrix | None
     right_fold: Matrix | None
+
+    def of_moved(self, placement: Placement) -> "SpaceCast":
+        """Return the same shadow with the drawing's px as they lie before a placement moves them."""
+        return replace(self, art_from_world=placement.centred_from_canvas() @ self.art_from_world)
 
 
 def cast_in_space(camera: Camera, piece: CardPiece, light: Vector4) -> SpaceCast | None:

@@ -13,6 +13,7 @@ from kagezou.render.gpu.mattes import Mattes, PlacedMatte
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.display import Display, SetPicture
 from kagezou.render.passes.cast import CastPass
+from kagezou.render.passes.figure_mattes import FigureMattes
 from kagezou.render.passes.filter import ShapePass
 from kagezou.render.passes.received import ReceivedCoverage, ReceivedLayers
 from kagezou.render.sets.distance import DistancePass
@@ -31,7 +32,7 @@ class Coverage:
     target: Target
     box: Box | None = None
     cast: ShadowCast | None = None
-    matte: Matte | None = None
+    mattes: tuple[Matte, ...] = ()
     meshes: tuple[Mesh, ...] = ()
     distances: Target | None = None
     measured_cast: ShadowCast | None = None
@@ -52,13 +53,13 @@ class CoverageCache:
     """Casts a layer's shadow unless the last one of the same cast is still there."""
 
     def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, matte_budget_bytes: int) -> None:
-        self._cels = cels
         self._mattes = Mattes(boxes, matte_budget_bytes)
+        self._figures = FigureMattes(boxes, cels, self._mattes)
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
         self._set = SetPass(boxes, self._cast, self._shape, meshes)
         self._distance = DistancePass(boxes, self._cast)
-        self._received = ReceivedLayers(boxes, self._cast, cels, self._mattes)
+        self._received = ReceivedLayers(boxes, self._cast, cels, self._figures)
         self._of_set: Coverage | None = None
         self._seen: Coverage | None = None
         self._meshes = meshes
@@ -72,27 +73,25 @@ class CoverageCache:
         """How often the camera's view of meshes has been drawn, and how many lights' views."""
         return self._set.meshes_seen
 
-    def matte(self, scene: Scene, layer: LayerScene) -> PlacedMatte | None:
-        """Return a layer's drawing as it lies on the canvas, None for an empty cel."""
-        return (
-            None if layer.drawing is None else self._mattes.placed(self._cels.matte(layer.drawing.source), scene.canvas)
-        )
+    def silhouette(self, scene: Scene, cast: ShadowCast) -> PlacedMatte | None:
+        """Return what casts a shadow, in px before its placement moves it; None where all cels are empty."""
+        return self._figures.placed(cast, scene.canvas)
 
     def coverage(self, scene: Scene, layer: LayerScene) -> Coverage | None:
         """Return the covered parts of a layer's shadow, or None where it has none."""
         if layer.cast is None:
             return None
         kept = self._kept(scene.canvas, layer.id)
-        matte = self._cels.matte(layer.cast.drawing.source)
+        mattes = self._figures.mattes_of(layer.cast)
         meshes = self._meshes_of(layer.cast.pieces)
-        if kept.cast != layer.cast or kept.matte is not matte or kept.meshes != meshes:
-            placed = self._mattes.placed(matte, scene.canvas)
+        if kept.cast != layer.cast or kept.mattes != mattes or kept.meshes != meshes:
+            placed = self._figures.placed(layer.cast, scene.canvas)
             # Until the new one is whole the target holds no one knows what: a failure half-way leaves it to be cleared.
             old, kept.box, kept.cast = kept.box, scene.canvas, None
             plain = self._shape.draw if layer.cast.is_filtered else self._cast.draw
             draw = self._set.draw if layer.cast.pieces else plain
             kept.box = draw(layer.cast, placed, kept.target, old)
-            kept.cast, kept.matte, kept.meshes = layer.cast, matte, meshes
+            kept.cast, kept.mattes, kept.meshes = layer.cast, mattes, meshes
             self.casts_drawn += 1
             self.filters_drawn += layer.cast.is_filtered
         if layer.cast.pieces and not layer.look.is_plain and kept.box is not None:
@@ -149,6 +148,7 @@ class CoverageCache:
         self._set.close()
         self._shape.close()
         self._cast.close()
+        self._figures.close()
         self._mattes.close()
 
     def _measure(self, kept: Coverage) -> None:

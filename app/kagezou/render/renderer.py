@@ -117,7 +117,7 @@ class Renderer:
         """Return a layer's covered parts, (H, W) 16 bit, found by a literal depth map: a cross-check, not a picture."""
         target = Target(scene.canvas.width, scene.canvas.height, Format.ALPHA16)
         target.clear()
-        matte = self._shadows.matte(scene, layer)
+        matte = None if layer.cast is None else self._shadows.silhouette(scene, layer.cast)
         if layer.cast is not None and matte is not None:
             depth_map = DepthMapPass(self._boxes, map_px)
             depth_map.draw(layer.cast, matte, target)
@@ -174,7 +174,7 @@ class Renderer:
                     picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look, coverage.measured)
         for layer in scene.layers:
             if layer.drawing is not None:
-                picture.lay_cel(cels[layer.id])
+                picture.lay_cel(cels[layer.id], layer.drawing.placement)
             for shade in self._shadows.received(scene, layer):
                 if line_px and shade.box is not None:
                     outlines.append((shade.target.texture, shade.box))

@@ -1,25 +1,41 @@
 """From a document and a frame to the scene."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import Final
 
 from kagezou.document import properties, set_properties
-from kagezou.document.model import Document, Layer, Tracks
+from kagezou.document.figure_properties import ANCHOR, PLACEMENT_LINES, POSITION, ROTATION, SCALE
+from kagezou.document.model import Document, Layer, Tracks, drawing_offset, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, card_for
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
+from kagezou.geometry.placement import Placement
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
 from kagezou.scene.receiving import with_received
-from kagezou.scene.scene import Edge, Fade, LayerScene, Scene, SetShadow, ShadowCast, ShadowLook, Simplify, Tip, Water
+from kagezou.scene.scene import (
+    Edge,
+    Fade,
+    LayerScene,
+    PlacedDrawing,
+    Scene,
+    SetShadow,
+    ShadowCast,
+    ShadowLook,
+    Simplify,
+    Tip,
+    Water,
+)
 
 LEAST_PX = 0.01
 """What moves an outline by less cannot be seen and is left out."""
 
 _FARTHEST_PX = 1000.0
+_PLACING: Final = frozenset(line.name for line in PLACEMENT_LINES)
 
 
 def evaluate(document: Document, frame: int) -> Scene:
@@ -28,8 +44,9 @@ def evaluate(document: Document, frame: int) -> Scene:
     ground = ground_at(document, frame)
     pieces = pieces_at(document, frame, camera, ground)
     has_ground = value_at(document.tracks, set_properties.GROUND_RECEIVES, frame)
+    stands = _Stands(document, frame, camera, ground)
     layers = tuple(
-        _on_set(_layer_scene(document, layer, frame, camera, ground), pieces, has_ground=has_ground)
+        _on_set(_layer_scene(stands, layer), pieces, has_ground=has_ground)
         for layer in document.layers
         if value_at(layer.tracks, properties.VISIBLE, frame)
     )
@@ -77,29 +94,74 @@ def contact_of(card: Card, ground: Plane) -> Vector3:
     return (x, y, z)
 
 
-def _layer_scene(document: Document, layer: Layer, frame: int, camera: Camera, ground: Plane) -> LayerScene:
-    drawing = layer.cels.drawing_at(frame)
-    # Everything about the shadow but the camera and the ground under it may wait for the next drawing.
-    waits = value_at(layer.tracks, properties.TIMING, frame) == "exposures"
-    moment = layer.cels.exposed_since(frame) if waits else frame
+@dataclass(frozen=True, slots=True)
+class _Stands:
+    """Where layers stand on a frame."""
+
+    document: Document
+    frame: int
+    camera: Camera
+    ground: Plane
+
+
+def _layer_scene(on: _Stands, layer: Layer) -> LayerScene:
+    drawing = drawing_of(on.document, layer, on.frame)
+    figure = layer if layer.joins is None else on.document.layer(layer.joins)
+    parts = parts_of(on.document, figure.id)
+    # Everything about the shadow but the camera, the ground under it and where cels lie may wait for the next drawing.
+    waits = value_at(figure.tracks, properties.TIMING, on.frame) == "exposures"
+    moment = max(part.cels.exposed_since(on.frame) for part in parts) if waits else on.frame
+    card = card_at(figure, moment, on.camera, on.ground)
     cast = None
-    if drawing is not None:
-        card = card_at(layer, moment, camera, ground)
-        light = light_at(document, moment, ground)
-        radius = value_at(document.tracks, properties.OVERHEAD_RADIUS, moment)
-        spread = virtual_lights(light, contact_of(card, ground), radius)
-        cast = ShadowCast(
-            drawing=drawing,
-            translucent=value_at(layer.tracks, properties.MATTE, moment) == "translucent",
-            camera=camera,
-            receivers=(ground,),
-            card=card,
-            lights=tuple(each for each in spread if is_over(ground, each)),
-            simplify=_simplify(layer.tracks, moment),
-            edge=_edge(layer.tracks, moment),
-            water=_water(layer.tracks, moment),
-        )
-    return LayerScene(layer.id, layer.name, drawing, cast, _look(layer.tracks, moment))
+    if layer is figure:
+        shown = [part for part in parts if part is layer or value_at(part.tracks, properties.VISIBLE, on.frame)]
+        cels = (drawing_of(on.document, part, on.frame) for part in shown)
+        cast = _cast(on, figure, tuple(cel for cel in cels if cel is not None), (card, moment))
+    return LayerScene(layer.id, layer.name, drawing, cast, _look(figure.tracks, moment), card, figure.id)
+
+
+def _cast(on: _Stands, layer: Layer, cels: tuple[PlacedDrawing, ...], standing: tuple[Card, int]) -> ShadowCast | None:
+    """Return what the cels of a figure cast together, None where all are empty."""
+    if not cels:
+        return None
+    card, moment = standing
+    light = light_at(on.document, moment, on.ground)
+    radius = value_at(on.document.tracks, properties.OVERHEAD_RADIUS, moment)
+    spread = virtual_lights(light, contact_of(card, on.ground), radius)
+    return ShadowCast(
+        figure=cels,
+        translucent=value_at(layer.tracks, properties.MATTE, moment) == "translucent",
+        camera=on.camera,
+        receivers=(on.ground,),
+        card=card,
+        lights=tuple(each for each in spread if is_over(on.ground, each)),
+        simplify=_simplify(layer.tracks, moment),
+        edge=_edge(layer.tracks, moment),
+        water=_water(layer.tracks, moment),
+    )
+
+
+def drawing_of(document: Document, layer: Layer, frame: int) -> PlacedDrawing | None:
+    """Return what a layer shows on a frame and how that lies on the canvas; None where nothing is seen."""
+    drawing, placement = layer.cels.drawing_at(frame), placement_at(document, layer, frame)
+    if drawing is None or (placement is not None and not placement.is_seen):
+        return None
+    return PlacedDrawing(drawing.source, placement)
+
+
+def placement_at(document: Document, layer: Layer, frame: float) -> Placement | None:
+    """Return how a layer moves its drawings on a frame, None where they lie centred, pixel for pixel."""
+    if layer.tracks.keys().isdisjoint(_PLACING):
+        return None
+    middle, offset = document.canvas.box.middle, drawing_offset(document.canvas, layer)
+    position = value_at(layer.tracks, POSITION, frame) if POSITION.name in layer.tracks else middle
+    anchor = middle
+    if ANCHOR.name in layer.tracks:
+        x, y = value_at(layer.tracks, ANCHOR, frame)
+        anchor = (x + offset[0], y + offset[1])
+    sx, sy = value_at(layer.tracks, SCALE, frame)
+    placement = Placement(position, anchor, (sx / 100, sy / 100), value_at(layer.tracks, ROTATION, frame))
+    return placement if placement.moves else None
 
 
 def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...], *, has_ground: bool) -> LayerScene:

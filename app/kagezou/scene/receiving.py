@@ -17,24 +17,34 @@ def with_received(layers: tuple[LayerScene, ...], receiving: Set[str]) -> tuple[
 
 
 def without_drawings(layer: LayerScene, lost: Set[PictureSource]) -> LayerScene:
-    """Return a layer without what falls on it from drawings that cannot be read."""
-    if layer.received is None or not lost:
+    """Return a layer without drawings that cannot be read, their part of the shadow, and what falls on it from them."""
+    if not lost:
         return layer
-    kept = (
-        replace(shade, casts=tuple(cast for cast in shade.casts if cast.drawing.source not in lost))
-        for shade in layer.received.shades
-    )
-    return replace(layer, received=replace(layer.received, shades=tuple(shade for shade in kept if shade.casts)))
+    drawing = None if layer.drawing is None or layer.drawing.source in lost else layer.drawing
+    cast = None if layer.cast is None else _without(layer.cast, lost)
+    if layer.received is None or drawing is None:
+        return replace(layer, drawing=drawing, cast=cast, received=None)
+    shades = []
+    for shade in layer.received.shades:
+        casts = (_without(cast, lost) for cast in shade.casts)
+        shades.append(replace(shade, casts=tuple(cast for cast in casts if cast is not None)))
+    received = replace(layer.received, shades=tuple(shade for shade in shades if shade.casts))
+    return replace(layer, drawing=drawing, cast=cast, received=received)
+
+
+def _without(cast: ShadowCast, lost: Set[PictureSource]) -> ShadowCast | None:
+    figure = tuple(part for part in cast.figure if part.source not in lost)
+    return replace(cast, figure=figure) if figure else None
 
 
 def _receiving(layer: LayerScene, layers: tuple[LayerScene, ...]) -> LayerScene:
-    if layer.drawing is None or layer.cast is None:
+    if layer.drawing is None:
         return layer
     by_look: dict[ShadowLook, tuple[ShadowCast, ...]] = {}
     for other in layers:
-        if other.id != layer.id and other.cast is not None and other.cast.lights:
+        if other.id != layer.figure_id and other.cast is not None and other.cast.lights:
             look = replace(other.look, fade=None, tip=None)
             cast = replace(other.cast, receivers=(), simplify=None, edge=None, water=None, pieces=())
             by_look[look] = (*by_look.get(look, ()), cast)
     shades = tuple(Shade(casts, look) for look, casts in by_look.items())
-    return replace(layer, received=Received(layer.drawing, layer.cast.card, shades))
+    return replace(layer, received=Received(layer.drawing, layer.card, shades))

@@ -3,11 +3,12 @@
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 
-from kagezou.document.model import Drawing
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
+from kagezou.geometry.placement import Placement, lie_alike
+from kagezou.geometry.shadow import Cast, SpaceCast, cast_card, cast_in_space
 from kagezou.geometry.vectors import Vector4
 from kagezou.geometry.waves import Ripple
 from kagezou.picture_source import PictureSource
@@ -69,13 +70,21 @@ class Water:
 
 
 @dataclass(frozen=True, slots=True)
+class PlacedDrawing:
+    """A drawing as it lies on the canvas: centred, pixel for pixel, unless a placement moves it."""
+
+    source: PictureSource
+    placement: Placement | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class ShadowCast:
     """All that decides the shape of a layer's shadow; equal casts have equal pixels.
 
     Parameters
     ----------
-    drawing
-        The cel that blocks the light.
+    figure
+        The cels that block the light together, at least one; they are one silhouette.
     translucent
         Whether its alpha casts as it is; else alpha of 0.5 and more casts fully.
     camera, receivers
@@ -92,7 +101,7 @@ class ShadowCast:
         Whether the flat ground is there at all, or only the pieces are.
     """
 
-    drawing: Drawing
+    figure: tuple[PlacedDrawing, ...]
     translucent: bool
     camera: Camera
     receivers: tuple[Plane, ...]
@@ -108,6 +117,30 @@ class ShadowCast:
     def is_filtered(self) -> bool:
         """Whether anything is done to the shape after it is cast."""
         return self.simplify is not None or self.edge is not None or self.water is not None
+
+    @property
+    def sources(self) -> tuple[PictureSource, ...]:
+        """What its silhouette is read from."""
+        return tuple(dict.fromkeys(part.source for part in self.figure))
+
+    @property
+    def placement(self) -> Placement | None:
+        """How the silhouette is moved: as its cels are, where all are moved alike; else it is that of the canvas."""
+        first, *others = (part.placement for part in self.figure)
+        return first if all(lie_alike(first, other) for other in others) else None
+
+    def on(self, receiver: Plane, light: Vector4) -> tuple[Cast, ...]:
+        """Return what the pieces of the card cast on a flat receiver, in px of the silhouette."""
+        casts = cast_card(self.camera, receiver, self.card, light)
+        if self.placement is None:
+            return casts
+        return tuple(each.of_moved(self.placement) for each in casts)
+
+    def in_space(self, light: Vector4) -> tuple[SpaceCast, ...]:
+        """Return what the pieces of the card cast anywhere, in px of the silhouette."""
+        found = (cast_in_space(self.camera, piece, light) for piece in self.card.pieces)
+        casts = (each for each in found if each is not None)
+        return tuple(each if self.placement is None else each.of_moved(self.placement) for each in casts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,23 +220,40 @@ class Received:
         By their looks, in the order of the lowest layers that cast them.
     """
 
-    drawing: Drawing
+    drawing: PlacedDrawing
     card: Card
     shades: tuple[Shade, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class LayerScene:
-    """One visible character layer: its drawing and shadow, both None while its cel is empty.
+    """One visible character layer.
 
-    ``received`` is what others cast on it, None where it does not receive.
+    Parameters
+    ----------
+    id, name
+        As of the document's layer.
+    drawing
+        None while its cel is empty.
+    cast
+        The shadow of its figure; None while all cels of that are empty, and for a part of another layer's figure.
+    look
+        How the shadow is laid on the picture.
+    card
+        What it stands on; that of its figure.
+    figure_id
+        The layer whose figure it is a part of; its own id for a figure of its own.
+    received
+        What others cast on it, None where it does not receive.
     """
 
     id: str
     name: str
-    drawing: Drawing | None
+    drawing: PlacedDrawing | None
     cast: ShadowCast | None
     look: ShadowLook
+    card: Card
+    figure_id: str
     received: Received | None = None
 
 

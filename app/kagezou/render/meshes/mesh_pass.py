@@ -12,7 +12,7 @@ from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG
 from kagezou.geometry.sets.faces_seen import Face
 from kagezou.geometry.sets.occlusion_cones import Occlusion
 from kagezou.geometry.sets.round_faces_seen import RoundFace
-from kagezou.geometry.shadow import SpaceCast, cast_in_space
+from kagezou.geometry.shadow import SpaceCast
 from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.render.gpu.boxes import Boxes
@@ -175,8 +175,7 @@ class MeshPass:
 
     def draw(self, lit: MeshLit, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Box | None:
         """Add what a character casts to ``target``; return the box that may hold it."""
-        found = (cast_in_space(cast.camera, piece, lit.light) for piece in cast.card.pieces)
-        pieces = [piece for piece in found if piece is not None]
+        pieces = cast.in_space(lit.light)
         drawn: Box | None = None
         uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(self._tables)}
         for piece in pieces:

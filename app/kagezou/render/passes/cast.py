@@ -8,7 +8,7 @@ from itertools import product
 from kagezou.geometry.box import Box, around
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.polygon import bounding_box
-from kagezou.geometry.shadow import Cast, cast_card
+from kagezou.geometry.shadow import Cast
 from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
@@ -90,7 +90,7 @@ def strokes(cast: ShadowCast, pair: tuple[Plane, Vector4], matte: PlacedMatte, w
     grazing = FULL_STRENGTH if window.is_shape_only else Grazing.of(receiver, light)
     cells_a_texel = CELLS_A_TEXEL_SAMPLED if cast.translucent else CELLS_A_TEXEL
     fineness = Fineness(cells_a_texel, window.max_cells)
-    for on_canvas in cast_card(cast.camera, receiver, cast.card, light):
+    for on_canvas in cast.on(receiver, light):
         each = window.cast(on_canvas)
         frame = Frame(each.region(window.box, matte.box))
         around = bounding_box(frame.region)

@@ -13,6 +13,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
+from kagezou.geometry.placement import around_placed, canvas_from_centred, centred_from_canvas
 from kagezou.geometry.vectors import Matrix
 from kagezou.message import Message
 from kagezou.render.gpu.boxes import Boxes
@@ -21,6 +22,7 @@ from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Program
 from kagezou.render.gpu.targets import DepthTarget, Target
 from kagezou.render.prepare.light_view import LightView
+from kagezou.render.prepare.moved import moved_by
 from kagezou.scene.scene import ShadowCast
 
 
@@ -38,7 +40,8 @@ class DepthMapPass:
     def draw(self, cast: ShadowCast, matte: PlacedMatte, target: Target) -> None:
         """Draw into ``target``: 1 in shadow, 0 elsewhere, no anti-aliasing; the whole target is drawn anew."""
         target.clear()
-        corners = [_corners(cast.camera, piece, matte.box) for piece in cast.card.pieces]
+        seen = around_placed(matte.box, canvas_from_centred(cast.placement))
+        corners = [_corners(cast.camera, piece, seen) for piece in cast.card.pieces]
         for receiver, light in product(cast.receivers, cast.lights):
             view = LightView.around(light, np.concatenate(corners))
             self._store_card(cast, corners, view, matte)
@@ -60,7 +63,7 @@ class DepthMapPass:
         self._store.use(
             {
                 "u_matte": 0,
-                "u_matte_corner_px": (float(matte.box.left), float(matte.box.top)),
+                "u_texel_from_canvas": moved_by(-matte.box.left, -matte.box.top) @ centred_from_canvas(cast.placement),
                 "u_eye": (ex, ey, w / distance),
                 **view.uniforms(),
             }

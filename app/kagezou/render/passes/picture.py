@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from kagezou.geometry.box import Box, centred_offset
+from kagezou.geometry.placement import Placement, around_placed
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Cel
 from kagezou.picture_source import PictureSource
@@ -15,6 +16,7 @@ from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.display import Display, SetPicture
 from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
 from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.render.prepare.moved import MOVED, moved_by, moved_uniforms
 from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast, ShadowLook
 
@@ -108,9 +110,12 @@ class PicturePass:
         if around is not None:
             self._lay(self._target, around, coverage, uniforms, frozenset({"OUTLINED"}))
 
-    def lay_cel(self, cel: Cel) -> None:
-        """Lay a drawing over the picture, centred, pixel for pixel."""
-        self._lay_cel(self._target, cel)
+    def lay_cel(self, cel: Cel, placement: Placement | None = None) -> None:
+        """Lay a drawing over the picture: centred, pixel for pixel, unless a placement moves it."""
+        if placement is None:
+            self._lay_cel(self._target, cel)
+        else:
+            self._lay_moved(cel, placement)
 
     def copy_whole(self) -> None:
         """Draw the whole picture once into another target, one texel a pixel: the unit of cost of a benchmark."""
@@ -185,6 +190,26 @@ class PicturePass:
                 "u_multiply": False,
             },
         )
+
+    def _lay_moved(self, cel: Cel, placement: Placement) -> None:
+        if cel.matte.box is None:
+            return
+        height, width = cel.rgba.shape[:2]
+        figure = cel.matte.box.moved(*centred_offset(self._target.box, width, height))
+        way = placement.canvas_from_centred()
+        # What lies between the outermost texels and nothing reaches half a texel further.
+        box = around_placed(figure.grown(1), way).intersection(self._target.box)
+        if box is None:
+            return
+        texture = self._colors.made_of(cel, partial(_uploaded, cel, cel.matte.box))
+        uniforms: dict[str, Uniform] = {
+            "u_is_picture": True,
+            "u_color": _NO_COLOR,
+            "u_opacity": 1.0,
+            "u_multiply": False,
+            **moved_uniforms(way @ moved_by(figure.left, figure.top)),
+        }
+        self._lay(self._target, box, texture, uniforms, MOVED)
 
     def _lay(
         self,

@@ -1,25 +1,32 @@
 """Shadows on characters: each card is one more receiver, cut to the drawing that stands on it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import ceil, floor
+from typing import Final
 
 from kagezou.geometry.box import Box, around, centred_offset
 from kagezou.geometry.card import CardPiece, receiver_of
+from kagezou.geometry.placement import Placement, around_placed
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Matte
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.made_of_cache import MadeOfCache
-from kagezou.render.gpu.mattes import Mattes, PlacedMatte
-from kagezou.render.gpu.program import Program
+from kagezou.render.gpu.mattes import PlacedMatte
+from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.cast import CastPass, Window
+from kagezou.render.passes.figure_mattes import FigureMattes
+from kagezou.render.prepare.moved import MOVED_ALPHA, moved_by, moved_uniforms
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import LayerScene, Received, Scene, Shade, ShadowCast, ShadowLook
 
 _ALPHA_BUDGET_BYTES = 64 << 20
 _BEYOND_PX = 1e6
+NO_SWITCHES: Final[frozenset[str]] = frozenset()
 
 
 @dataclass(slots=True)
@@ -32,6 +39,35 @@ class ReceivedCoverage:
     of: tuple[object, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class _Figure:
+    """The drawing on which shadows fall: its alpha, where that lies centred on the canvas, and how it is moved."""
+
+    alpha: Matte
+    centred: Box
+    placement: Placement | None
+
+    @property
+    def box(self) -> Box:
+        """Around where it is seen, canvas px."""
+        if self.placement is None:
+            return self.centred
+        return around_placed(self.centred.grown(1), self.placement.canvas_from_centred())
+
+    @property
+    def switches(self) -> frozenset[str]:
+        """Those of ``passes/received.frag``."""
+        return NO_SWITCHES if self.placement is None else MOVED_ALPHA
+
+    @property
+    def uniforms(self) -> dict[str, Uniform]:
+        """Where a pixel finds its alpha."""
+        corner = (float(self.centred.left), float(self.centred.top))
+        if self.placement is None:
+            return {"u_corner_px": corner}
+        return moved_uniforms(self.placement.canvas_from_centred() @ moved_by(*corner))
+
+
 class ReceivedLayers:
     """Draws what falls on a character unless the last one of the same shades is still there.
 
@@ -39,13 +75,13 @@ class ReceivedLayers:
     ----------
     boxes, caster
         What draws.
-    cels, mattes
-        Where drawings come from, in memory and on the graphics card.
+    cels, figures
+        Where drawings come from, and the silhouettes of those who cast.
     """
 
-    def __init__(self, boxes: Boxes, caster: CastPass, cels: CelSource, mattes: Mattes) -> None:
-        self._boxes, self._caster, self._cels, self._mattes = boxes, caster, cels, mattes
-        self._cut = Program("common/box.vert", "passes/received.frag")
+    def __init__(self, boxes: Boxes, caster: CastPass, cels: CelSource, figures: FigureMattes) -> None:
+        self._boxes, self._caster, self._cels, self._figures = boxes, caster, cels, figures
+        self._cut = Variants("common/box.vert", "passes/received.frag")
         self._alphas: MadeOfCache[Texture] = MadeOfCache(_ALPHA_BUDGET_BYTES)
         self._scratches = Scratches()
         self._kept: dict[tuple[str, int], ReceivedCoverage] = {}
@@ -83,26 +119,27 @@ class ReceivedLayers:
             kept = self._kept[key] = ReceivedCoverage(_cleared(scene.canvas), shade.look)
         kept.look = shade.look
         alpha = self._cels.matte(on.drawing.source)
-        casting = [(cast, self._cels.matte(cast.drawing.source)) for cast in shade.casts]
-        of = (shade.casts, on.card, alpha, *(matte for _, matte in casting))  # mattes are equal only to themselves
+        # Mattes are equal only to themselves.
+        of = (shade.casts, on, alpha, *(self._figures.mattes_of(cast) for cast in shade.casts))
         if kept.of != of:
             old, kept.box, kept.of = kept.box, scene.canvas, ()
             if old is not None:
                 kept.target.clear(old)
-            kept.box = self._draw(on, alpha, casting, kept.target)
+            kept.box = self._draw(on, alpha, shade.casts, kept.target)
             kept.of = of
         return kept
 
-    def _draw(self, on: Received, alpha: Matte, casting: list[tuple[ShadowCast, Matte]], target: Target) -> Box | None:
+    def _draw(self, on: Received, alpha: Matte, casts: Sequence[ShadowCast], target: Target) -> Box | None:
         """Draw all that falls on a character; return the box that may hold it."""
         if alpha.box is None:
             return None
-        figure = alpha.box.moved(*centred_offset(target.box, alpha.width_px, alpha.height_px))
+        centred = alpha.box.moved(*centred_offset(target.box, alpha.width_px, alpha.height_px))
+        figure = _Figure(alpha, centred, on.drawing.placement)
         drawn: Box | None = None
-        for cast, matte in casting:
-            own = target if len(casting) == 1 else self._scratches.like("one", target)
-            placed = self._mattes.placed(matte, target.box)
-            box = around(*[self._draw_piece((cast, placed), each, (alpha, figure), own) for each in on.card.pieces])
+        for cast in casts:
+            own = target if len(casts) == 1 else self._scratches.like("one", target)
+            placed = self._figures.placed(cast, target.box)
+            box = around(*[self._draw_piece((cast, placed), each, figure, own) for each in on.card.pieces])
             if box is not None and own is not target:
                 self._caster.merge(own, target, box)
             drawn = around(drawn, box)
@@ -112,12 +149,12 @@ class ReceivedLayers:
         self,
         character: tuple[ShadowCast, PlacedMatte | None],
         piece: CardPiece,
-        figure: tuple[Matte, Box],
+        figure: _Figure,
         target: Target,
     ) -> Box | None:
         """Add what one character casts on a piece of another's card; return the box that may hold it."""
-        (cast, matte), (alpha, place) = character, figure
-        columns = _columns(piece, place).intersection(target.box)
+        cast, matte = character
+        columns = _columns(piece, figure.box).intersection(target.box)
         if columns is None or matte is None:
             return None
         whole = self._scratches.like("whole", target)
@@ -125,19 +162,19 @@ class ReceivedLayers:
         box = self._caster.unite(alone, matte, whole, Window(columns))
         if box is None:
             return None
-        texture = self._alphas.made_of(alpha, partial(_uploaded, alpha))
+        texture = self._alphas.made_of(figure.alpha, partial(_uploaded, figure.alpha))
         target.bind(box)
         GL.glEnable(GL.GL_BLEND)
         GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
         whole.texture.bind(0)
         texture.bind(1)
-        self._cut.use(
+        self._cut[figure.switches].use(
             {
                 "u_target_size_px": target.size_px,
                 "u_coverage": 0,
                 "u_alpha": 1,
-                "u_corner_px": (float(place.left), float(place.top)),
                 "u_columns_px": (max(piece.left, -_BEYOND_PX), min(piece.right, _BEYOND_PX)),
+                **figure.uniforms,
             }
         )
         self._boxes.draw_one(box)

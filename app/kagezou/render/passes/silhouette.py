@@ -10,15 +10,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from kagezou.geometry.box import Box
+from kagezou.geometry.placement import canvas_from_centred
 from kagezou.geometry.shadow import Cast, cast_card
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.mattes import MatteTexture, PlacedMatte, drawn_from
-from kagezou.render.gpu.program import Program
+from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.passes.filter import Blurred, ShapePass
 from kagezou.render.prepare.filter_job import LARGEST_PLANE_PX, BlurView, FilterJob
+from kagezou.render.prepare.moved import MOVED_ALPHA, moved_by, moved_uniforms
 from kagezou.render.prepare.occupancy import Occupancy
+from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast
 
 _AROUND_PX = 256
@@ -42,7 +45,7 @@ class SilhouettePass:
     def __init__(self, boxes: Boxes, shaper: ShapePass) -> None:
         self._boxes = boxes
         self._shaper = shaper
-        self._placed = Program("common/box.vert", "passes/placed.frag")
+        self._placed = Variants("common/box.vert", "passes/placed.frag")
         self._neighbours = Program("common/box.vert", "common/neighbours.frag")
         self._shape: Target | None = None
         self._sharp: Target | None = None
@@ -68,7 +71,7 @@ class SilhouettePass:
             return None
         shape, sharp = self._targets(canvas)
         shape.clear()
-        self._place(blurred.matte, sharp)
+        self._place(blurred, sharp)
         for view in views:
             self._shaper.show(blurred, view, shape, sharp)
         # The outermost texels are what is found beyond.
@@ -87,12 +90,19 @@ class SilhouettePass:
         placed = PlacedMatte(self._on_gpu, size.moved(-_AROUND_PX, -_AROUND_PX))
         return Silhouette(_with_its_edge(job.cast), placed)
 
-    def _place(self, matte: PlacedMatte, sharp: Target) -> None:
+    def _place(self, blurred: Blurred, sharp: Target) -> None:
         """Draw the drawing itself, for where the shadow is left as it is."""
         sharp.bind()
+        matte, placement = blurred.matte, blurred.job.cast.placement
         matte.texture.bind(0)
-        corner = (float(matte.box.left + _AROUND_PX), float(matte.box.top + _AROUND_PX))
-        self._placed.use({"u_target_size_px": sharp.size_px, "u_matte": 0, "u_corner_px": corner})
+        uniforms: dict[str, Uniform] = {"u_target_size_px": sharp.size_px, "u_matte": 0}
+        if placement is None:
+            corner = (float(matte.box.left + _AROUND_PX), float(matte.box.top + _AROUND_PX))
+            self._placed[frozenset()].use(uniforms | {"u_corner_px": corner})
+        else:
+            on_target = moved_by(_AROUND_PX, _AROUND_PX) @ placement.canvas_from_centred()
+            way = on_target @ moved_by(matte.box.left, matte.box.top)
+            self._placed[MOVED_ALPHA].use(uniforms | moved_uniforms(way))
         self._boxes.draw_one(sharp.box)
 
     def _targets(self, canvas: Box) -> tuple[Target, Target]:
@@ -111,7 +121,8 @@ class SilhouettePass:
 def _views(job: FilterJob, canvas: Box) -> Iterator[BlurView]:
     """Yield how each piece of the card shows the ground's shadow, seen from the light; none where it is not wholly."""
     cast = job.cast
-    corners = _corners_of(job.matte.box)
+    # The silhouette is put where the drawing is seen; from there on it is not moved any more.
+    corners = canvas_from_centred(cast.placement) @ _corners_of(job.matte.box)
     for piece, found in zip(
         cast.card.pieces, cast_card(cast.camera, cast.receivers[0], cast.card, cast.lights[0]), strict=False
     ):
@@ -138,4 +149,5 @@ def _corners_of(box: Box) -> Matrix:
 
 def _with_its_edge(cast: ShadowCast) -> ShadowCast:
     """Return the cast with its alpha taken as it is where its edge is soft, which a level would make crisp again."""
-    return replace(cast, translucent=cast.edge is not None)
+    still = tuple(replace(part, placement=None) for part in cast.figure)
+    return replace(cast, figure=still, translucent=cast.edge is not None)

@@ -11,7 +11,6 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.ground import Plane, canvas_from_plane
 from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.sets.laid_flat import FLAT, GROUND, Development, Join, narrowest
-from kagezou.geometry.shadow import cast_card
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.prepare.band_atlas import Strip
 from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
@@ -253,7 +252,7 @@ def extent_of(cast: ShadowCast, matte: MatteOnCanvas, canvas_from_blurred: Matri
     limit = Box(-LARGEST_PLANE_PX, -LARGEST_PLANE_PX, LARGEST_PLANE_PX, LARGEST_PLANE_PX)
     around: Box | None = None
     for light in cast.lights:
-        for each in cast_card(cast.camera, cast.receivers[0], cast.card, light):
+        for each in cast.on(cast.receivers[0], light):
             box = bounding_box(each.seen_through(canvas_from_blurred).region(limit, matte.box))
             if box is not None:
                 around = box if around is None else around.union(box)

@@ -11,7 +11,7 @@ from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG
 from kagezou.geometry.sets.bodies import Ball
 from kagezou.geometry.sets.occlusion_cones import Occlusion
 from kagezou.geometry.sets.round_faces_seen import RoundFace
-from kagezou.geometry.shadow import SpaceCast, cast_in_space
+from kagezou.geometry.shadow import SpaceCast
 from kagezou.geometry.vectors import Matrix, Vector4
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.cone_tables import ConeTables
@@ -154,8 +154,7 @@ class RoundPass:
 
     def draw(self, lit: RoundLit, cast: ShadowCast, matte: PlacedMatte, target: Target) -> Box | None:
         """Draw what a character casts; return the box that may hold it."""
-        found = (cast_in_space(cast.camera, piece, lit.light) for piece in cast.card.pieces)
-        pieces = [piece for piece in found if piece is not None]
+        pieces = cast.in_space(lit.light)
         tiling = _shaded_tiles(lit, pieces, matte, target.box)
         if tiling.box is None:
             return None

@@ -18,7 +18,7 @@ from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.receiving import without_drawings
-from kagezou.scene.scene import LayerScene, Scene, without_pieces
+from kagezou.scene.scene import Scene, without_pieces
 from kagezou.ui.viewport.picture_view import PictureView, seen
 from kagezou.ui.viewport.resolution import FULL, PreviewFineness
 
@@ -179,11 +179,10 @@ class FramePainter:
                 return False
             return True
 
-        def shown(layer: LayerScene) -> LayerScene:
-            if layer.drawing is None or can_be_read(layer.drawing.source):
-                return layer
-            return replace(layer, drawing=None, cast=None, received=None)
-
+        drawings = [layer.drawing.source for layer in scene.layers if layer.drawing is not None]
+        casting = [source for layer in scene.layers if layer.cast is not None for source in layer.cast.sources]
+        for source in dict.fromkeys((*drawings, *casting)):
+            can_be_read(source)
         lost = {
             piece.id
             for piece in scene.pieces
@@ -191,10 +190,9 @@ class FramePainter:
             and not can_be_read(piece.mesh.path, lambda each: self._meshes.mesh(file_of(each)))
         }
         scene = without_pieces(scene, lost) if lost else scene
-        layers = tuple(shown(layer) for layer in scene.layers)
         behind = scene.background
         background = behind if behind and can_be_read(behind, self._cels.background) else None
         unread = {each.source for each in broken}
-        layers = tuple(without_drawings(layer, unread) for layer in layers)
+        layers = tuple(without_drawings(layer, unread) for layer in scene.layers)
         self.broken = tuple(broken)
         return replace(scene, layers=layers, background=background) if broken else scene
