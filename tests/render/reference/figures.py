@@ -10,6 +10,7 @@ from kagezou.document import edits
 from kagezou.document.address import resolve
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.geometry.box import Box
+from kagezou.geometry.placement import Placement
 from kagezou.io.images.writing import write_rgba
 
 SIZE = 1000
@@ -28,10 +29,13 @@ STROKES = (
 )
 
 
-def figure_alpha(size: int = SIZE, *, binary: bool = False) -> NDArray[np.uint8]:
-    """A standing figure (size, size); feet at y = 900 of 1000."""
+def figure_alpha(size: int = SIZE, *, binary: bool = False, moved: Placement | None = None) -> NDArray[np.uint8]:
+    """A standing figure (size, size); feet at y = 900 of 1000; drawn anew where an even placement moves it."""
     scale = size / SIZE
     y, x = (np.mgrid[0:size, 0:size] + 0.5) / scale
+    if moved is not None:
+        ((a, b, c), (d, e, f), _), scale = moved.centred_from_canvas(), scale * abs(moved.scale[0])
+        x, y = a * x + b * y + c, d * x + e * y + f
     distance = np.full((size, size), 1e9)
     for (ax, ay), (bx, by), half in STROKES:
         dx, dy = bx - ax, by - ay
