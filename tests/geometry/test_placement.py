@@ -17,7 +17,9 @@ from kagezou.geometry.placement import (
 
 px = st.floats(-2000, 2000)
 factors = st.floats(-4, 4).filter(lambda each: abs(each) > 0.05)
-placements = st.builds(Placement, st.tuples(px, px), st.tuples(px, px), st.tuples(factors, factors), st.floats(-720, 720))
+placements = st.builds(
+    Placement, st.tuples(px, px), st.tuples(px, px), st.tuples(factors, factors), st.floats(-720, 720)
+)
 
 
 @given(placements)

@@ -79,6 +79,18 @@ def test_cels_may_be_groups_of_line_and_paint() -> None:
     assert shape(cast(group("A", one, two))) == [("A", ["1", "2"])]
 
 
+def test_a_group_of_named_cels_is_one_figure() -> None:
+    hero = group("Hero", group("body", *cels(1, 2)), group("arm", *cels(1, 3)), leaf("hat"))
+    assert [(each.name, each.joins) for each in cast(hero).characters] == [
+        ("Hero body", None),
+        ("Hero arm", "Hero body"),
+        ("Hero hat", "Hero body"),
+    ]
+    columns = group("Hero", group("A", *cels(1, 2)), group("b", *cels(1, 2)))
+    for apart in (group("characters", *hero.children or ()), columns):
+        assert all(each.joins is None for each in cast(apart).characters)
+
+
 def test_folders_are_searched() -> None:
     inner = group("CELS", group("A", *cels(1, 2)), group("B", *cels(1, 3)))
     assert shape(cast(group("cut1", inner, leaf("fx")))) == [("A", ["1", "2"]), ("B", ["1", "2", "3"]), ("fx", ["fx"])]

@@ -59,7 +59,7 @@ def test_a_cut_comes_with_characters_background_and_length(cut: Path) -> None:
     assert document.background == PicturePart(cut, "BG")
     a, b = document.layers
     assert (a.name, b.name) == ("A", "B")
-    assert a.cels.drawings == tuple(Drawing(name, cut, f"A/{name}") for name in "123")
+    assert a.cels.drawings == tuple(Drawing(name, cut, f"A/{name}", SIZE) for name in "123")
     assert a.cels.exposures == (Exposure(1, 0), Exposure(2, 1), Exposure(3, 2))
     assert [drawing.part for drawing in b.cels.drawings] == ["B/1", "B/2"]
     assert tuple(map(str, imported.notes)) == (f"{cut}: left out, as they are hidden: rough",)
@@ -100,7 +100,7 @@ def test_a_flattened_file_is_one_drawing(tmp_path: Path) -> None:
     picture = Image.new("RGB", SIZE, (255, 255, 255))
     picture.paste((10, 20, 30), (20, 10, 40, 40))
     document = new_document([CharacterSource(None, write_flat(tmp_path / "hero.psd", picture))]).document
-    assert document.layers[0].cels.drawings == (Drawing("hero", tmp_path / "hero.psd"),)
+    assert document.layers[0].cels.drawings == (Drawing("hero", tmp_path / "hero.psd", size_px=SIZE),)
     assert document.layers[0].figure.width == 20
 
 
@@ -161,7 +161,7 @@ def test_a_project_keeps_the_parts_and_older_ones_load(cut: Path, tmp_path: Path
     assert project_file.load(tmp_path / "p.kage") == document
     (tmp_path / "old.kage").write_text(text.replace(', "A/1"]', "]").replace('["c012.psd", "BG"]', '"c012.psd"'))
     old = project_file.load(tmp_path / "old.kage")
-    assert old.layers[0].cels.drawings[0] == Drawing("1", cut)
+    assert old.layers[0].cels.drawings[0] == Drawing("1", cut, size_px=SIZE)
     assert old.background == cut
     (tmp_path / "bad.kage").write_text(text.replace('"A/1"]', "7]"))
     with pytest.raises(ProjectProblem, match=r"drawings\[0\]\[2\]"):
@@ -173,7 +173,7 @@ def test_parts_follow_path_mapping(cut: Path) -> None:
         new_document([CharacterSource(None, cut)]).document, (Rule(type(Path())(cut.parent), Path("/farm")),)
     )
     assert document.background == PicturePart(Path("/farm/c012.psd"), "BG")
-    assert document.layers[0].cels.drawings[0] == Drawing("1", Path("/farm/c012.psd"), "A/1")
+    assert document.layers[0].cels.drawings[0] == Drawing("1", Path("/farm/c012.psd"), "A/1", SIZE)
 
 
 def test_the_figure_and_the_light_are_those_of_a_png(tmp_path: Path) -> None:
@@ -193,3 +193,11 @@ def test_real_photoshop_animation(samples: Path) -> None:
     assert not PSDImage.open(path).has_preview()
     document = new_document([CharacterSource(None, path)]).document
     assert [drawing.name for drawing in document.layers[0].cels.drawings] == ["1", "2"]
+
+
+def test_a_group_of_named_cels_comes_as_one_figure(tmp_path: Path) -> None:
+    parts = [Folder(name, [Leaf(number, BODY) for number in "12"]) for name in ("body", "arm")]
+    imported = new_document([CharacterSource(None, write_psd(tmp_path / "c.psd", [Folder("Hero", parts)]))])
+    body, arm = imported.document.layers
+    assert (body.name, body.joins, arm.name, arm.joins) == ("Hero body", None, "Hero arm", body.id)
+    assert any("one figure" in str(note) for note in imported.notes)

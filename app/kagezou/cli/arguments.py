@@ -95,6 +95,18 @@ def named_source(text: str) -> tuple[str, Path]:
     return name.strip(), Path(path)
 
 
+def named_part(text: str) -> tuple[str, Path, str]:
+    """Return ``CHARACTER=NAME=PATH`` as the name of the cel, its path and the character that it joins."""
+    figure, sign, rest = text.partition("=")
+    try:
+        name, path = named_source(rest)
+    except argparse.ArgumentTypeError:
+        name, path = "", Path()
+    if not sign or not figure.strip() or not name:
+        raise argparse.ArgumentTypeError(f"{text!r} is not CHARACTER=NAME=FOLDER_OR_FILE")
+    return name, path, figure.strip()
+
+
 def positive(text: str) -> float:
     """Return a number over 0."""
     try:

@@ -50,6 +50,28 @@ def chosen_layers(document: Document, request: ExportRequest) -> tuple[Layer, ..
     return tuple(layer for layer in document.layers if layer.name in request.layers)
 
 
+def with_shadows(document: Document, request: ExportRequest) -> tuple[Layer, ...]:
+    """Return those of the layers asked for that have a shadow: a part of a figure shares that of its figure.
+
+    Raises
+    ------
+    UsageProblem
+        There is no layer of a name, or only parts of figures are named.
+    """
+    layers = chosen_layers(document, request)
+    figures = tuple(layer for layer in layers if layer.joins is None)
+    if layers and not figures and request.layers is not None:
+        part, figure = layers[0], document.layer(layers[0].joins or layers[0].id)
+        raise UsageProblem(
+            Message(
+                "{part} is a part of {figure} and has no shadow of its own; please ask for {figure}",
+                part=part.name,
+                figure=figure.name,
+            )
+        )
+    return figures
+
+
 def ever_receives(layer: Layer) -> bool:
     """Return whether a layer receives the shadows of others at any time."""
     return _is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)

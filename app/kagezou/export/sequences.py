@@ -11,7 +11,7 @@ from kagezou.export.layered import LayerOfFrame
 from kagezou.export.names import digits_for, safe_names
 from kagezou.export.receivers import receivers_of
 from kagezou.export.request import RECEIVED, RECEIVERS, SHADOWS, ExportRequest
-from kagezou.export.selection import chosen_layers, ever_receives, set_ever_casts
+from kagezou.export.selection import chosen_layers, ever_receives, set_ever_casts, with_shadows
 from kagezou.export.subjects import (
     CompositeSubject,
     LayeredSubject,
@@ -100,7 +100,8 @@ def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Su
     layers = chosen_layers(document, request)
     names = safe_names(layer.name for layer in document.layers)
     if request.only in (None, SHADOWS):
-        yield from ((f"{names[layer.name]}_shadow", ShadowSubject(layer.id)) for layer in layers)
+        figures = with_shadows(document, request)
+        yield from ((f"{names[layer.name]}_shadow", ShadowSubject(layer.id)) for layer in figures)
     if request.only in (None, RECEIVED):
         receiving = filter(ever_receives, layers)
         yield from ((f"{names[layer.name]}_received", ReceivedSubject(layer.id)) for layer in receiving)

@@ -1,17 +1,17 @@
 """From picture files to cels: which drawings a source holds, when each is exposed, how large they are."""
 
-from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
+from kagezou.importing.cel_sizes import measured_cels
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
 from kagezou.io.files.faults import shown
-from kagezou.io.images.reading import ImageInfo, probe, read_matte
+from kagezou.io.images.reading import read_matte
 from kagezou.io.images.sequences import NumberedFile, Sequence, find_sequences
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.paths import absolute
@@ -28,12 +28,14 @@ _SHOWN_NAMES = 3
 class CharacterSource:
     """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name.
 
-    Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of.
+    Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of. A source that
+    joins a character is a part of its figure: an arm, a held thing.
     """
 
     name: str | None
     path: Path
     is_timed: bool = False
+    joins: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +54,8 @@ class NewCels:
         Up to the last exposure; 1 for a still.
     notes
         What is odd about the files, one sentence each.
+    joins
+        The name of the layer whose figure it is a part of; None for a figure of its own.
     """
 
     name: str
@@ -59,6 +63,7 @@ class NewCels:
     size_px: tuple[int, int]
     length_frames: int
     notes: tuple[Message, ...]
+    joins: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,15 +96,23 @@ def held_by(source: CharacterSource, progress: Progress = no_progress) -> Held:
     path = absolute(source.path)
     progress(LoadPhase.FINDING, 0, 0)
     if is_psd(path) and path.is_file():
-        return _held_by_psd(source, path, progress)
+        return _joining(source, _held_by_psd(source, path, progress))
     found = find_sequences(path)
     notes = [_left_out(path, (shown(Path(each.name)) for each in found.left_out))] if found.left_out else []
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return Held([_new_cels(source.name or printable(own), only, source, progress)], notes)
+        return _joining(source, Held([_new_cels(source.name or printable(own), only, source, progress)], notes))
     head = f"{source.name} " if source.name else ""
-    return Held([_new_cels(head + printable(each.name), each, source, progress) for each in found.sequences], notes)
+    layers = [_new_cels(head + printable(each.name), each, source, progress) for each in found.sequences]
+    return _joining(source, Held(layers, notes))
+
+
+def _joining(source: CharacterSource, held: Held) -> Held:
+    """Return what a source holds as parts of the figure that it joins."""
+    if source.joins is None:
+        return held
+    return replace(held, layers=[replace(layer, joins=source.joins) for layer in held.layers])
 
 
 def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Held:
@@ -107,8 +120,8 @@ def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Hel
     if not tree.layers:
         name = source.name or printable(path.stem)
         cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
-        size, about = _measured(name, cels.drawings, progress)
-        return Held([NewCels(name, cels, size, 1, tuple(about))], [])
+        measured = measured_cels(name, cels.drawings, progress)
+        return Held([NewCels(name, replace(cels, drawings=measured.drawings), measured.size_px, 1, measured.notes)], [])
     cast = characters_in(tree, path.stem)
     backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
     drawn = [node for node in cast.backgrounds if node not in backgrounds]
@@ -120,13 +133,30 @@ def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Hel
     names = [head + printable(each.name) for each in characters]
     if source.name and len(names) == 1:
         names = [source.name]
-    layers = [_psd_cels(name, each, path, size) for name, each in zip(names, characters, strict=True)]
-    return Held(layers, _left_out_of(path, cast), tuple(PicturePart(path, node.address) for node in backgrounds))
+    layers = [
+        replace(_psd_cels(name, each, path, size), joins=each.joins and head + printable(each.joins))
+        for name, each in zip(names, characters, strict=True)
+    ]
+    notes = [*_joined_in(path, layers), *_left_out_of(path, cast)]
+    return Held(layers, notes, tuple(PicturePart(path, node.address) for node in backgrounds))
+
+
+def _joined_in(path: Path, layers: Iterable[NewCels]) -> list[Message]:
+    """Return what is said about layers that were taken as parts of one figure."""
+    figures = dict.fromkeys(layer.joins for layer in layers if layer.joins is not None)
+    return [
+        Message(
+            "{path}: one figure with one shadow: {names}",
+            path=shown(path),
+            names=_some([figure, *(layer.name for layer in layers if layer.joins == figure)]),
+        )
+        for figure in figures
+    ]
 
 
 def _psd_cels(name: str, character: PsdCharacter, path: Path, size: tuple[int, int]) -> NewCels:
     """Return the cels of a character in number order, on ones."""
-    drawings = tuple(Drawing(printable(cel.name), path, cel.node.address) for cel in character.cels)
+    drawings = tuple(Drawing(printable(cel.name), path, cel.node.address, size) for cel in character.cels)
     cels = Cels(drawings, tuple(Exposure(index + 1, index) for index in range(len(drawings))))
     nodes = (each for cel in character.cels for each in (cel.node, *cel.node.below()))
     undrawn = dict.fromkeys(effect for node in nodes for effect in node.undrawn)
@@ -194,14 +224,15 @@ def _some(names: Iterable[str]) -> str:
 
 def _new_cels(name: str, sequence: Sequence, source: CharacterSource, progress: Progress) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
-    size, notes = _measured(name, cels.drawings, progress)
+    measured = measured_cels(name, cels.drawings, progress)
+    notes = list(measured.notes)
     if sequence.gaps and not source.is_timed:
         notes.insert(
             0,
             Message("{name}: missing {gaps}; the drawing before is held", name=name, gaps=format_frames(sequence.gaps)),
         )
     last = cels.exposures[-1].frame
-    return NewCels(name, cels, size, last, tuple(notes))
+    return NewCels(name, replace(cels, drawings=measured.drawings), measured.size_px, last, tuple(notes))
 
 
 def _drawing(file: NumberedFile) -> Drawing:
@@ -223,41 +254,3 @@ def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:
         numbers.append(number)
         exposures.append(Exposure(number - numbers[0] + 1 + inserted, index))
     return tuple(exposures)
-
-
-def _measured(name: str, drawings: tuple[Drawing, ...], progress: Progress) -> tuple[tuple[int, int], list[Message]]:
-    """Return the largest width and height, and notes about drawings that differ or cannot be opened."""
-    infos: list[tuple[Drawing, ImageInfo]] = []
-    problems: list[InputProblem] = []
-    for index, drawing in enumerate(drawings):
-        progress(LoadPhase.OPENING, index, len(drawings))
-        try:
-            infos.append((drawing, probe(drawing.path)))
-        except InputProblem as problem:
-            problems.append(problem)
-    if not infos:
-        raise problems[0]
-    notes = [problem.message for problem in problems[:_SHOWN_NAMES]]
-    if len(problems) > _SHOWN_NAMES:
-        notes.append(Message("{name}: {count} drawings cannot be opened", name=name, count=len(problems)))
-    sizes = Counter((info.width_px, info.height_px) for _, info in infos)
-    if len(sizes) > 1:
-        first = infos[0][1]
-        other = next(
-            (drawing, info)
-            for drawing, info in infos
-            if (info.width_px, info.height_px) != (first.width_px, first.height_px)
-        )
-        notes.append(
-            Message(
-                "{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; "
-                "each lies centred on the canvas",
-                name=name,
-                path=shown(other[0].path),
-                width_px=other[1].width_px,
-                height_px=other[1].height_px,
-            )
-        )
-    if not infos[0][1].has_alpha:
-        notes.append(Message("{name}: its drawings have no alpha; pure white is taken as clear", name=name))
-    return (max(width for width, _ in sizes), max(height for _, height in sizes)), notes

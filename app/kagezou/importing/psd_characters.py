@@ -6,7 +6,7 @@ Animators number their cels and hide all but one; illustrators name the parts of
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from kagezou.io.psd.tree import PsdNode, PsdTree
@@ -24,6 +24,14 @@ _BACKGROUND: Final = re.compile(
 )
 
 
+_COLUMN: Final = re.compile(r"[a-z]|[a-z][0-9]|[0-9]+")
+_OF_CHARACTERS: Final = frozenset({
+    "characters", "character", "chara", "charas", "chars", "char", "cels", "cel", "cells", "cell", "animation", "anim",
+    "all", "キャラ", "キャラクター", "セル", "動画", "原画", "作画", "cut", "scene",
+})  # fmt: skip
+"""What a group is called that holds characters, not the parts of one."""
+
+
 @dataclass(frozen=True, slots=True)
 class PsdCel:
     """A drawing of a character: what a timesheet calls it, and the layer or group that it is."""
@@ -34,10 +42,14 @@ class PsdCel:
 
 @dataclass(frozen=True, slots=True)
 class PsdCharacter:
-    """A character layer to be; its cels are in the order of their numbers."""
+    """A character layer to be; its cels are in the order of their numbers.
+
+    ``joins`` is the name of the one whose figure it is a part of, None for a figure of its own.
+    """
 
     name: str
     cels: tuple[PsdCel, ...]
+    joins: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,11 +136,25 @@ class _Sorting:
             self.characters.append(_character(node.name, cels))
             self.unnumbered += filter(_shows, _beside(cels, node))
         elif _holds_sheaf(node):
+            first = len(self.characters)
             self.sort(node.children or (), node.name)
+            if not any(map(_holds_sheaf, node.children or ())):
+                self.characters[first:] = _one_figure(node.name, self.characters[first:])
         elif _shows(node):
             self.characters.append(PsdCharacter(node.name, (PsdCel(node.name, node),)))
         else:
             self.empty.append(node)
+
+
+def _one_figure(name: str, parts: Sequence[PsdCharacter]) -> Sequence[PsdCharacter]:
+    """Return what lies in a group as parts of one figure, the lowest first; each by itself where they are characters.
+
+    Groups called A, B, C are the columns of a timesheet, and a group called "characters" holds characters.
+    """
+    if len(parts) < 2 or _plain(name) in _OF_CHARACTERS or any(_COLUMN.fullmatch(_plain(part.name)) for part in parts):
+        return parts
+    figure = f"{name} {parts[0].name}"
+    return [replace(part, name=f"{name} {part.name}", joins=None if part is parts[0] else figure) for part in parts]
 
 
 def _loose_sheaves(nodes: Iterable[PsdNode]) -> dict[str, list[tuple[_Number, PsdNode]]]:

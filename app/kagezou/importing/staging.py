@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from kagezou.document.address import Address
-from kagezou.document.edits import add_layer, set_background, set_canvas, set_constant
+from kagezou.document.edits import add_layer, join_layer, set_background, set_canvas, set_constant
 from kagezou.document.model import Canvas, Document
 from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
-from kagezou.errors import InputProblem
+from kagezou.errors import InputProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.importing.cel_notes import notes_on
 from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
@@ -246,6 +246,8 @@ def put_in(document: Document, read: Brought) -> Imported:
         look = replace(seen, figure=seen.figure.on(canvas_box)) if seen.figure else seen
         document = add_layer(document, character.name, character.cels, look.figure.box if look.figure else canvas_box)
         layer = document.layers[-1]
+        if character.joins is not None:
+            document = join_layer(document, layer.id, _figure_named(document, character.joins, layer.id))
         figures_seen[layer.id] = look
         told = (note for note in look.notes if note not in character.notes)
         notes += [*character.notes, *told, *notes_on(layer.name, character, look.figure, canvas_box)]
@@ -253,6 +255,17 @@ def put_in(document: Document, read: Brought) -> Imported:
         document = _with_length(document, read.characters)
         document = _with_ground_and_lamp(document, figures_seen)
     return Imported(document, tuple(notes), tuple(figures_seen))
+
+
+def _figure_named(document: Document, name: str, part_id: str) -> str:
+    """Return the id of the layer that a part joins by its figure's name: that layer, or the first of several parts."""
+    others = [layer for layer in document.layers if layer.id != part_id]
+    named = [layer for layer in others if layer.name == name]
+    named = named or [layer for layer in others if layer.name.startswith(f"{name} ")]
+    if not named:
+        part = document.layer(part_id).name
+        raise UsageProblem(Message("{part}: there is no character {name!r} that it could join", part=part, name=name))
+    return named[0].id
 
 
 def _with_length(document: Document, characters: Sequence[NewCels]) -> Document:

@@ -4,7 +4,7 @@ from argparse import Namespace
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.terminal import give_json
+from kagezou.cli.terminal import Json, give_json
 
 DESCRIPTION = """\
 Print the value of a property as JSON: with --frame the value there, else the constant, or the list of its keys."""
@@ -27,9 +27,16 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     """Load the project and print the value."""
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import resolve, track_of
+    from kagezou.document.joining import join_path, joins
     from kagezou.io.project.file import load
 
     document = load(options.project)
+    joining = join_path(document, options.path)
+    if joining is not None:
+        figure = joins(document, joining)
+        table: dict[str, Json] = {"path": options.path, "unit": "", "frame": options.frame, "value": figure, "keys": []}
+        give_json(table if options.json else figure)
+        return 0
     address = resolve(document, options.path)
     track = track_of(document, address)
     keys = json_of_keys(track)

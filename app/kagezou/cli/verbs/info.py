@@ -55,7 +55,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "first_frame": 1,
         "last_frame": canvas.length_frames,
         "background": _background(document),
-        "layers": [_about_layer(layer) for layer in document.layers],
+        "layers": [_about_layer(document, layer) for layer in document.layers],
         "set": [
             {"name": piece.name, "kind": kind_of(piece), **_about_file(document, piece)} for piece in document.pieces
         ],
@@ -65,7 +65,7 @@ def _about(document: "Document") -> dict[str, Json]:
     }
 
 
-def _about_layer(layer: "Layer") -> Json:
+def _about_layer(document: "Document", layer: "Layer") -> Json:
     exposed = [exposure for exposure in layer.cels.exposures if exposure.drawing is not None]
     return {
         "name": layer.name,
@@ -73,6 +73,7 @@ def _about_layer(layer: "Layer") -> Json:
         "exposures": len(exposed),
         "first_exposure": exposed[0].frame if exposed else None,
         "figure_px": [layer.figure.left, layer.figure.top, layer.figure.right, layer.figure.bottom],
+        "joins": document.layer(layer.joins).name if layer.joins else "",
     }
 
 
@@ -150,7 +151,9 @@ def _lines(document: "Document") -> Iterator[str]:
     for layer in document.layers:
         count = len(layer.cels.drawings)
         box = layer.figure
-        yield f"layer       {layer.name}: {count} drawing{'s' * (count != 1)}, figure {box.width} x {box.height} px"
+        joins = f", joins {document.layer(layer.joins).name}" if layer.joins else ""
+        drawings = f"{count} drawing{'s' * (count != 1)}"
+        yield f"layer       {layer.name}: {drawings}, figure {box.width} x {box.height} px{joins}"
     for piece in document.pieces:
         file = "" if piece.source is None else f" of {shown(piece.source)}"
         yield f"set piece   {piece.name}: {kind_of(piece)}{file}"

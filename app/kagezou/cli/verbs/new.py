@@ -3,7 +3,7 @@
 from argparse import Namespace
 from pathlib import Path
 
-from kagezou.cli.arguments import Parser, frame_rate, named_source, project_path, size
+from kagezou.cli.arguments import Parser, frame_rate, named_part, named_source, project_path, size
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import note
 from kagezou.errors import OutputProblem
@@ -15,6 +15,7 @@ DESCRIPTION = (
 )
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
+  kagezou new walk.kage --character Hero=drawings/body --cel Hero=arm=drawings/arm
   kagezou new duo.kage --character A=cels/A --character B=cels/B --background street.png
   kagezou new cut12.kage --timesheet cut12/cut12.xdts
   kagezou new cut12.kage --psd cut12.psd
@@ -32,6 +33,15 @@ def add_arguments(parser: Parser) -> None:
         default=[],
         metavar="NAME=DIR_OR_FILE",
         help="a character layer; may be given several times, from the lowest to the topmost",
+    )
+    parser.add_argument(
+        "--cel",
+        type=named_part,
+        action="append",
+        dest="character",
+        metavar="CHARACTER=NAME=DIR_OR_FILE",
+        help="one more cel of a character, such as an arm: both are one figure with one shadow; "
+        "it lies over what was named before it",
     )
     parser.add_argument(
         "--psd",
@@ -66,7 +76,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if path.exists() and not options.force:
         raise OutputProblem(Message("{path}: it is there already; --force replaces it", path=shown(path)))
     is_timed = options.timesheet is not None
-    sources = [CharacterSource(name, source, is_timed) for name, source in options.character]
+    sources = [CharacterSource(name, source, is_timed, *figure) for name, source, *figure in options.character]
     sources += [CharacterSource(None, source) for source in options.psd]
     if is_timed and not sources:
         from kagezou.importing.sheet_project import sources_beside

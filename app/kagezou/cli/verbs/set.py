@@ -11,6 +11,7 @@ from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.document.address import Address
+    from kagezou.document.joining import JoinPath
     from kagezou.document.model import Document
 
 DESCRIPTION = """\
@@ -22,6 +23,7 @@ EXAMPLES = """\
   kagezou set walk.kage light.azimuth=-40 --frame 1
   kagezou set walk.kage light.azimuth=40 --frame 48 --interp bezier
   kagezou set walk.kage 'layers.Hero.grounding=[[420,900],[510,900]]'
+  kagezou set walk.kage layers.arm.joins=Hero      one more cel of Hero; "" makes it a character of its own
   kagezou info walk.kage --properties        lists every PATH
 """
 
@@ -45,6 +47,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation
     from kagezou.document.edits import set_constant, set_key
+    from kagezou.document.joining import JoinPath, joined
     from kagezou.io.project.file import load, save
 
     if options.interp is not None and options.frame is None:
@@ -53,7 +56,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     before = document = load(options.project)
     for text in options.assignments:
         address, raw = _assignment(document, text)
-        if options.frame is None:
+        if isinstance(address, JoinPath):
+            document = joined(document, address, raw, options.frame)
+        elif options.frame is None:
             document = set_constant(document, address, raw)
         else:
             document = set_key(document, address, options.frame, raw, interpolation)
@@ -62,15 +67,16 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     return 0
 
 
-def _assignment(document: "Document", text: str) -> "tuple[Address, object]":
+def _assignment(document: "Document", text: str) -> "tuple[Address | JoinPath, object]":
     """Return the address and the raw value of ``PATH=JSON``; a layer's name may hold an equals sign."""
     from kagezou.cli.values import NotJson, value_of_text
     from kagezou.document.address import resolve
+    from kagezou.document.joining import join_path
 
     problem: UsageProblem | None = None
     for path, value in _halves(text):
         try:
-            return resolve(document, path), value_of_text(path, value)
+            return join_path(document, path) or resolve(document, path), value_of_text(path, value)
         except NotJson:
             raise
         except UsageProblem as unknown:

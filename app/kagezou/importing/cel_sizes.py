@@ -1,0 +1,81 @@
+"""The sizes of drawings, from their headers alone, and what is odd about them."""
+
+from collections import Counter
+from dataclasses import dataclass, replace
+from typing import Final
+
+from kagezou.document.model import Drawing
+from kagezou.errors import InputProblem
+from kagezou.importing.progress import LoadPhase, Progress
+from kagezou.io.files.faults import shown
+from kagezou.io.images.reading import ImageInfo, probe
+from kagezou.message import Message
+
+_SHOWN: Final = 3
+"""So many drawings that cannot be opened are named."""
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredCels:
+    """Drawings whose headers have been read.
+
+    Parameters
+    ----------
+    drawings
+        With their sizes, where they can be opened.
+    size_px
+        The largest width and the largest height.
+    notes
+        About drawings that differ or cannot be opened, one sentence each.
+    """
+
+    drawings: tuple[Drawing, ...]
+    size_px: tuple[int, int]
+    notes: tuple[Message, ...]
+
+
+def measured_cels(name: str, drawings: tuple[Drawing, ...], progress: Progress) -> MeasuredCels:
+    """Return the drawings of a layer called ``name`` with their sizes.
+
+    Raises
+    ------
+    InputProblem
+        None of them can be opened.
+    """
+    infos: list[tuple[Drawing, ImageInfo]] = []
+    problems: list[InputProblem] = []
+    for index, drawing in enumerate(drawings):
+        progress(LoadPhase.OPENING, index, len(drawings))
+        try:
+            infos.append((drawing, probe(drawing.path)))
+        except InputProblem as problem:
+            problems.append(problem)
+    if not infos:
+        raise problems[0]
+    notes = [problem.message for problem in problems[:_SHOWN]]
+    if len(problems) > _SHOWN:
+        notes.append(Message("{name}: {count} drawings cannot be opened", name=name, count=len(problems)))
+    sizes = Counter((info.width_px, info.height_px) for _, info in infos)
+    if len(sizes) > 1:
+        first = infos[0][1]
+        other = next(
+            (drawing, info)
+            for drawing, info in infos
+            if (info.width_px, info.height_px) != (first.width_px, first.height_px)
+        )
+        notes.append(
+            Message(
+                "{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; "
+                "each lies centred on the canvas",
+                name=name,
+                path=shown(other[0].path),
+                width_px=other[1].width_px,
+                height_px=other[1].height_px,
+            )
+        )
+    if not infos[0][1].has_alpha:
+        notes.append(Message("{name}: its drawings have no alpha; pure white is taken as clear", name=name))
+    known = {id(drawing): (info.width_px, info.height_px) for drawing, info in infos}
+    sized = tuple(replace(drawing, size_px=known.get(id(drawing))) for drawing in drawings)
+    size = (max(width for width, _ in sizes), max(height for _, height in sizes))
+    return MeasuredCels(sized, size, tuple(notes))
