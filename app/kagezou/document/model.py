@@ -46,6 +46,8 @@ class Drawing:
         As above; ``part`` is None for a whole file.
     size_px
         Width and height of the picture; None where that is not known, which counts as the canvas's.
+    figure
+        The opaque part of the picture, px of the picture; None where it is not known.
     feet
         What was found in the picture, by track; None where nothing was looked for.
     pins
@@ -56,6 +58,7 @@ class Drawing:
     path: Path
     part: str | None = None
     size_px: tuple[int, int] | None = None
+    figure: Box | None = None
     feet: tuple[Foot, ...] | None = None
     pins: tuple[FootPin, ...] = ()
 

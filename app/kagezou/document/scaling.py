@@ -47,9 +47,7 @@ def scaled(document: Document, divisor: int) -> Document:
 
 
 def _layer(layer: Layer, canvas: Canvas, divisor: int) -> Layer:
-    box = layer.figure
-    corner = (floor(box.left / divisor), floor(box.top / divisor))
-    figure = Box(*corner, ceil(box.right / divisor), ceil(box.bottom / divisor))
+    figure = _smaller_box(layer.figure, divisor)
     offset = drawing_offset(canvas, layer)
     drawings = tuple(_drawing(drawing, canvas, divisor) for drawing in layer.cels.drawings)
     cels = layer.cels if drawings == layer.cels.drawings else replace(layer.cels, drawings=drawings)
@@ -59,14 +57,21 @@ def _layer(layer: Layer, canvas: Canvas, divisor: int) -> Layer:
     return replace(layer, cels=cels, figure=figure, tracks=_tracks(tracks, OF_LAYER, divisor))
 
 
+def _smaller_box(box: Box, divisor: int) -> Box:
+    """Return the smallest box that holds another one on a canvas of a part of the size."""
+    corner = (floor(box.left / divisor), floor(box.top / divisor))
+    return Box(*corner, ceil(box.right / divisor), ceil(box.bottom / divisor))
+
+
 def _drawing(drawing: Drawing, canvas: Canvas, divisor: int) -> Drawing:
     """Return the drawing with its places counted from the corner of the smaller canvas, where its pixels begin."""
-    if drawing.size_px is None and drawing.feet is None:
+    if drawing.size_px is None and drawing.feet is None and drawing.figure is None:
         return drawing
     offset = centred_offset(canvas.box, *drawing_size(canvas, drawing))
     feet = drawing.feet and tuple(replace(foot, place=_place(foot.place, offset, divisor)) for foot in drawing.feet)
     pins = tuple(replace(pin, place=pin.place and _place(pin.place, offset, divisor)) for pin in drawing.pins)
-    return replace(drawing, size_px=None, feet=feet, pins=pins)
+    figure = drawing.figure and _smaller_box(drawing.figure.moved(*offset), divisor)
+    return replace(drawing, size_px=None, figure=figure, feet=feet, pins=pins)
 
 
 def _place(place: Point2, offset: tuple[int, int], divisor: int) -> Point2:

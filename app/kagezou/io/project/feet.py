@@ -5,9 +5,11 @@ from dataclasses import replace
 from typing import Final
 
 from kagezou.document.model import Cels, Drawing
+from kagezou.geometry.box import Box
 from kagezou.geometry.vectors import Point2
 from kagezou.io.files.json_text import JsonRow, Reader
 from kagezou.io.project.fields import MAX_ROWS
+from kagezou.message import Message
 from kagezou.standing.foot import Foot, FootPin, Verdict
 
 _MAX_TRACK: Final = 10_000
@@ -19,7 +21,7 @@ _MAX_SIDE_PX: Final = 1_000_000
 def feet_tree(drawings: Sequence[Drawing]) -> dict[str, object]:
     """Return what is known of the drawings of a layer as JSON rows; what there is nothing of is left out."""
     feet = [
-        JsonRow([index, [[foot.track, *foot.place] for foot in drawing.feet]])
+        JsonRow([index, _sides(drawing.figure), [[foot.track, *foot.place] for foot in drawing.feet]])
         for index, drawing in enumerate(drawings)
         if drawing.feet is not None
     ]
@@ -54,8 +56,9 @@ def read_feet(found: Mapping[str, Reader], cels: Cels) -> Cels:
         width, height = (side.whole(0, _MAX_SIDE_PX) for side in row[1:])
         size = (width, height) if width and height else None
         drawings[index:] = [replace(drawing, size_px=size) for drawing in drawings[index:]]
-    for index, row in _indexed(found.get("feet"), 2, len(drawings)):
-        drawings[index] = replace(drawings[index], feet=tuple(_foot(each) for each in row[1].items(_MAX_FEET)))
+    for index, row in _indexed(found.get("feet"), 3, len(drawings)):
+        feet = tuple(_foot(each) for each in row[2].items(_MAX_FEET))
+        drawings[index] = replace(drawings[index], figure=_box(row[1]), feet=feet)
     for index, row in _indexed(found.get("pins"), 4, len(drawings)):
         drawing = drawings[index]
         drawings[index] = replace(drawing, pins=(*drawing.pins, _pin(row)))
@@ -69,6 +72,20 @@ def _indexed(rows: Reader | None, count: int, drawings: int) -> Iterator[tuple[i
     for row in rows.items(MAX_ROWS):
         parts = list(row.items(count, least=count))
         yield parts[0].whole(0, drawings - 1), parts
+
+
+def _sides(box: Box | None) -> list[int] | None:
+    return None if box is None else [box.left, box.top, box.right, box.bottom]
+
+
+def _box(reader: Reader) -> Box | None:
+    if reader.value is None:
+        return None
+    left, top, right, bottom = (side.whole(-_MAX_PX, _MAX_PX) for side in reader.items(4, least=4))
+    box = Box(left, top, right, bottom)
+    if box.is_empty:
+        raise reader.refused(Message("a box with pixels in it"))
+    return box
 
 
 def _foot(reader: Reader) -> Foot:

@@ -74,9 +74,10 @@ LAYER: Final[Fields] = MappingProxyType({
     "sizes": Field("list of [index, width, height]",
                    "Pictures whose size is known, px: from this drawing on all have it, until the next row.",
                    optional=True),
-    "feet": Field("list of [index, [[track, x, y], …]]",
-                  "Drawings in which feet were looked for, and those that were found: which foot, and its lowest "
-                  "point in px of the picture.", optional=True),
+    "feet": Field("list of [index, box, [[track, x, y], …]]",
+                  "Drawings in which feet were looked for: the opaque part, [left, top, right, bottom] in whole px of "
+                  "the picture, or null; and the feet that were found: which one, and its lowest point in px of the "
+                  "picture.", optional=True),
     "pins": Field("list of [index, track, verdict, place]",
                   'What a person said about a foot of a drawing: "planted", "lifted", "none" or null, and [x, y] in px '
                   "of the picture or null.", optional=True),
