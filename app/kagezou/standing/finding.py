@@ -10,8 +10,8 @@ import numpy as np
 from kagezou.message import Message
 from kagezou.standing.foot import Foot
 from kagezou.standing.minima import Minimum, minima_of
-from kagezou.standing.outline import Outline
-from kagezou.standing.tracks import Tracks, tracked
+from kagezou.standing.outline import Outline, longest_run
+from kagezou.standing.tracks import Tracks, joined, tracked
 
 _BASE = 0.03  # of the height: what lies no higher over the lowest pixel rests on the ground
 _BROAD_IN_ONE = 0.32  # of the height: wider than a foot, and than two that are close together
@@ -19,7 +19,7 @@ _BROAD_IN_ALL = 0.55
 _CUT = 0.25  # of the height: a body, not a sole, runs out of the picture
 _REACH = 0.45  # of the height: a foot is lifted no higher than a hip
 _TOUCHES = 0.03  # of the height: a foot comes this close to the lowest one at least once
-_MOST_TRACKS = 4
+_MOST = 4  # feet of a figure
 
 
 class Footless(Enum):
@@ -69,7 +69,7 @@ def found_feet(outlines: Sequence[Outline | None]) -> tuple[FoundFeet, ...]:
         () if reason or outline is None else _in_reach(minima_of(outline), outline.height_px)
         for outline, reason in zip(outlines, reasons, strict=True)
     )
-    tracks = _feet_among(tracked(minima, size), minima, size)
+    tracks = joined(_feet_among(tracked(minima, size), minima, size), minima)
     return tuple(
         FoundFeet(_feet(places, numbers), reason)
         for places, numbers, reason in zip(minima, tracks, reasons, strict=True)
@@ -83,29 +83,31 @@ def _footless(outline: Outline | None) -> Footless | None:
     if outline.cut_px > _CUT * outline.height_px:
         return Footless.CUT_OFF
     rests = outline.lower >= outline.box.bottom - _BASE * outline.height_px
-    ends = np.flatnonzero(np.diff(rests, prepend=False, append=False))
-    widest = int((ends[1::2] - ends[::2]).max())
-    if widest > _BROAD_IN_ONE * outline.height_px or np.count_nonzero(rests) > _BROAD_IN_ALL * outline.height_px:
+    if (
+        longest_run(rests) > _BROAD_IN_ONE * outline.height_px
+        or np.count_nonzero(rests) > _BROAD_IN_ALL * outline.height_px
+    ):
         return Footless.BROAD
     return None
 
 
 def _in_reach(minima: tuple[Minimum, ...], height_px: float) -> tuple[Minimum, ...]:
-    lowest = max(each.place[1] for each in minima)
-    return tuple(each for each in minima if each.place[1] >= lowest - _REACH * height_px)
+    """Return the lowest of the minima, those from which a leg can come, from left to right."""
+    lowest = sorted(minima, key=lambda each: (-each.place[1], each.place[0]))[:_MOST]
+    high = lowest[0].place[1] - _REACH * height_px
+    return tuple(sorted((each for each in lowest if each.place[1] >= high), key=lambda each: each.place))
 
 
 def _feet_among(tracks: Tracks, minima: Sequence[Sequence[Minimum]], size: float) -> Tracks:
-    """Return the tracks that are feet, the others as -1, numbered anew in the order in which they appear."""
-    touches: dict[int, int] = {}
+    """Return the tracks that are feet, the others as -1."""
+    carrying: set[int] = set()
     for places, numbers in zip(minima, tracks, strict=True):
         lowest = max((each.place[1] for each in places), default=0.0)
-        for each, number in zip(places, numbers, strict=True):
-            if each.place[1] >= lowest - _TOUCHES * size:
-                touches[number] = touches.get(number, 0) + 1
-    carrying = sorted(touches, key=lambda number: (-touches[number], number))[:_MOST_TRACKS]
-    anew = {number: place for place, number in enumerate(sorted(carrying))}
-    return tuple(tuple(anew.get(number, -1) for number in numbers) for numbers in tracks)
+        low = [
+            number for each, number in zip(places, numbers, strict=True) if each.place[1] >= lowest - _TOUCHES * size
+        ]
+        carrying.update(low)
+    return tuple(tuple(number if number in carrying else -1 for number in numbers) for numbers in tracks)
 
 
 def _feet(places: Sequence[Minimum], numbers: Sequence[int]) -> tuple[Foot, ...]:

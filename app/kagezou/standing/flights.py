@@ -44,21 +44,20 @@ def airborne(motion: Motion) -> Flags:
         up = None
     if up is not None and _is_short(motion, up.last, motion.frames.size - 1):
         air[up.last :] = True
-    return air & motion.seen.any(axis=1)
+    return air & motion.shown
 
 
 def _common_rise(motion: Motion) -> Floats:
     """Return (N - 1,) how fast all low feet rise together, heights a frame, negative where they fall; 0 where not."""
-    near = motion.near(_NEAR)
+    near = motion.above(motion.lowest) <= _NEAR
     low = motion.followed & near[1:] & near[:-1]
     rise = -motion.vy
     least = np.where(low, rise, np.inf).min(axis=1)
     most = np.where(low, rise, -np.inf).max(axis=1)
     common = np.where(least > 0, least, np.where(most < 0, most, 0.0))
     # Where no foot is known before and after, the lowest pixel of the figure has to do.
-    both = motion.seen.any(axis=1)[1:] & motion.seen.any(axis=1)[:-1]
-    rows = np.where(motion.seen, motion.y, -np.inf).max(axis=1, initial=-np.inf)
-    rows = np.where(np.isfinite(rows), rows, 0.0)
+    both = motion.shown[1:] & motion.shown[:-1]
+    rows = np.take_along_axis(motion.y, motion.lowest[:, None], axis=1)[:, 0]
     unit = (motion.height[1:] + motion.height[:-1]) / 2
     return np.where(low.any(axis=1), common, np.where(both, -np.diff(rows) / unit, 0.0))
 

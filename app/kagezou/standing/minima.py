@@ -34,14 +34,14 @@ def minima_of(outline: Outline) -> tuple[Minimum, ...]:
     """Return the minima of the lower edge, from left to right.
 
     Each stands out by 3 % of the figure's height on both sides, is at least 2 px wide, and lies 8 % of the height
-    apart from its neighbours; of closer ones the lower stays.
+    apart from its neighbours; of closer ones the lower stays. There is always one, as thin as the figure may be.
     """
     height = outline.height_px
     found = [_sole(outline, column) for column in _turns(outline.lower, max(1.0, _PROMINENCE * height))]
+    wide = [minimum for minimum in found if minimum.width_px >= _LEAST_WIDTH_PX]
     kept: list[Minimum] = []
-    for minimum in sorted(found, key=lambda each: (-each.place[1], each.place[0])):
-        wide = minimum.width_px >= _LEAST_WIDTH_PX
-        if wide and all(abs(minimum.place[0] - other.place[0]) >= _APART * height for other in kept):
+    for minimum in sorted(wide or found, key=lambda each: (-each.place[1], each.place[0])):
+        if all(abs(minimum.place[0] - other.place[0]) >= _APART * height for other in kept):
             kept.append(minimum)
     return tuple(sorted(kept, key=lambda each: each.place))
 
@@ -70,7 +70,7 @@ def _turns(lower: NDArray[np.int32], prominence_px: float) -> list[int]:
 def _sole(outline: Outline, column: int) -> Minimum:
     """Return the sole around the lowest ``column`` of the box: neighbours that are as low within a small part."""
     row = int(outline.lower[column])
-    high = np.flatnonzero(outline.lower < row - _SOLE * outline.height_px)
+    high = np.flatnonzero(outline.lower < row - max(1.0, _SOLE * outline.height_px))
     after = int(np.searchsorted(high, column))
     left = int(high[after - 1]) + 1 if after else 0
     right = int(high[after]) if after < high.size else outline.lower.size

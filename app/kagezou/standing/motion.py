@@ -57,15 +57,16 @@ class Motion:
     rests: Flags
 
     @property
+    def shown(self) -> Flags:
+        """(N,) whether any foot is seen."""
+        shown: Flags = np.any(self.seen, axis=1)
+        return shown
+
+    @property
     def lowest(self) -> NDArray[np.intp]:
         """The column of each run's lowest foot; 0 where none is seen."""
         column: NDArray[np.intp] = np.where(self.seen, self.y, -_UNKNOWN).argmax(axis=1)
         return column
-
-    def near(self, reach: float) -> Flags:
-        """Return (N, K) the feet that are no higher than ``reach`` heights over the lowest."""
-        near: Flags = np.asarray(self.above(self.lowest) <= reach, np.bool_)
-        return near
 
     def above(self, columns: NDArray[np.intp]) -> Floats:
         """Return how far each foot is over that of ``columns`` (N,), in heights, (N, K); much where it is not seen."""

@@ -21,7 +21,7 @@ class Outline:
         (box.width,) ``int32``, read-only: for each column of the box the row below its lowest solid pixel, drawing px,
         y down; `box.top` where the column has none.
     cut_px
-        How many solid pixels touch the lower edge of the drawing.
+        The longest row of solid pixels that touch the lower edge of the drawing.
     """
 
     box: Box
@@ -61,5 +61,10 @@ def outline_of(alpha: NDArray[Any], left: int, top: int, drawing_height_px: int)
     lower = np.maximum(lowest[first:last], upper) + np.int32(top)
     lower.setflags(write=False)
     box = Box(left + first, top + upper, left + last, int(lower.max()))
-    cut_px = int(np.count_nonzero(lower == drawing_height_px))
-    return Outline(box, lower, cut_px)
+    return Outline(box, lower, longest_run(lower == drawing_height_px))
+
+
+def longest_run(flags: NDArray[np.bool_]) -> int:
+    """Return how many of ``flags`` (N,) are true one after the other at most."""
+    ends = np.flatnonzero(np.diff(flags, prepend=False, append=False))
+    return int((ends[1::2] - ends[::2]).max(initial=0))

@@ -31,7 +31,7 @@ def stances(sequence: Sequence[Seen]) -> tuple[Stance, ...]:
     planted = _with_verdicts(found.planted & ~air[:, None], motion, sequence)
     ground = _ground(motion, planted)
     over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
-    lift = np.where(planted.any(axis=1) | ~motion.seen.any(axis=1), 0.0, np.maximum(0.0, over))
+    lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
     doubt = _doubts(found.is_narrow & ~air, sequence)
     return tuple(
         Stance(_standings(motion, planted, ground, row), float(lift[row]), bool(doubt[row]))

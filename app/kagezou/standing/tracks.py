@@ -78,3 +78,28 @@ def _matched(places: Sequence[Point2], tracks: Sequence[_Track], drawing: int, s
         if index not in numbers and number not in numbers.values():
             numbers[index] = number
     return numbers
+
+
+def joined(tracks: Tracks, minima: Sequence[Sequence[Minimum]]) -> Tracks:
+    """Return as few tracks as feet are seen at once, numbered anew from 0; -1 stays.
+
+    A foot that comes out from behind the other leg far from where it was lost is taken for the nearest of those that
+    are lost, for good, at that time.
+    """
+    last = {number: drawing for drawing, numbers in enumerate(tracks) for number in numbers}
+    owner: dict[int, int] = {}
+    ends: list[tuple[int, Point2]] = []  # of each new number: when and where it is seen last
+    for drawing, (places, numbers) in enumerate(zip(minima, tracks, strict=True)):
+        for each, number in zip(places, numbers, strict=True):
+            if number < 0:
+                continue
+            if number not in owner:
+                free = [new for new, (end, _) in enumerate(ends) if end < drawing]
+                owner[number] = min(free, key=lambda new: _between(ends[new][1], each.place), default=len(ends))
+                ends += [(0, each.place)] * (owner[number] == len(ends))
+            ends[owner[number]] = last[number], each.place
+    return tuple(tuple(owner.get(number, -1) for number in numbers) for numbers in tracks)
+
+
+def _between(a: Point2, b: Point2) -> float:
+    return hypot(a[0] - b[0], a[1] - b[1])
