@@ -11,7 +11,7 @@ from types import MappingProxyType
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Exposure, Layer, Tracks, parts_of
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Tracks, parts_of
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.message import Message
@@ -156,6 +156,13 @@ def set_exposures(document: Document, layer_id: str, exposures: tuple[Exposure, 
     """Give a layer other exposures of its drawings."""
     layer = document.layer(layer_id)
     cels = replace(layer.cels, exposures=exposures)
+    return document if cels == layer.cels else _with_layer(document, replace(layer, cels=cels))
+
+
+def set_drawings(document: Document, layer_id: str, drawings: tuple[Drawing, ...]) -> Document:
+    """Give a layer other drawings in the places of those it has."""
+    layer = document.layer(layer_id)
+    cels = replace(layer.cels, drawings=drawings)
     return document if cels == layer.cels else _with_layer(document, replace(layer, cels=cels))
 
 

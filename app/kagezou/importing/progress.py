@@ -16,6 +16,8 @@ class LoadPhase(StrEnum):
     """A few drawings are decoded, to see where the figure stands."""
     LIGHTING = "lighting"
     """A place for the lamp is sought."""
+    FEET = "feet"
+    """All drawings are decoded, to find the feet in them."""
     READING = "reading"
     """Drawings are decoded, to be shown."""
 

@@ -17,6 +17,7 @@ from kagezou.importing.cel_notes import notes_on
 from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
 from kagezou.importing.figures import MeasuredFigure, measured_figure
 from kagezou.importing.first_light import first_light
+from kagezou.importing.imported import Imported
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.timesheet_on_document import timed
 from kagezou.io.files.faults import shown
@@ -44,25 +45,6 @@ __all__ = [
     "with_characters",
     "with_timesheet",
 ]
-
-
-@dataclass(frozen=True, slots=True)
-class Imported:
-    """A document with something brought in.
-
-    Parameters
-    ----------
-    document
-        The document.
-    notes
-        What the user should know, one sentence each.
-    layer_ids
-        The layers that came, or that a timesheet changed, from bottom to top.
-    """
-
-    document: Document
-    notes: tuple[Message, ...]
-    layer_ids: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)

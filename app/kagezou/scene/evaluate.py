@@ -1,21 +1,19 @@
 """From a document and a frame to the scene."""
 
 from dataclasses import dataclass, replace
-from typing import Final
 
 from kagezou.document import properties, set_properties
-from kagezou.document.figure_properties import ANCHOR, PLACEMENT_LINES, POSITION, ROTATION, SCALE
-from kagezou.document.model import Document, Layer, Tracks, drawing_offset, parts_of
+from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, card_for
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
-from kagezou.geometry.placement import Placement
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
+from kagezou.scene.placing import drawing_of, shown_parts
 from kagezou.scene.receiving import with_received
 from kagezou.scene.scene import (
     Edge,
@@ -35,7 +33,6 @@ LEAST_PX = 0.01
 """What moves an outline by less cannot be seen and is left out."""
 
 _FARTHEST_PX = 1000.0
-_PLACING: Final = frozenset(line.name for line in PLACEMENT_LINES)
 
 
 def evaluate(document: Document, frame: int) -> Scene:
@@ -114,8 +111,7 @@ def _layer_scene(on: _Stands, layer: Layer) -> LayerScene:
     card = card_at(figure, moment, on.camera, on.ground)
     cast = None
     if layer is figure:
-        shown = [part for part in parts if part is layer or value_at(part.tracks, properties.VISIBLE, on.frame)]
-        cels = (drawing_of(on.document, part, on.frame) for part in shown)
+        cels = (drawing_of(on.document, part, on.frame) for part in shown_parts(on.document, figure.id, on.frame))
         cast = _cast(on, figure, tuple(cel for cel in cels if cel is not None), (card, moment))
     return LayerScene(layer.id, layer.name, drawing, cast, _look(figure.tracks, moment), card, figure.id)
 
@@ -139,29 +135,6 @@ def _cast(on: _Stands, layer: Layer, cels: tuple[PlacedDrawing, ...], standing: 
         edge=_edge(layer.tracks, moment),
         water=_water(layer.tracks, moment),
     )
-
-
-def drawing_of(document: Document, layer: Layer, frame: int) -> PlacedDrawing | None:
-    """Return what a layer shows on a frame and how that lies on the canvas; None where nothing is seen."""
-    drawing, placement = layer.cels.drawing_at(frame), placement_at(document, layer, frame)
-    if drawing is None or (placement is not None and not placement.is_seen):
-        return None
-    return PlacedDrawing(drawing.source, placement)
-
-
-def placement_at(document: Document, layer: Layer, frame: float) -> Placement | None:
-    """Return how a layer moves its drawings on a frame, None where they lie centred, pixel for pixel."""
-    if layer.tracks.keys().isdisjoint(_PLACING):
-        return None
-    middle, offset = document.canvas.box.middle, drawing_offset(document.canvas, layer)
-    position = value_at(layer.tracks, POSITION, frame) if POSITION.name in layer.tracks else middle
-    anchor = middle
-    if ANCHOR.name in layer.tracks:
-        x, y = value_at(layer.tracks, ANCHOR, frame)
-        anchor = (x + offset[0], y + offset[1])
-    sx, sy = value_at(layer.tracks, SCALE, frame)
-    placement = Placement(position, anchor, (sx / 100, sy / 100), value_at(layer.tracks, ROTATION, frame))
-    return placement if placement.moves else None
 
 
 def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...], *, has_ground: bool) -> LayerScene:

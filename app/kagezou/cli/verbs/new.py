@@ -62,6 +62,9 @@ def add_arguments(parser: Parser) -> None:
         help="when which drawing is exposed (also .tdts, .sts); "
         "without --character its columns find their drawings beside it",
     )
+    parser.add_argument(
+        "--no-feet", action="store_true", help="do not look for the characters' feet; kagezou feet does so later"
+    )
     parser.add_argument("--force", action="store_true", help="replace a project that is there")
 
 
@@ -94,6 +97,16 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         timed = with_timesheet(document, options.timesheet)
         document = timed.document
         notes += timed.notes
+    if not options.no_feet:
+        from kagezou.cli.terminal import ProgressLine
+        from kagezou.importing.feet import document_with_feet
+
+        with ProgressLine("looking for feet") as line:
+            found = document_with_feet(
+                document, [layer.id for layer in document.layers], lambda _part, done, whole: line.update(done, whole)
+            )
+        document = found.document
+        notes += found.notes
     save(document, path)
     for sentence in notes:
         note(sentence)

@@ -202,5 +202,7 @@ def part_words(part: LoadPhase) -> str:
             return translate("Loading", "Measuring the figure of %1")
         case LoadPhase.LIGHTING:
             return translate("Loading", "Finding a place for the lamp for %1")
+        case LoadPhase.FEET:
+            return translate("Loading", "Looking for the feet of %1")
         case LoadPhase.READING:
             return translate("Loading", "Reading drawings of %1")
