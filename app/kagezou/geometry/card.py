@@ -3,11 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan, degrees, hypot, inf, radians, tan
+from math import atan, degrees, hypot, inf, isfinite, radians, tan
 
+import numpy as np
+
+from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
-from kagezou.geometry.vectors import Point2, Vector3, Vector4, height_over
+from kagezou.geometry.polygon import box_polygon, clipped
+from kagezou.geometry.vectors import Matrix, Point2, Vector3, Vector4, height_over, plane_through
 
 MIN_SPACING_OF_FIGURE = 0.02
 """Grounding points closer in x than this part of the figure's height count as one."""
@@ -18,38 +22,69 @@ MAX_SLOPE_DEG = 75.0
 
 @dataclass(frozen=True, slots=True)
 class CardPiece:
-    """One flat piece of a card: the vertical plane z = z0 + slope·(x − x0), seen between two canvas columns.
+    """One flat piece of a card, and which convex part of the drawing lies on it.
 
     Parameters
     ----------
-    x0, z0
-        A point of the piece, world px.
-    slope
-        dz/dx; the vertical direction (0, 1, 0) lies in the piece.
-    left, right
-        Canvas x between which the drawing lies on this piece; ±inf at the outer ends.
+    place
+        A point of its plane, world px.
+    normal
+        The plane's normal, of any length; z > 0, toward the viewer.
+    limits
+        Forms (a, b, c) over canvas px, ax + by + c >= 0 on the piece's side of each straight edge; none for a piece
+        without end.
     """
 
-    x0: float
-    z0: float
-    slope: float
-    left: float = -inf
-    right: float = inf
+    place: Vector3
+    normal: Vector3
+    limits: tuple[Vector3, ...] = ()
 
     @property
     def plane(self) -> Vector4:
-        """The plane (n, d) of the piece; its normal has z > 0, toward the viewer."""
-        return (-self.slope, 0.0, 1.0, self.slope * self.x0 - self.z0)
+        """The plane (n, d) of the piece."""
+        return plane_through(self.place, self.normal)
+
+    def holds(self, point: Point2) -> bool:
+        """Return whether a canvas point of the drawing lies on the piece or its edge."""
+        return all(a * point[0] + b * point[1] + c >= 0 for a, b, c in self.limits)
+
+    def part_of(self, box: Box) -> Matrix:
+        """Return the convex polygon (N, 2) of a canvas box that lies on the piece; N may be 0."""
+        polygon = box_polygon(box)
+        for limit in self.limits:
+            polygon = clipped(polygon, np.array(limit))
+        return polygon
+
+    def adjoins(self, other: "CardPiece") -> bool:
+        """Return whether the piece goes on beyond an edge as the other one."""
+        return any((-a, -b, -c) in other.limits for a, b, c in self.limits)
+
+
+def vertical_piece(place: tuple[float, float], slope: float, left: float = -inf, right: float = inf) -> CardPiece:
+    """Return the piece z = z0 + slope·(x − x0), seen between two canvas columns.
+
+    Parameters
+    ----------
+    place
+        (x0, z0), world px.
+    slope
+        dz/dx; the vertical direction (0, 1, 0) lies in the piece.
+    left, right
+        Canvas x between which the drawing lies on it; ±inf for no end.
+    """
+    x0, z0 = place
+    limits = ((1.0, 0.0, -left), (-1.0, 0.0, right))
+    return CardPiece((x0, 0.0, z0), (-slope, 0.0, 1.0), tuple(each for each in limits if isfinite(each[2])))
 
 
 @dataclass(frozen=True, slots=True)
 class Card:
-    """A folded card and what is known of how it stands.
+    """A card of flat pieces and what is known of how it stands.
 
     Parameters
     ----------
     pieces
-        From left to right on the canvas, never empty.
+        Side by side on the canvas, none over another; never empty.
     contacts
         Where the figure touches the ground, world px; empty without grounding points.
     tilt_deg
@@ -65,13 +100,15 @@ class Card:
 
 
 def receiver_of(camera: Camera, piece: CardPiece) -> Plane:
-    """Return a piece as a surface that shadows fall on: vertical, its lit side toward the eye."""
-    length = hypot(1.0, piece.slope)
-    normal = (-piece.slope / length, 0.0, 1 / length)
-    if height_over(piece.plane, camera.eye) < 0:
-        normal = (piece.slope / length, 0.0, -1 / length)
+    """Return a piece as a surface that shadows fall on: u horizontal, its lit side toward the eye."""
+    nx, ny, nz = piece.normal
+    level, length = hypot(nz, nx), hypot(nz, nx, ny)
+    side = -1.0 if height_over(piece.plane, camera.eye) < 0 else 1.0
     return Plane(
-        origin=(piece.x0, 0.0, piece.z0), u=(1 / length, 0.0, piece.slope / length), v=(0.0, 1.0, 0.0), normal=normal
+        origin=piece.place,
+        u=(nz / level, 0.0, -nx / level),
+        v=(-nx / level * (ny / length), level / length, -nz / level * (ny / length)),
+        normal=(side * nx / length, side * ny / length, side * nz / length),
     )
 
 
@@ -108,7 +145,7 @@ def card_for(
         phi = 0.0 if merged else tilt_deg
         return Card((_turned(places[0], phi),), tuple(places), phi, merged)
     pieces = _folded(kept)
-    phi = degrees(atan(pieces[0].slope)) if len(pieces) == 1 else 0.0
+    phi = degrees(atan(-pieces[0].normal[0])) if len(pieces) == 1 else 0.0
     return Card(pieces, tuple(places), phi, merged)
 
 
@@ -117,7 +154,7 @@ _Contact = tuple[Point2, Vector3]
 
 def _turned(place: Vector3, tilt_deg: float) -> CardPiece:
     slope = tan(radians(min(max(tilt_deg, -MAX_SLOPE_DEG), MAX_SLOPE_DEG)))
-    return CardPiece(x0=place[0], z0=place[2], slope=slope)
+    return vertical_piece((place[0], place[2]), slope)
 
 
 def _folded(contacts: list[_Contact]) -> tuple[CardPiece, ...]:
@@ -125,12 +162,11 @@ def _folded(contacts: list[_Contact]) -> tuple[CardPiece, ...]:
     pairs = list(pairwise(contacts))
     last = len(pairs) - 1
     return tuple(
-        CardPiece(
-            x0=a[0],
-            z0=a[2],
-            slope=(b[2] - a[2]) / (b[0] - a[0]),
-            left=-inf if index == 0 else seen_a[0],
-            right=inf if index == last else seen_b[0],
+        vertical_piece(
+            (a[0], a[2]),
+            (b[2] - a[2]) / (b[0] - a[0]),
+            -inf if index == 0 else seen_a[0],
+            inf if index == last else seen_b[0],
         )
         for index, ((seen_a, a), (seen_b, b)) in enumerate(pairs)
     )
