@@ -13,7 +13,7 @@ from kagezou.geometry.card import Card, CardPiece, card_for, receiver_of, vertic
 from kagezou.geometry.ground import Plane, ground_plane, place_on
 from kagezou.geometry.light import is_over, lamp, sun
 from kagezou.geometry.polygon import bounding_box
-from kagezou.geometry.shadow import Cast, cast_card, cast_on
+from kagezou.geometry.shadow import Cast, cast_card, cast_in_space, cast_on
 from kagezou.geometry.vectors import Matrix, Point2, Vector4, height_over
 from tests.geometry.single_rays import Wall, World, shading_points, walls_through
 
@@ -289,6 +289,17 @@ def test_a_fold_with_the_light_on_different_sides_of_its_pieces_overlaps() -> No
     card = card_for(camera, ground, [(300.0, 800.0), (500.0, 950.0), (700.0, 800.0)], 0.0, 400.0)
     light = lamp((1000.0, 200.0, 200.0))
     assert [cast.sheet for cast in cast_card(camera, ground, card, light)] == [0, 1]
+
+
+def test_a_cast_in_space_is_bounded_by_the_side_of_its_card_and_its_limits() -> None:
+    camera = Camera(1000, 1000, 35.0)
+    piece = vertical_piece((400.0, 30.0), 0.4, 300.0, 450.0)
+    space = cast_in_space(camera, piece, lamp((100.0, -300.0, 900.0)))
+    assert space is not None
+    assert space.forms.tolist() == [space.side.tolist(), *space.limits.tolist()]
+    behind = np.array([400.0, 500.0, -20.0, 1.0])
+    x, _, w = space.art_from_world @ behind
+    assert space.forms @ behind == pytest.approx([abs(piece.plane @ behind), x - 300.0 * w, 450.0 * w - x])
 
 
 def test_a_card_casts_nothing_on_itself() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, place_on
+from kagezou.geometry.lean import Lean
 from kagezou.geometry.polygon import box_polygon, clipped
 from kagezou.geometry.vectors import Matrix, Point2, Vector3, Vector4, height_over, plane_through
 
@@ -91,12 +92,18 @@ class Card:
         The angle φ the card has been turned by: given without or with one point, measured with two, 0 otherwise.
     merged
         Whether grounding points stood too close or too steep and were taken as their midpoint.
+    upright
+        How far the card is stood up along the ground's normal, 0 to 1: less than given where it would be edge-on.
+    contact_line
+        A place on the ground and a direction along which the card stands there; None for the line through contacts.
     """
 
     pieces: tuple[CardPiece, ...]
     contacts: tuple[Vector3, ...] = ()
     tilt_deg: float = 0.0
     merged: bool = False
+    upright: float = 0.0
+    contact_line: tuple[Vector3, Vector3] | None = None
 
 
 def receiver_of(camera: Camera, piece: CardPiece) -> Plane:
@@ -118,6 +125,7 @@ def card_for(
     grounding: Sequence[Point2],
     tilt_deg: float,
     figure_height_px: float,
+    upright: float = 0.0,
 ) -> Card:
     """Return the card of a drawing.
 
@@ -135,26 +143,70 @@ def card_for(
         φ, used with fewer than two points.
     figure_height_px
         Height of the figure, which decides when two points are too close.
+    upright
+        0 parallel to the screen, 1 along the ground's normal; contacts stay where they are.
     """
     kept, merged = _settled(camera, ground, grounding, figure_height_px)
     places = [place for _, place in kept]
-    if not kept:
-        origin = ground.origin
-        return Card((_turned(origin, tilt_deg),), tilt_deg=tilt_deg)
-    if len(kept) == 1:
+    if len(kept) < 2:
         phi = 0.0 if merged else tilt_deg
-        return Card((_turned(places[0], phi),), tuple(places), phi, merged)
-    pieces = _folded(kept)
-    phi = degrees(atan(-pieces[0].normal[0])) if len(pieces) == 1 else 0.0
-    return Card(pieces, tuple(places), phi, merged)
+        place = places[0] if places else ground.origin
+        feet = [point for point, _ in kept] or [(ground.origin[0], ground.origin[1])]
+        lean = Lean.of(camera, ground, feet, slope_of(phi), upright)
+        return Card((standing_piece(place, lean),), tuple(places), phi, merged, lean.upright)
+    lean = Lean.of(camera, ground, [point for point, _ in kept], 0.0, upright)
+    folded = _folded(kept)
+    phi = degrees(atan(-folded[0].normal[0])) if len(folded) == 1 else 0.0
+    pieces = _leaning(camera, kept, lean) if lean.upright else folded
+    return Card(pieces, tuple(places), phi, merged, lean.upright)
 
 
 _Contact = tuple[Point2, Vector3]
 
 
-def _turned(place: Vector3, tilt_deg: float) -> CardPiece:
-    slope = tan(radians(min(max(tilt_deg, -MAX_SLOPE_DEG), MAX_SLOPE_DEG)))
-    return vertical_piece((place[0], place[2]), slope)
+def slope_of(tilt_deg: float) -> float:
+    """Return dz/dx of a card that is turned by φ."""
+    return tan(radians(min(max(tilt_deg, -MAX_SLOPE_DEG), MAX_SLOPE_DEG)))
+
+
+def standing_piece(place: Vector3, lean: Lean) -> CardPiece:
+    """Return the piece without end through a place."""
+    if lean.down == 0:
+        return vertical_piece((place[0], place[2]), lean.across)
+    return CardPiece(place, lean.normal)
+
+
+def rising_piece(a: Vector3, b: Vector3, lean: Lean, limits: tuple[Vector3, ...] = ()) -> CardPiece:
+    """Return the piece through two places that rises over them as the card leans."""
+    return CardPiece(a, _facing(np.cross(np.subtract(b, a), lean.rising)), limits)
+
+
+def piece_through(a: Vector3, b: Vector3, c: Vector3, limits: tuple[Vector3, ...]) -> CardPiece:
+    """Return the piece through three places."""
+    return CardPiece(a, _facing(np.cross(np.subtract(b, a), np.subtract(c, a))), limits)
+
+
+def _facing(normal: Matrix) -> Vector3:
+    """Return a normal of length 1 that points toward the viewer."""
+    x, y, z = (float(each) for each in normal / np.linalg.norm(normal))
+    return (x, y, z) if z >= 0 else (-x, -y, -z)
+
+
+def _leaning(camera: Camera, contacts: list[_Contact], lean: Lean) -> tuple[CardPiece, ...]:
+    """Return the pieces between neighbours as :func:`_folded` does, stood up."""
+    columns = [lean.column(camera, seen, place) for seen, place in contacts]
+    last = len(columns) - 2
+    pieces: list[CardPiece] = []
+    for index, ((_, a), (_, b)) in enumerate(pairwise(contacts)):
+        right = () if index == last else (turned_form(columns[index + 1]),)
+        left = () if index == 0 else (columns[index],)
+        pieces.append(rising_piece(a, b, lean, (*left, *right)))
+    return tuple(pieces)
+
+
+def turned_form(form: Vector3) -> Vector3:
+    """Return a form that is positive where another one is negative."""
+    return (-form[0], -form[1], -form[2])
 
 
 def _folded(contacts: list[_Contact]) -> tuple[CardPiece, ...]:
