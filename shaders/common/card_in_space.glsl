@@ -1,9 +1,10 @@
 // The shadow of one card piece at a point of the world. Wants sets/occlusion_cones.glsl. Switches:
 //   TRANSLUCENT   alpha casts as it is; else its 0.5 level is the edge
+//   LIMITS        how many straight ends the shadow has
 
 uniform sampler2D u_matte;             // texels and their neighbours, with a rim of empty ones
 uniform vec4 u_texel_rows[3];          // from the world to matte texels
-uniform vec4 u_limits[3];              // the card's side and its two folds, >= 0 where the piece casts
+uniform vec4 u_limits[LIMITS];         // the card's side and the edges of the piece, >= 0 where it casts
 
 vec3 alpha_and_slope(vec2 texel) {
     vec2 place = texel - 0.5;
@@ -23,7 +24,7 @@ vec3 projected(vec4 place) {
 float within_limits(vec4 place, mat2x3 cell_world) {
     float nearest = 1e9;
     vec2 direction = vec2(1.0, 0.0);
-    for (int index = 0; index < 3; ++index) {
+    for (int index = 0; index < LIMITS; ++index) {
         vec2 slope = u_limits[index].xyz * cell_world;
         float steep = max(length(slope), 1e-30);
         float away = dot(u_limits[index], place) / steep;

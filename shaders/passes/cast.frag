@@ -4,7 +4,8 @@
 //   TRANSLUCENT   alpha casts as it is; else its 0.5 level is the edge
 //   CELLS_X, _Y   how many cells a pixel is split into, each way: about one a texel
 //   SQUEEZED      somewhere more texels fall on a pixel than cells can hold
-//   AT_A_LIMIT    the card's contact line or a fold may cross these pixels
+//   AT_A_LIMIT    the card's contact line or an edge of the piece may cross these pixels
+//   LIMITS        how many edges the piece has
 //   LAMP_IS_LOW   see common/grazing.glsl
 
 #include "common/edge.glsl"
@@ -18,8 +19,9 @@ out float o_coverage;
 
 #ifdef AT_A_LIMIT
 uniform vec3 u_side;                   // signed distances in px, >= 0 on the shadow's side of the card ...
-uniform vec3 u_left_fold;              // ... and between the folds of the piece
-uniform vec3 u_right_fold;
+#if LIMITS > 0
+uniform vec4 u_limits[LIMITS];         // ... and within the edges of the piece (x, y, 1)
+#endif
 uniform vec3 u_horizon;                // >= 0 where the receiver is seen at all
 
 float within(vec3 edge, vec2 pixel, vec2 cell) {
@@ -83,7 +85,11 @@ float matte_coverage(vec2 pixel) {
 #ifdef AT_A_LIMIT
             vec2 here = pixel + inside;
             covered = min(covered, within(u_side, here, cell));
-            covered *= within(u_left_fold, here, cell) * within(u_right_fold, here, cell);
+#if LIMITS > 0
+            for (int index = 0; index < LIMITS; ++index) {
+                covered *= within(u_limits[index].xyz, here, cell);
+            }
+#endif
             covered *= step(0.0, dot(u_horizon, vec3(here, 1.0)));
 #endif
             sum += covered;

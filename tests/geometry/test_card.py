@@ -1,13 +1,13 @@
 """The card: how a drawing stands with no, one, two and more grounding points."""
 
-from math import inf
-
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.card import MAX_SLOPE_DEG, CardPiece, card_for, receiver_of
+from kagezou.geometry.card import MAX_SLOPE_DEG, CardPiece, card_for, receiver_of, vertical_piece
 from kagezou.geometry.ground import ground_plane, place_on
 from kagezou.geometry.vectors import Point2, coincide, dot, height_over
 
@@ -17,29 +17,37 @@ SLANT = 3**0.5
 """Depth for each pixel up the screen on this ground: tan 60°."""
 
 
+def slope_of(piece: CardPiece) -> float:
+    """Return dz/dx of a vertical piece."""
+    nx, ny, nz = piece.normal
+    assert (ny, nz) == (0.0, 1.0)
+    return -nx
+
+
 def test_without_points_the_card_stands_on_the_ground_line() -> None:
     card = card_for(CAMERA, GROUND, [], 0.0, 300.0)
     (piece,) = card.pieces
-    assert (piece.z0, piece.slope, piece.left, piece.right) == (0.0, 0.0, -inf, inf)
+    assert (piece.place[2], piece.normal, piece.limits) == (0.0, (0.0, 0.0, 1.0), ())
     assert card.contacts == ()
     turned = card_for(CAMERA, GROUND, [], 45.0, 300.0)
-    assert turned.pieces[0].slope == pytest.approx(1.0)
-    assert (turned.pieces[0].x0, turned.tilt_deg) == (500.0, 45.0)
+    assert slope_of(turned.pieces[0]) == pytest.approx(1.0)
+    assert (turned.pieces[0].place[0], turned.tilt_deg) == (500.0, 45.0)
 
 
 def test_with_one_point_it_passes_through_that_place() -> None:
     card = card_for(CAMERA, GROUND, [(400.0, 780.0)], 0.0, 300.0)
     (piece,) = card.pieces
-    assert (piece.x0, piece.z0, piece.slope) == pytest.approx((400.0, -20.0 * SLANT, 0.0))
+    assert piece.place == pytest.approx((400.0, 0.0, -20.0 * SLANT))
+    assert piece.normal == (0.0, 0.0, 1.0)
     turned = card_for(CAMERA, GROUND, [(400.0, 780.0)], -30.0, 300.0)
-    assert turned.pieces[0].slope == pytest.approx(-(3**-0.5))
+    assert slope_of(turned.pieces[0]) == pytest.approx(-(3**-0.5))
     assert turned.tilt_deg == -30.0
 
 
 def test_with_two_points_the_tilt_is_measured() -> None:
     card = card_for(CAMERA, GROUND, [(600.0, 800.0), (400.0, 780.0)], 33.0, 300.0)
     (piece,) = card.pieces
-    assert piece.slope == pytest.approx(20 * SLANT / 200)
+    assert slope_of(piece) == pytest.approx(20 * SLANT / 200)
     assert card.tilt_deg == pytest.approx(9.826, abs=1e-3)
     assert [place[0] for place in card.contacts] == [400.0, 600.0]
 
@@ -47,8 +55,10 @@ def test_with_two_points_the_tilt_is_measured() -> None:
 def test_with_three_points_it_is_folded_at_the_middle_one() -> None:
     card = card_for(CAMERA, GROUND, [(300.0, 800.0), (500.0, 850.0), (700.0, 790.0)], 20.0, 300.0)
     left, right = card.pieces
-    assert (left.left, left.right, right.left, right.right) == (-inf, 500.0, 500.0, inf)
-    assert left.slope > 0 > right.slope
+    assert (left.limits, right.limits) == (((-1.0, 0.0, 500.0),), ((1.0, 0.0, -500.0),))
+    assert left.adjoins(right)
+    assert not left.adjoins(left)
+    assert slope_of(left) > 0 > slope_of(right)
     assert card.tilt_deg == 0.0
     assert not card.merged
 
@@ -66,7 +76,7 @@ def test_points_too_close_or_too_steep_count_as_their_middle(points: list[Point2
     card = card_for(CAMERA, GROUND, points, 40.0, 300.0)
     (piece,) = card.pieces
     assert card.merged
-    assert (piece.slope, card.tilt_deg) == (0.0, 0.0)
+    assert (piece.normal, card.tilt_deg) == ((0.0, 0.0, 1.0), 0.0)
     (place,) = card.contacts
     middle = ((points[0][0] + points[1][0]) / 2, (points[0][1] + points[1][1]) / 2)
     assert place == pytest.approx(place_on(CAMERA, GROUND, middle))
@@ -93,33 +103,48 @@ def test_a_point_in_the_sky_is_left_out() -> None:
 @given(st.lists(st.tuples(st.floats(0, 1000), st.floats(500, 1000)), max_size=8), st.floats(-90, 90))
 def test_any_points_make_a_card_that_stands_on_the_ground(points: list[Point2], tilt: float) -> None:
     card = card_for(CAMERA, GROUND, points, tilt, 300.0)
-    assert card.pieces[0].left == -inf
-    assert card.pieces[-1].right == inf
+    for x in (-1e6, 317.3, 1e6):
+        assert sum(piece.holds((x, 0.0)) for piece in card.pieces) == 1
     for place in card.contacts:
         assert height_over(GROUND.equation, (*place, 1.0)) == pytest.approx(0.0, abs=1e-6)
         assert any(abs(height_over(piece.plane, (*place, 1.0))) < 1e-6 for piece in card.pieces)
     limit = 3.7320508075688776 + 1e-9
     assert MAX_SLOPE_DEG == 75.0
-    assert all(abs(piece.slope) <= limit for piece in card.pieces)
+    assert all(abs(slope_of(piece)) <= limit for piece in card.pieces)
 
 
-@given(st.floats(-3.7, 3.7), st.floats(-500, 1500), st.floats(-400, 400), st.sampled_from([0.0, 30.0, 110.0]))
-def test_a_piece_receives_on_the_side_that_is_seen(slope: float, x0: float, z0: float, fov: float) -> None:
-    camera, piece = Camera(1000, 1000, fov), CardPiece(x0, z0, slope)
+def test_a_piece_cuts_its_part_out_of_a_box() -> None:
+    piece = vertical_piece((0.0, 0.0), 0.0, 20.0, 50.5)
+    part = piece.part_of(Box(0, 10, 40, 30))
+    assert sorted(map(tuple, part.tolist())) == [(20.0, 10.0), (20.0, 30.0), (40.0, 10.0), (40.0, 30.0)]
+    assert len(piece.part_of(Box(60, 0, 70, 10))) == 0
+
+
+@given(
+    st.tuples(st.floats(-3.7, 3.7), st.floats(-2.0, 2.0)),
+    st.tuples(st.floats(-500, 1500), st.floats(-500, 1500), st.floats(-400, 400)),
+    st.sampled_from([0.0, 30.0, 110.0]),
+)
+def test_a_piece_receives_on_the_side_that_is_seen(
+    slopes: tuple[float, float], place: tuple[float, float, float], fov: float
+) -> None:
+    camera, piece = Camera(1000, 1000, fov), CardPiece(place, (-slopes[0], -slopes[1], 1.0))
     plane = receiver_of(camera, piece)
     assert coincide(plane.equation, piece.plane)
     assert height_over(plane.equation, camera.eye) >= 0
     assert abs(height_over(piece.plane, (*plane.point(120.0, -70.0), 1.0))) < 1e-6
     for axis in (plane.u, plane.v, plane.normal):
         assert dot(axis, axis) == pytest.approx(1.0)
-    assert dot(plane.u, plane.normal) == pytest.approx(0.0, abs=1e-12)
+    for one, other in ((plane.u, plane.normal), (plane.v, plane.normal), (plane.u, plane.v)):
+        assert dot(one, other) == pytest.approx(0.0, abs=1e-12)
+    assert abs(np.linalg.det([plane.u, plane.v, plane.normal])) == pytest.approx(1.0)
 
 
 def test_a_piece_seen_from_behind_is_lit_from_behind() -> None:
     """Steep enough, a card at the left turns its back on an eye close by."""
     camera = Camera(1000, 1000, 110.0)
-    assert receiver_of(camera, CardPiece(0.0, 0.0, 3.5)).normal[2] < 0
-    assert receiver_of(camera, CardPiece(0.0, 0.0, 0.0)).normal[2] > 0
+    assert receiver_of(camera, vertical_piece((0.0, 0.0), 3.5)).normal[2] < 0
+    assert receiver_of(camera, vertical_piece((0.0, 0.0), 0.0)).normal[2] > 0
 
 
 def test_planes_coincide_whichever_way_they_face() -> None:

@@ -5,7 +5,7 @@ import pytest
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.card import Card, CardPiece, card_for
+from kagezou.geometry.card import Card, card_for, vertical_piece
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import canvas_from_plane, ground_plane, place_on
 from kagezou.geometry.polygon import seen_rectangle
@@ -57,7 +57,7 @@ def test_a_folded_card_has_the_line_through_its_outermost_contacts() -> None:
 
 def test_a_card_in_the_ground_takes_the_grounds_own_line() -> None:
     flat = ground_plane((0.0, 0.0), 0.0, 0.0)
-    assert contact_plane(Card((CardPiece(0.0, 0.0, 0.0),)), flat).u == flat.u
+    assert contact_plane(Card((vertical_piece((0.0, 0.0), 0.0),)), flat).u == flat.u
 
 
 def test_the_line_always_runs_the_grounds_way() -> None:

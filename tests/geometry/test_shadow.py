@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera, project
-from kagezou.geometry.card import Card, CardPiece, card_for, receiver_of
+from kagezou.geometry.card import Card, CardPiece, card_for, receiver_of, vertical_piece
 from kagezou.geometry.ground import Plane, ground_plane, place_on
 from kagezou.geometry.light import is_over, lamp, sun
 from kagezou.geometry.polygon import bounding_box
-from kagezou.geometry.shadow import Cast, cast_card, cast_on
+from kagezou.geometry.shadow import Cast, cast_card, cast_in_space, cast_on
 from kagezou.geometry.vectors import Matrix, Point2, Vector4, height_over
 from tests.geometry.single_rays import Wall, World, shading_points, walls_through
 
@@ -27,7 +27,7 @@ def shadow_of(cast: Cast, point: Point2) -> Point2:
 
 def inside(cast: Cast, point: Point2) -> float:
     """The least distance of a canvas point to the ends of the region that can hold shadow; positive within."""
-    ends = (cast.side, cast.horizon, cast.left_fold, cast.right_fold)
+    ends = (cast.side, cast.horizon, *cast.limits)
     return min(float(end @ np.array([*point, 1.0])) for end in ends)
 
 
@@ -128,7 +128,7 @@ def test_the_shadow_of_a_grounding_point_is_the_point(
     card = card_for(camera, ground, feet, data.draw(st.floats(-70, 70)) if count == 1 else 0.0, FIGURE_HEIGHT)
     assume(len(card.contacts) == count)
     for foot in feet:
-        own = [piece for piece in card.pieces if piece.left <= foot[0] <= piece.right]
+        own = [piece for piece in card.pieces if piece.holds(foot)]
         assert own
         for piece in own:
             assume(not _is_edge_on(camera, piece, light, foot))
@@ -224,7 +224,7 @@ def _contains(polygon: Matrix, point: Point2) -> bool:
 
 
 def piece_at(ground: Plane) -> CardPiece:
-    return CardPiece(ground.origin[0], ground.origin[2], 0.0)
+    return vertical_piece((ground.origin[0], ground.origin[2]), 0.0)
 
 
 def test_nothing_is_cast_from_below_the_ground() -> None:
@@ -278,7 +278,7 @@ def test_neighbouring_pieces_join_where_their_shadows_go_on() -> None:
     camera, ground = Camera(1000, 1000), ground_plane((500.0, 800.0), 0.0, 60.0)
     card = card_for(camera, ground, [(300.0, 800.0), (500.0, 830.0), (700.0, 800.0)], 0.0, 400.0)
     light = lamp((500.0, 0.0, 900.0))
-    assert [cast.joins_left for cast in cast_card(camera, ground, card, light)] == [False, True]
+    assert [cast.sheet for cast in cast_card(camera, ground, card, light)] == [0, 0]
     first, second = cast_card(camera, ground, card, light)
     up = (500.0, 600.0)
     assert shadow_of(first, up) == pytest.approx(shadow_of(second, up), abs=1e-6)
@@ -288,12 +288,23 @@ def test_a_fold_with_the_light_on_different_sides_of_its_pieces_overlaps() -> No
     camera, ground = Camera(1000, 1000), ground_plane((500.0, 800.0), 0.0, 45.0)
     card = card_for(camera, ground, [(300.0, 800.0), (500.0, 950.0), (700.0, 800.0)], 0.0, 400.0)
     light = lamp((1000.0, 200.0, 200.0))
-    assert [cast.joins_left for cast in cast_card(camera, ground, card, light)] == [False, False]
+    assert [cast.sheet for cast in cast_card(camera, ground, card, light)] == [0, 1]
+
+
+def test_a_cast_in_space_is_bounded_by_the_side_of_its_card_and_its_limits() -> None:
+    camera = Camera(1000, 1000, 35.0)
+    piece = vertical_piece((400.0, 30.0), 0.4, 300.0, 450.0)
+    space = cast_in_space(camera, piece, lamp((100.0, -300.0, 900.0)))
+    assert space is not None
+    assert space.forms.tolist() == [space.side.tolist(), *space.limits.tolist()]
+    behind = np.array([400.0, 500.0, -20.0, 1.0])
+    x, _, w = space.art_from_world @ behind
+    assert space.forms @ behind == pytest.approx([abs(piece.plane @ behind), x - 300.0 * w, 450.0 * w - x])
 
 
 def test_a_card_casts_nothing_on_itself() -> None:
     camera = Camera(1000, 1000, 35.0)
-    piece = CardPiece(400.0, 30.0, 0.4)
+    piece = vertical_piece((400.0, 30.0), 0.4)
     assert cast_on(camera, receiver_of(camera, piece), piece, lamp((100.0, -300.0, 900.0))) is None
-    before = CardPiece(400.0, 90.0, 0.4)
+    before = vertical_piece((400.0, 90.0), 0.4)
     assert cast_on(camera, receiver_of(camera, piece), before, lamp((100.0, -300.0, 900.0))) is not None

@@ -52,7 +52,7 @@ def test_defaults() -> None:
     assert layer.cast.lights == ((50.0, -100.0, 300.0, 1.0),)
     assert layer.cast.receivers == (scene.ground,)
     assert not layer.cast.translucent
-    assert layer.cast.card.pieces[0].slope == 0.0
+    assert layer.cast.card.pieces[0].normal == (0.0, 0.0, 1.0)
 
 
 def test_values_that_were_set() -> None:
@@ -76,7 +76,7 @@ def test_values_that_were_set() -> None:
     assert layer.look == ShadowLook(color=(1, 2, 3), opacity=1.0, multiply=False)
     assert layer.cast is not None
     assert layer.cast.translucent
-    assert layer.cast.card.pieces[0].slope == pytest.approx(1.0)
+    assert layer.cast.card.pieces[0].normal == pytest.approx((-1.0, 0.0, 1.0))
 
 
 def test_the_sun() -> None:

@@ -198,7 +198,7 @@ def test_the_tip_lies_where_the_head_s_shadow_is_drawn(document: Document) -> No
     assert tip is not None
     camera, ground = camera_at(document, 1), ground_of(document)
     card = card_at(document.layer(LAYER), 1, camera, ground)
-    piece = next(piece for piece in card.pieces if piece.left <= 500 <= piece.right)
+    piece = next(piece for piece in card.pieces if piece.holds((500.0, 500.0)))
     cast = cast_on(camera, ground, piece, light_at(document, 1, ground))
     assume(cast)  # a light within the card's own plane casts a line
     assert cast is not None

@@ -11,10 +11,12 @@ def contact_plane(card: Card, ground: Plane) -> Plane:
     """Return the ground with its u axis laid along the contact line, so that |v| is the distance from it.
 
     The line is where a flat card's plane meets the ground; a folded card has the straight line through its outermost
-    contacts.
+    contacts, and others say which they have.
     """
     normal = np.array(ground.normal)
-    if len(card.contacts) > 1:
+    if card.contact_line is not None:
+        along = np.array(card.contact_line[1])
+    elif len(card.contacts) > 1:
         along = np.array(card.contacts[-1]) - np.array(card.contacts[0])
     else:
         along = np.cross(normal, np.array(card.pieces[0].plane[:3]))
@@ -24,6 +26,8 @@ def contact_plane(card: Card, ground: Plane) -> Plane:
     if along @ np.array(ground.u) < 0:
         along = -along
     origin = card.contacts[0] if card.contacts else ground.origin
+    if card.contact_line is not None:
+        origin = card.contact_line[0]
     return Plane(origin, _vector(along), _vector(np.cross(normal, along)), ground.normal)
 
 

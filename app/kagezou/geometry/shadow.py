@@ -6,10 +6,10 @@ canvas → receiver → card → drawing is one homography, with no texel grid b
 where a foot meets its shadow.
 """
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import pairwise
-from math import isfinite
+from itertools import combinations
 from typing import Final
 
 import numpy as np
@@ -19,7 +19,13 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.placement import Placement
-from kagezou.geometry.polygon import box_polygon, clipped, distance_form, rectangle_edges, shifted
+from kagezou.geometry.polygon import (
+    box_polygon,
+    clipped,
+    distance_form,
+    rectangle_edges,
+    shifted,
+)
 from kagezou.geometry.vectors import Matrix, Vector4, coincide, height_over
 
 _CASTS_KEPT: Final = 256
@@ -36,20 +42,21 @@ class Cast:
         (3, 3) homography from a canvas px of the receiver to the canvas px of the drawing that shades it.
     receiver_from_canvas
         (3, 3) homography to the receiver's (u, v) in px.
-    side, horizon, left_fold, right_fold
-        Distance forms (3,) in canvas px, each >= 0 inside: the side of the card away from the light, the receiver in
-        front of the eye, and the piece between its folds. The shadow lies where all are positive.
-    joins_left
-        Whether it continues the shadow of the piece to the left of it across their common fold.
+    side, horizon
+        Distance forms (3,) in canvas px, each >= 0 inside: the side of the card away from the light, and the receiver
+        in front of the eye.
+    limits
+        Distance forms (K, 3) of the piece's edges. The shadow lies where all forms are positive.
+    sheet
+        A number that all have whose shadows continue one another: those add up, of others the greater one counts.
     """
 
     art_from_canvas: Matrix
     receiver_from_canvas: Matrix
     side: Matrix
     horizon: Matrix
-    left_fold: Matrix
-    right_fold: Matrix
-    joins_left: bool = False
+    limits: Matrix
+    sheet: int = 0
 
     def seen_through(self, canvas_from_target: Matrix) -> "Cast":
         """Return the same shadow on another picture of the receiver, given as a (3, 3) homography to the canvas.
@@ -63,8 +70,7 @@ class Cast:
             receiver_from_canvas=self.receiver_from_canvas @ canvas_from_target,
             side=distance_form(self.side @ canvas_from_target),
             horizon=distance_form(canvas_from_target[2]),
-            left_fold=distance_form(self.left_fold @ canvas_from_target),
-            right_fold=distance_form(self.right_fold @ canvas_from_target),
+            limits=_distances(form @ canvas_from_target for form in self.limits),
         )
 
     def of_moved(self, placement: Placement) -> "Cast":
@@ -79,7 +85,7 @@ class Cast:
         """
         frame = rectangle_edges(self.art_from_canvas, (art.left, art.top), (art.right, art.bottom))
         polygon = clipped(box_polygon(canvas), shifted(self.horizon, -0.01))
-        for edge in (self.side, self.left_fold, self.right_fold, *frame):
+        for edge in (self.side, *self.limits, *frame):
             polygon = clipped(polygon, shifted(edge, margin_px))
         return polygon
 
@@ -92,14 +98,20 @@ class SpaceCast:
     ----------
     art_from_world
         (3, 4) map from a shaded world point to the canvas px of the drawing that shades it.
-    side, left_fold, right_fold
-        Forms (4,) over the world, >= 0 beyond the card and between the folds of the piece; None for no fold.
+    side
+        A form (4,) over the world, >= 0 beyond the card.
+    limits
+        Forms (K, 4) of the piece's edges, >= 0 in what is shaded by the piece.
     """
 
     art_from_world: Matrix
     side: Matrix
-    left_fold: Matrix | None
-    right_fold: Matrix | None
+    limits: Matrix
+
+    @property
+    def forms(self) -> Matrix:
+        """The side and the limits, (1 + K, 4)."""
+        return np.vstack([self.side, self.limits])
 
     def of_moved(self, placement: Placement) -> "SpaceCast":
         """Return the same shadow with the drawing's px as they lie before a placement moves them."""
@@ -118,12 +130,8 @@ def cast_in_space(camera: Camera, piece: CardPiece, light: Vector4) -> SpaceCast
     front = 1.0 if facing > 0 else -1.0
     card_from_world = front * (facing * np.eye(4) - np.outer(light, plane))
     art = camera.canvas_from_world() @ card_from_world
-    return SpaceCast(
-        art,
-        -front * plane,
-        art[0] - piece.left * art[2] if isfinite(piece.left) else None,
-        piece.right * art[2] - art[0] if isfinite(piece.right) else None,
-    )
+    limits = [a * art[0] + b * art[1] + c * art[2] for a, b, c in piece.limits]
+    return SpaceCast(art, -front * plane, np.array(limits).reshape(-1, 4))
 
 
 def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -> Cast | None:
@@ -144,8 +152,7 @@ def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -
         receiver_from_canvas=plane_coordinates(receiver) @ lift,
         side=distance_form(space.side @ lift),
         horizon=distance_form(lift[3]),
-        left_fold=_fold(None if space.left_fold is None else space.left_fold @ lift),
-        right_fold=_fold(None if space.right_fold is None else space.right_fold @ lift),
+        limits=_distances(form @ lift for form in space.limits),
     )
 
 
@@ -153,18 +160,32 @@ def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -
 def cast_card(camera: Camera, receiver: Plane, card: Card, light: Vector4) -> tuple[Cast, ...]:
     """Return the casts of all pieces of a card, left out where nothing is cast or seen.
 
-    A pixel on the fold between two neighbours holds a part of each. Where their shadows lie on either side of the
-    fold those parts add up, and the right one says so by ``joins_left``; else the greater one counts.
+    A pixel on the edge between two neighbours holds a part of each. Where their shadows lie on either side of the
+    edge those parts add up: they are of one sheet. A shadow that is folded back over itself is of several.
     """
-    casts = [cast_on(camera, receiver, piece, light) for piece in card.pieces]
-    for index, (left, right) in enumerate(pairwise(casts)):
-        if left is not None and right is not None and float(left.right_fold[:2] @ right.left_fold[:2]) < 0:
-            casts[index + 1] = replace(right, joins_left=True)
-    return tuple(cast for cast in casts if cast is not None)
+    found = [(piece, cast_on(camera, receiver, piece, light)) for piece in card.pieces]
+    casts = [(piece, cast) for piece, cast in found if cast is not None]
+    return tuple(
+        replace(cast, sheet=sheet) if sheet else cast for (_, cast), sheet in zip(casts, _sheets(casts), strict=True)
+    )
 
 
-def _fold(form: Matrix | None) -> Matrix:
-    return np.array([0.0, 0.0, 1e6]) if form is None else distance_form(form)
+def _sheets(casts: Sequence[tuple[CardPiece, Cast]]) -> list[int]:
+    """Return for each cast the number of the first one it is joined to by neighbours that are turned as it is."""
+    if len(casts) < 2:
+        return [0] * len(casts)
+    turns = np.linalg.det([cast.art_from_canvas for _, cast in casts]) > 0
+    numbers = list(range(len(casts)))
+    for one, other in combinations(range(len(casts)), 2):
+        if turns[one] == turns[other] and numbers[one] != numbers[other] and casts[one][0].adjoins(casts[other][0]):
+            low, high = sorted((numbers[one], numbers[other]))
+            numbers = [low if each == high else each for each in numbers]
+    return numbers
+
+
+def _distances(forms: Iterable[Matrix]) -> Matrix:
+    """Return distance forms (K, 3) of forms (3,); K may be 0."""
+    return np.array([distance_form(form) for form in forms]).reshape(-1, 3)
 
 
 def plane_coordinates(receiver: Plane) -> Matrix:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.card import CardPiece
+from kagezou.geometry.card import vertical_piece
 from kagezou.geometry.ground import Plane, place_on
 from kagezou.geometry.light import is_over, lamp
 from kagezou.geometry.shadow import cast_on
@@ -35,7 +35,7 @@ _ENOUGH = 0.35
 _LITTLE = 0.1
 _MARGIN_OF_CANVAS = 0.005
 
-_CARD = CardPiece(x0=0.0, z0=0.0, slope=0.0)
+_CARD = vertical_piece((0.0, 0.0), 0.0)
 """Characters that were just brought in stand in the plane of the canvas."""
 
 

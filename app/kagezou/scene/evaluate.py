@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 
-from kagezou.document import properties, set_properties
+from kagezou.document import figure_properties, properties, set_properties
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
@@ -80,7 +80,8 @@ def card_at(layer: Layer, frame: int, camera: Camera, ground: Plane) -> Card:
     """Return the card a layer's drawing stands on at a frame."""
     points = value_at(layer.tracks, properties.GROUNDING, frame)
     tilt = value_at(layer.tracks, properties.TILT, frame)
-    return card_for(camera, ground, points, tilt, layer.figure.height)
+    upright = value_at(layer.tracks, figure_properties.UPRIGHT, frame)
+    return card_for(camera, ground, points, tilt, layer.figure.height, upright)
 
 
 def contact_of(card: Card, ground: Plane) -> Vector3:

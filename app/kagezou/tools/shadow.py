@@ -101,7 +101,7 @@ def _head(geometry: FrameGeometry) -> Vector3 | None:
 
 
 def _on_card(geometry: FrameGeometry, card: Card, canvas_px: Point2) -> Vector3 | None:
-    piece = next(piece for piece in card.pieces if piece.left <= canvas_px[0] <= piece.right)
+    piece = next(piece for piece in card.pieces if piece.holds(canvas_px))
     nx, ny, nz, d = piece.plane
     place = on_plane(geometry.camera, (nx, ny, nz, d), canvas_px)
     return place if place is None or max(map(abs, place)) <= REACH_PX else None

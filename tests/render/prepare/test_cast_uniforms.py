@@ -8,12 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kagezou.geometry.box import Box
+from kagezou.geometry.card import CardPiece
 from kagezou.geometry.ground import Plane, ground_plane, world_from_canvas_on
 from kagezou.geometry.light import grazing_strength, lamp, sun
 from kagezou.geometry.polygon import box_polygon
 from kagezou.geometry.shadow import Cast, cast_card, cast_in_space, plane_coordinates
 from kagezou.geometry.vectors import height_over
-from kagezou.render.prepare.cast_uniforms import Edges, Frame, Grazing, card_uniforms
+from kagezou.render.prepare.cast_uniforms import Edges, Frame, Grazing, card_switches, card_uniforms, piece_limits
 from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 from kagezou.scene.scene import ShadowCast
 from tests.render.prepare.filter_jobs import FIGURE, cast_of, scene_with
@@ -62,9 +63,13 @@ def test_a_place_sees_the_same_texel_and_lies_as_far_from_the_limits(
         wanted = projected(cast.art_from_canvas, np.array([*place, 1.0])) - (FIGURE.box.left, FIGURE.box.top)
         texel_from_pixel = matrix(edges.uniforms(), "u_texel_from_pixel")
         assert projected(texel_from_pixel.astype(np.float32), from_origin(place)) == pytest.approx(wanted, abs=0.01)
-        limits = {"u_side": cast.side, "u_left_fold": cast.left_fold, "u_right_fold": cast.right_fold}
-        for name, form in {**limits, "u_horizon": cast.horizon}.items():
+        for name, form in {"u_side": cast.side, "u_horizon": cast.horizon}.items():
             assert matrix(edges.limits(), name) @ from_origin(place) == pytest.approx(form @ [*place, 1.0], abs=1e-3)
+        assert len(cast.limits) == (1 if values else 0)
+        assert edges.limit_switches() == {f"LIMITS {len(cast.limits)}"}
+        for number, form in enumerate(cast.limits):
+            limit = matrix(edges.limits(), "u_limits")[number, :3]
+            assert limit @ from_origin(place) == pytest.approx(form @ [*place, 1.0], abs=1e-3)
 
 
 def test_textures_and_levels_have_their_places() -> None:
@@ -155,5 +160,18 @@ def test_a_card_is_met_by_a_place_in_space_as_it_is_in_the_world(place: tuple[fl
         if abs(wanted[2]) > 1e-3 * np.abs(space.art_from_world[2]).max():
             assert h[:2] / h[2] + (FIGURE.box.left, FIGURE.box.top) == pytest.approx(wanted[:2] / wanted[2], rel=1e-6)
         assert np.abs(rows[2]).max() == pytest.approx(1.0)
-        for limit, form in zip(limits, (space.side, space.left_fold, space.right_fold), strict=True):
-            assert limit @ [*place, 1.0] == pytest.approx(1.0 if form is None else form @ world, rel=1e-9, abs=1e-6)
+        assert card_switches(space, translucent=False) == {"LIMITS 2"}
+        for limit, form in zip(limits, (space.side, *space.limits), strict=True):
+            assert limit @ [*place, 1.0] == pytest.approx(form @ world, rel=1e-9, abs=1e-6)
+
+
+@given(st.tuples(st.floats(0, 500), st.floats(0, 500)))
+def test_a_drawing_lies_on_a_piece_where_its_limits_say(place: tuple[float, float]) -> None:
+    piece = CardPiece((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), ((3.0, 4.0, -1000.0), (-1.0, 0.0, 400.0)))
+    switches, uniforms = piece_limits(piece, (-256, -256))
+    assert switches == {"LIMITS 2"}
+    limits = matrix(uniforms, "u_limits")
+    assert limits.shape == (2, 4)
+    values = limits[:, :3] @ [place[0] + 256, place[1] + 256, 1.0]
+    assert values == pytest.approx([(3 * place[0] + 4 * place[1] - 1000) / 5, 400 - place[0]], abs=1e-9)
+    assert piece_limits(CardPiece((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))) == (frozenset({"LIMITS 0"}), {})

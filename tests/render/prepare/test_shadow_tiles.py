@@ -49,7 +49,7 @@ def block(width: int = 64, height: int = 64, margin: int = 16) -> np.ndarray:
 
 def cast(art_from_canvas: np.ndarray | None = None, side: np.ndarray = EVERYWHERE) -> Cast:
     art = np.eye(3) if art_from_canvas is None else art_from_canvas
-    return Cast(art, np.eye(3), side, EVERYWHERE, EVERYWHERE, EVERYWHERE)
+    return Cast(art, np.eye(3), side, EVERYWHERE, np.empty((0, 3)))
 
 
 def painted(boxes: np.ndarray, canvas: Box) -> np.ndarray:

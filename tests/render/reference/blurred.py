@@ -145,7 +145,8 @@ def _reach(cast: ShadowCast, art: Art, line: ContactLine) -> tuple[tuple[float, 
     low, high = np.full(2, np.inf), np.full(2, -np.inf)
     for piece in cast.card.pieces:
         card = np.array(piece.plane)
-        own = seen[:, (seen[0] >= piece.left - 1) & (seen[0] <= piece.right + 1)]
+        near = [a * seen[0] + b * seen[1] + c >= -np.hypot(a, b) for a, b, c in piece.limits]
+        own = seen[:, np.logical_and.reduce(near)] if near else seen
         # The view ray through a texel meets the card at (π·E) X − (π·X) E.
         solid = (card @ eye) * own - np.outer(eye, card @ own)
         solid = solid[:, np.abs(solid[3]) > 1e-9]

@@ -60,25 +60,22 @@ def shade_of(cast: ShadowCast, art: Art, point: Array) -> Array:
 def shade_from(cast: ShadowCast, art: Art, light: Vector4, point: Array) -> Array:
     lamp = np.array(light)
     toward = np.broadcast_to(lamp[:3], point.shape) if lamp[3] == 0 else lamp[:3] - point
-    contacts = [place[0] for place in cast.card.contacts]
-    pieces = cast.card.pieces
     total = np.zeros(point.shape[:-1])
-    for index, piece in enumerate(pieces):
-        low = -np.inf if index == 0 else contacts[index]
-        high = np.inf if index == len(pieces) - 1 else contacts[index + 1]
-        # z - z0 - slope (x - x0) along the ray, zero where it meets the piece
-        start = point[..., 2] - piece.z0 - piece.slope * (point[..., 0] - piece.x0)
-        rate = toward[..., 2] - piece.slope * toward[..., 0]
+    for piece in cast.card.pieces:
+        # the height over the piece's plane along the ray, zero where it meets it
+        start = (point - np.array(piece.place)) @ np.array(piece.normal)
+        rate = toward @ np.array(piece.normal)
         with np.errstate(divide="ignore", invalid="ignore"):
             t = -start / rate
         hits = np.isfinite(t) & (t > 0) & ((t < 1) | (lamp[3] == 0))
         hit = point + np.where(hits, t, 0.0)[..., np.newaxis] * toward
-        hits &= (hit[..., 0] >= low) & (hit[..., 0] <= high)
         ex, ey, ez, ew = cast.camera.eye
         k = 1.0 if ew == 0 else 1 / (1 - hit[..., 2] / ez)
         hits &= np.broadcast_to(np.asarray(k) > 0, hits.shape)
         u = hit[..., 0] if ew == 0 else ex + (hit[..., 0] - ex) * k
         v = hit[..., 1] if ew == 0 else ey + (hit[..., 1] - ey) * k
+        for a, b, c in piece.limits:
+            hits &= a * u + b * v + c >= 0
         alpha = art.at(np.where(hits, u, -1e6), np.where(hits, v, -1e6))
         total = np.maximum(total, alpha if cast.translucent else (alpha >= 0.5).astype(np.float64))
     return total
@@ -135,12 +132,13 @@ def received_at(received: Received, caster: ShadowCast, arts: tuple[Art, Art], x
     ex, ey, ez, ew = caster.camera.eye
     total = np.zeros_like(x)
     for piece in received.card.pieces:
-        seen = (x >= piece.left) & (x < piece.right)
+        seen = np.logical_and.reduce([a * x + b * y + c >= 0 for a, b, c in piece.limits] or [x == x])
         # X(z) = p + z·r along the view ray through the canvas point p, with r = (p - e) / -ez or nothing
         rx, ry = (np.zeros_like(x), np.zeros_like(y)) if ew == 0 else ((ex - x) / ez, (ey - y) / ez)
-        z = (piece.z0 + piece.slope * (x - piece.x0)) / (1 - piece.slope * rx)
+        nx, ny, nz = piece.normal
+        z = -((x - piece.place[0]) * nx + (y - piece.place[1]) * ny - piece.place[2] * nz) / (rx * nx + ry * ny + nz)
         point = np.stack([x + z * rx, y + z * ry, z], axis=-1)
-        normal = np.array([-piece.slope, 0.0, 1.0]) / np.hypot(1.0, piece.slope)
+        normal = np.array(piece.normal) / np.linalg.norm(piece.normal)
         toward_eye = np.array([ex, ey, ez]) - (0 if ew == 0 else point)
         normal = np.where((toward_eye @ normal)[..., np.newaxis] < 0, -normal, normal)
         for light in caster.lights:

@@ -26,7 +26,7 @@ from kagezou.render.meshes.display import Display, MeshDisplays, SetPicture
 from kagezou.render.meshes.eye_view import MeshView, MeshViews
 from kagezou.render.meshes.light_map import LightMap, LightMaps, Surroundings
 from kagezou.render.meshes.occlusion import Pasts, Screen, light_uniforms
-from kagezou.render.prepare.cast_uniforms import TRANSLUCENT, card_uniforms
+from kagezou.render.prepare.cast_uniforms import card_switches, card_uniforms
 from kagezou.render.prepare.mask_tiles import Flags
 from kagezou.render.prepare.mask_uniforms import LIGHT
 from kagezou.render.prepare.set_as_seen import SetAsSeen
@@ -185,8 +185,11 @@ class MeshPass:
                 if tiling.box is None:
                     continue
                 self._begin(target, tiling.box)
-                switches = self._switches(lit) | how | (TRANSLUCENT if cast.translucent and how is _IN_PARTS else how)
-                more = {} if how is _FULL else card_uniforms(piece, matte, lit.world_from_local)
+                switches = self._switches(lit) | how
+                more: dict[str, Uniform] = {}
+                if how is _IN_PARTS:
+                    switches |= card_switches(piece, translucent=cast.translucent)
+                    more = card_uniforms(piece, matte, lit.world_from_local)
                 matte.texture.bind(0)
                 self._programs[switches].use(uniforms | more)
                 self._boxes.draw(tiling.boxes)
@@ -225,8 +228,7 @@ def _shaded(view: MeshView, cast: SpaceCast, matte: PlacedMatte) -> tuple[Flags,
     corner = np.array([matte.box.left, matte.box.top])[:, np.newaxis]
     texels = art[:, :2] / np.where(w > 0, w, 1.0)[:, np.newaxis] - corner
     empty, filled = matte.occupancy.states(texels.min(axis=0), texels.max(axis=0))
-    limits = np.array([form for form in (cast.side, cast.left_fold, cast.right_fold) if form is not None])
-    values = np.matmul(limits @ shift, view.hulls)
+    values = np.matmul(cast.forms @ shift, view.hulls)
     outside, inside = (values.max(axis=0) < 0).any(axis=0), (values.min(axis=0) >= 0).all(axis=0)
     some, full = np.zeros(len(view.seen), bool), np.zeros(len(view.seen), bool)
     some[view.seen] = ~((is_bounded & empty) | outside)

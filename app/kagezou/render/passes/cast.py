@@ -1,6 +1,6 @@
 """The pass that casts: a drawing's alpha through the light onto the receivers, as covered parts of canvas pixels."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from itertools import product
@@ -121,8 +121,8 @@ class CastPass:
     def unite(self, cast: ShadowCast, matte: PlacedMatte, target: Target, window: Window) -> Box | None:
         """Unite all shadows with what is in a window of ``target``; return the box that may hold shadow."""
         pairs = tuple(product(cast.receivers, cast.lights))
-        # The pieces of a folded card add up along their folds; before such a sum may unite with another light's by
-        # maximum it has to be whole, in a target of its own.
+        # The pieces of a card add up along their edges; before such a sum may unite with another light's by maximum
+        # it has to be whole, in a target of its own.
         apart = len(cast.card.pieces) > 1 and len(pairs) > 1
         drawn: Box | None = None
         for receiver, light in pairs:
@@ -155,13 +155,30 @@ class CastPass:
     def _draw_light(
         self, cast: ShadowCast, pair: tuple[Plane, Vector4], matte: PlacedMatte, target: Target, window: Window
     ) -> Box | None:
-        """Draw what one light casts on one receiver; return the box that may hold it."""
-        drawn: Box | None = None
+        """Draw what one light casts on one receiver; return the box that may hold it.
+
+        A sheet of a card that is folded back over itself has to be whole, aside, before it may unite with the others.
+        """
+        sheets: dict[int, list[Stroke]] = {}
         for stroke in strokes(cast, pair, matte, window):
+            sheets.setdefault(stroke.cast.sheet, []).append(stroke)
+        drawn: Box | None = None
+        for each in sheets.values():
+            own = target if drawn is None or len(each) == 1 else self._scratches.like("sheet", target)
+            box = self._draw_sheet(each, own, window)
+            if box is not None and own is not target:
+                self.merge(own, target, box)
+            drawn = around(drawn, box)
+        return drawn
+
+    def _draw_sheet(self, strokes: Sequence[Stroke], target: Target, window: Window) -> Box | None:
+        """Draw strokes that continue one another; a single one unites with what is there."""
+        how = Laying.UNITED if len(strokes) == 1 else Laying.ADDED
+        drawn: Box | None = None
+        for stroke in strokes:
             tiling = stroke.grid.tiling(window.box)
-            if tiling.box is not None:
-                self.paint(stroke, tiling, target, Laying.ADDED if stroke.cast.joins_left else Laying.UNITED)
-                drawn = around(drawn, tiling.box)
+            self.paint(stroke, tiling, target, how)
+            drawn = around(drawn, tiling.box)
         return drawn
 
     def paint(self, stroke: Stroke, tiling: Tiling, target: Target, how: Laying) -> None:
@@ -191,5 +208,8 @@ class CastPass:
         uniforms = uniforms | edges.uniforms()
         limits = edges.limits()
         for kind, boxes in tiling.edges.items():
-            self._edge[switches | kind.switches].use(uniforms | limits if kind.is_at_limit else uniforms)
+            if kind.is_at_limit:
+                self._edge[switches | kind.switches | edges.limit_switches()].use(uniforms | limits)
+            else:
+                self._edge[switches | kind.switches].use(uniforms)
             self._boxes.draw(boxes)

@@ -41,7 +41,8 @@ class DepthMapPass:
         """Draw into ``target``: 1 in shadow, 0 elsewhere, no anti-aliasing; the whole target is drawn anew."""
         target.clear()
         seen = around_placed(matte.box, canvas_from_centred(cast.placement))
-        corners = [_corners(cast.camera, piece, seen) for piece in cast.card.pieces]
+        found = [_corners(cast.camera, piece, seen) for piece in cast.card.pieces]
+        corners = [each for each in found if len(each)]
         for receiver, light in product(cast.receivers, cast.lights):
             view = LightView.around(light, np.concatenate(corners))
             self._store_card(cast, corners, view, matte)
@@ -68,13 +69,13 @@ class DepthMapPass:
                 **view.uniforms(),
             }
         )
-        for quad in corners:
-            self._draw_quad(view, quad)
+        for polygon in corners:
+            self._draw_polygon(view, polygon)
         matte.texture.set_linear(magnified=False, minified=False)
 
-    def _draw_quad(self, view: LightView, quad: Matrix) -> None:
-        """Draw four world points as a fan, each given in light space and in the world."""
-        points = np.ascontiguousarray(np.hstack([view.seen(quad), quad]), dtype=np.float32)
+    def _draw_polygon(self, view: LightView, corners: Matrix) -> None:
+        """Draw world points (N, 3) as a fan, each given in light space and in the world."""
+        points = np.ascontiguousarray(np.hstack([view.seen(corners), corners]), dtype=np.float32)
         GL.glBindVertexArray(self._array)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
         GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
@@ -104,11 +105,8 @@ class DepthMapPass:
 
 
 def _corners(camera: Camera, piece: CardPiece, art: Box) -> Matrix:
-    """Return the world points (4, 3) of the part of a card piece that a drawing's box lies on."""
-    left, right = max(float(art.left), piece.left), min(float(art.right), piece.right)
-    return np.array([_on_piece(camera, piece, x, y) for y in (art.top, art.bottom) for x in (left, right)])[
-        [0, 1, 3, 2]
-    ]
+    """Return the world points (N, 3) of the part of a card piece that a drawing's box lies on; N may be 0."""
+    return np.array([_on_piece(camera, piece, x, y) for x, y in piece.part_of(art)]).reshape(-1, 3)
 
 
 def _on_piece(camera: Camera, piece: CardPiece, x: float, y: float) -> Matrix:

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from math import ceil, floor
 from typing import Final
 
 from kagezou.geometry.box import Box, around, centred_offset
 from kagezou.geometry.card import CardPiece, receiver_of
 from kagezou.geometry.placement import Placement, around_placed
+from kagezou.geometry.polygon import bounding_box
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Matte
 from kagezou.render.gpu.boxes import Boxes
@@ -20,12 +20,12 @@ from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.passes.figure_mattes import FigureMattes
+from kagezou.render.prepare.cast_uniforms import piece_limits
 from kagezou.render.prepare.moved import MOVED_ALPHA, moved_by, moved_uniforms
 from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import LayerScene, Received, Scene, Shade, ShadowCast, ShadowLook
 
 _ALPHA_BUDGET_BYTES = 64 << 20
-_BEYOND_PX = 1e6
 NO_SWITCHES: Final[frozenset[str]] = frozenset()
 
 
@@ -154,12 +154,13 @@ class ReceivedLayers:
     ) -> Box | None:
         """Add what one character casts on a piece of another's card; return the box that may hold it."""
         cast, matte = character
-        columns = _columns(piece, figure.box).intersection(target.box)
-        if columns is None or matte is None:
+        around_part = bounding_box(piece.part_of(figure.box))
+        part = None if around_part is None else around_part.intersection(target.box)
+        if part is None or matte is None:
             return None
         whole = self._scratches.like("whole", target)
         alone = replace(cast, receivers=(receiver_of(cast.camera, piece),))
-        box = self._caster.unite(alone, matte, whole, Window(columns))
+        box = self._caster.unite(alone, matte, whole, Window(part))
         if box is None:
             return None
         texture = self._alphas.made_of(figure.alpha, partial(_uploaded, figure.alpha))
@@ -168,25 +169,19 @@ class ReceivedLayers:
         GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
         whole.texture.bind(0)
         texture.bind(1)
-        self._cut[figure.switches].use(
+        switches, limits = piece_limits(piece)
+        self._cut[switches | figure.switches].use(
             {
                 "u_target_size_px": target.size_px,
                 "u_coverage": 0,
                 "u_alpha": 1,
-                "u_columns_px": (max(piece.left, -_BEYOND_PX), min(piece.right, _BEYOND_PX)),
                 **figure.uniforms,
+                **limits,
             }
         )
         self._boxes.draw_one(box)
         whole.clear(box)
         return box
-
-
-def _columns(piece: CardPiece, figure: Box) -> Box:
-    """Return the part of a figure whose pixels lie on a piece, wholly or partly."""
-    left = max(figure.left, floor(max(piece.left, -_BEYOND_PX)))
-    right = min(figure.right, ceil(min(piece.right, _BEYOND_PX)))
-    return Box(left, figure.top, max(left, right), figure.bottom)
 
 
 def _cleared(canvas: Box) -> Target:

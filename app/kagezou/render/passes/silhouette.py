@@ -10,14 +10,19 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from kagezou.geometry.box import Box
-from kagezou.geometry.placement import canvas_from_centred
-from kagezou.geometry.shadow import Cast, cast_card
+from kagezou.geometry.card import CardPiece
+from kagezou.geometry.placement import around_placed, canvas_from_centred
+from kagezou.geometry.polygon import bounding_box
+from kagezou.geometry.shadow import Cast, cast_on
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.mattes import MatteTexture, PlacedMatte, drawn_from
 from kagezou.render.gpu.program import Program, Variants
+from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.passes.filter import Blurred, ShapePass
+from kagezou.render.prepare.cast_uniforms import piece_limits
 from kagezou.render.prepare.filter_job import LARGEST_PLANE_PX, BlurView, FilterJob
 from kagezou.render.prepare.moved import MOVED_ALPHA, moved_by, moved_uniforms
 from kagezou.render.prepare.occupancy import Occupancy
@@ -47,6 +52,8 @@ class SilhouettePass:
         self._shaper = shaper
         self._placed = Variants("common/box.vert", "passes/placed.frag")
         self._neighbours = Program("common/box.vert", "common/neighbours.frag")
+        self._on_piece = Variants("common/box.vert", "passes/on_piece.frag")
+        self._scratches = Scratches()
         self._shape: Target | None = None
         self._sharp: Target | None = None
         self._on_gpu: MatteTexture | None = None
@@ -55,6 +62,8 @@ class SilhouettePass:
         """Give the memory back."""
         self._placed.close()
         self._neighbours.close()
+        self._on_piece.close()
+        self._scratches.close()
         for each in (self._shape, self._sharp, self._on_gpu):
             if each is not None:
                 each.close()
@@ -67,13 +76,14 @@ class SilhouettePass:
         """
         job = blurred.job
         views = list(_views(job, canvas)) if len(job.cast.lights) == 1 else []
-        if len(views) != len(job.cast.card.pieces):
+        if not views or None in views:
             return None
         shape, sharp = self._targets(canvas)
         shape.clear()
         self._place(blurred, sharp)
-        for view in views:
-            self._shaper.show(blurred, view, shape, sharp)
+        for found in views:
+            assert found is not None
+            self._draw_piece(blurred, found, (shape, sharp))
         # The outermost texels are what is found beyond.
         size = shape.box
         for rim in (
@@ -89,6 +99,25 @@ class SilhouettePass:
         self._on_gpu = MatteTexture(texture, Occupancy(shape.read(size), 0))
         placed = PlacedMatte(self._on_gpu, size.moved(-_AROUND_PX, -_AROUND_PX))
         return Silhouette(_with_its_edge(job.cast), placed)
+
+    def _draw_piece(self, blurred: Blurred, found: "_PieceView", targets: tuple[Target, Target]) -> None:
+        """Draw what of the silhouette lies on a piece of the card."""
+        shape, sharp = targets
+        if not found.piece.limits:
+            self._shaper.show(blurred, found.view, shape, sharp)
+            return
+        alone = self._scratches.like("alone", shape)
+        box = self._shaper.show(blurred, found.view, alone, sharp)
+        if box is None:
+            return
+        shape.bind(box)
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendEquation(GL.GL_MAX)
+        alone.texture.bind(0)
+        switches, limits = piece_limits(found.piece, (-_AROUND_PX, -_AROUND_PX))
+        self._on_piece[switches].use({"u_target_size_px": shape.size_px, "u_source": 0, **limits})
+        self._boxes.draw_one(box)
+        alone.clear(box)
 
     def _place(self, blurred: Blurred, sharp: Target) -> None:
         """Draw the drawing itself, for where the shadow is left as it is."""
@@ -118,33 +147,45 @@ class SilhouettePass:
         return self._shape, self._sharp
 
 
-def _views(job: FilterJob, canvas: Box) -> Iterator[BlurView]:
-    """Yield how each piece of the card shows the ground's shadow, seen from the light; none where it is not wholly."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _PieceView:
+    piece: CardPiece
+    view: BlurView
+
+
+def _views(job: FilterJob, canvas: Box) -> Iterator[_PieceView | None]:
+    """Yield how each piece that holds any of the drawing shows the ground's shadow, seen from the light.
+
+    None for one whose part does not cast wholly.
+    """
     cast = job.cast
     # The silhouette is put where the drawing is seen; from there on it is not moved any more.
-    corners = canvas_from_centred(cast.placement) @ _corners_of(job.matte.box)
-    for piece, found in zip(
-        cast.card.pieces, cast_card(cast.camera, cast.receivers[0], cast.card, cast.lights[0]), strict=False
-    ):
-        blurred_from_art = np.linalg.inv(_art_from_blurred(found, job))
-        u, v, w = blurred_from_art @ corners
-        if (w <= 1e-6 * np.abs(w).max()).any() or (np.maximum(np.abs(u), np.abs(v)) > LARGEST_PLANE_PX * w).any():
+    seen = around_placed(job.matte.box, canvas_from_centred(cast.placement))
+    around = canvas.grown(_AROUND_PX)
+    for piece in cast.card.pieces:
+        part, beyond = piece.part_of(seen), bounding_box(piece.part_of(around))
+        if len(part) == 0 or beyond is None:
+            continue
+        found = cast_on(cast.camera, cast.receivers[0], piece, cast.lights[0])
+        if found is None or not _casts_wholly(job, found, part):
+            yield None
             return
-        left = max(piece.left, float(canvas.left - _AROUND_PX)) + _AROUND_PX
-        right = min(piece.right, float(canvas.right + _AROUND_PX)) + _AROUND_PX
-        box = Box(round(left), 0, round(right), canvas.height + 2 * _AROUND_PX)
+        box = beyond.moved(_AROUND_PX - canvas.left, _AROUND_PX - canvas.top)
         shift = np.array([[1.0, 0.0, _AROUND_PX], [0.0, 1.0, _AROUND_PX], [0.0, 0.0, 1.0]])
-        yield BlurView(job, cast.receivers[0], shift @ np.linalg.inv(blurred_from_art), box, is_silhouette=True)
+        on_shape = shift @ _art_from_blurred(found, job)
+        yield _PieceView(piece, BlurView(job, cast.receivers[0], on_shape, box, is_silhouette=True))
+
+
+def _casts_wholly(job: FilterJob, found: Cast, part: Matrix) -> bool:
+    """Return whether the shadow of a part (N, 2) of the drawing lies where it can be filtered."""
+    corners = np.column_stack([part, np.ones(len(part))]).T
+    u, v, w = np.linalg.inv(_art_from_blurred(found, job)) @ corners
+    is_near = w > 1e-6 * np.abs(w).max()
+    return bool((is_near & (np.maximum(np.abs(u), np.abs(v)) <= LARGEST_PLANE_PX * w)).all())
 
 
 def _art_from_blurred(found: Cast, job: FilterJob) -> Matrix:
     return np.asarray(found.art_from_canvas @ job.canvas_from_plane)
-
-
-def _corners_of(box: Box) -> Matrix:
-    """Return the corners (3, 4) of a box, homogeneous."""
-    xs, ys = (box.left, box.right, box.right, box.left), (box.top, box.top, box.bottom, box.bottom)
-    return np.array([xs, ys, (1, 1, 1, 1)], dtype=np.float64)
 
 
 def _with_its_edge(cast: ShadowCast) -> ShadowCast:

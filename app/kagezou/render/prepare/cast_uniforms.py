@@ -6,18 +6,18 @@ from math import radians, sin
 
 import numpy as np
 
+from kagezou.geometry.card import CardPiece
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG, foot_of, grazing_strength
+from kagezou.geometry.polygon import distance_forms
 from kagezou.geometry.shadow import Cast, SpaceCast
-from kagezou.geometry.vectors import Matrix, Vector4, dot, height_over
+from kagezou.geometry.vectors import Matrix, Point2, Vector4, dot, height_over
 from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
 from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 
 NO_SWITCHES: frozenset[str] = frozenset()
 LAMP_IS_LOW = frozenset({"LAMP_IS_LOW"})
 TRANSLUCENT = frozenset({"TRANSLUCENT"})
-
-_NO_LIMIT = np.array([0.0, 0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,21 +106,42 @@ class Edges:
     def limits(self) -> dict[str, Uniform]:
         """Return the uniforms of the variants at a limit."""
         canvas_from_pixel = self.frame.canvas_from_pixel
-        return {
+        found: dict[str, Uniform] = {
             "u_side": self.cast.side @ canvas_from_pixel,
-            "u_left_fold": self.cast.left_fold @ canvas_from_pixel,
-            "u_right_fold": self.cast.right_fold @ canvas_from_pixel,
             "u_horizon": self.cast.horizon @ canvas_from_pixel,
         }
+        if len(self.cast.limits):
+            found["u_limits"] = np.pad([form @ canvas_from_pixel for form in self.cast.limits], ((0, 0), (0, 1)))
+        return found
+
+    def limit_switches(self) -> frozenset[str]:
+        """Return the switches of the variants at a limit."""
+        return frozenset({f"LIMITS {len(self.cast.limits)}"})
+
+
+def piece_limits(piece: CardPiece, corner: Point2 = (0.0, 0.0)) -> tuple[frozenset[str], dict[str, Uniform]]:
+    """Return the switches and uniforms of a shader that asks what of a drawing lies on a card piece.
+
+    ``corner`` is the canvas px at which the target begins.
+    """
+    forms = [(a, b, a * corner[0] + b * corner[1] + c) for a, b, c in piece.limits]
+    uniforms: dict[str, Uniform] = {}
+    if forms:
+        uniforms["u_limits"] = np.pad(distance_forms(np.array(forms)), ((0, 0), (0, 1)))
+    return frozenset({f"LIMITS {len(forms)}"}), uniforms
 
 
 def card_uniforms(cast: SpaceCast, matte: MatteOnCanvas, world_from_local: Matrix) -> dict[str, Uniform]:
     """Return what ``common/card_in_space.glsl`` wants of a card piece, for a matte on unit 0 and a (4, 4) shift."""
     corner = np.array([[1.0, 0.0, -matte.box.left], [0.0, 1.0, -matte.box.top], [0.0, 0.0, 1.0]])
     rows = corner @ cast.art_from_world @ world_from_local
-    forms = (cast.side, cast.left_fold, cast.right_fold)
-    limits = [_NO_LIMIT if form is None else form @ world_from_local for form in forms]
+    limits = [form @ world_from_local for form in cast.forms]
     return {"u_matte": 0, "u_texel_rows": rows / np.abs(rows[2]).max(), "u_limits": np.array(limits)}
+
+
+def card_switches(cast: SpaceCast, *, translucent: bool) -> frozenset[str]:
+    """Return the switches of ``common/card_in_space.glsl``."""
+    return frozenset({f"LIMITS {len(cast.forms)}"}) | (TRANSLUCENT if translucent else NO_SWITCHES)
 
 
 def _balanced(matrix: Matrix) -> Matrix:

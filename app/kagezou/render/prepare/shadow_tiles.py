@@ -174,7 +174,7 @@ def _corner_of(box: Box) -> Matrix:
 
 def _limits(cast: Cast, columns: Codes, rows: Codes) -> tuple[Flags, Flags]:
     """Return which tiles, row by row, lie wholly beyond a limit of the cast, and which wholly within all of them."""
-    forms = np.array([cast.side, cast.horizon, cast.left_fold, cast.right_fold])
+    forms = np.array([cast.side, cast.horizon, *cast.limits])
     middles = (columns + 0.5) * TILE_PX, (rows + 0.5) * TILE_PX
     across, down = (forms[:, axis, np.newaxis] * middles[axis] for axis in (0, 1))
     # The farthest corner of a tile is as far from each line through its middle as the line's slopes say.

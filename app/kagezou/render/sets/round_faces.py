@@ -20,7 +20,7 @@ from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Target
 from kagezou.render.meshes.occlusion import Screen, light_uniforms
-from kagezou.render.prepare.cast_uniforms import card_uniforms
+from kagezou.render.prepare.cast_uniforms import card_switches, card_uniforms
 from kagezou.render.prepare.mask_tiles import Flags, region_states
 from kagezou.render.prepare.mask_uniforms import LIGHT
 from kagezou.render.prepare.set_as_seen import SetAsSeen
@@ -158,10 +158,10 @@ class RoundPass:
         tiling = _shaded_tiles(lit, pieces, matte, target.box)
         if tiling.box is None:
             return None
-        switches = lit.switches | ({"TRANSLUCENT"} if cast.translucent else set())
         self._begin(lit, target)
         uniforms = {"u_target_size_px": target.size_px, **lit.uniforms(), **lit.tables(self._tables)}
         for piece in pieces:
+            switches = lit.switches | card_switches(piece, translucent=cast.translucent)
             matte.texture.bind(0)
             self._programs[switches].use(uniforms | lit.piece_uniforms(piece, matte))
             self._boxes.draw(tiling.boxes)
