@@ -15,7 +15,8 @@ from kagezou.geometry.shadow import cast_on
 from kagezou.importing.figures import figure_in
 from kagezou.importing.staging import CharacterSource, new_document, with_characters
 from kagezou.io.project.file import load, save
-from kagezou.scene.evaluate import camera_at, card_at, ground_at
+from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.scene.figure_card import card_at
 from tests.importing.cel_files import write_cel, write_walk
 
 SAMPLE_SOURCES = (
@@ -38,7 +39,7 @@ def shadow_box(document: Document) -> Box:
     assert isinstance(place, tuple)
     fallen = []
     for layer in document.layers:
-        (piece,) = card_at(layer, 1, camera, ground).pieces
+        (piece,) = card_at(document, layer, 1, camera, ground).pieces
         x, y, z = (float(part) for part in place if isinstance(part, float))
         cast = cast_on(camera, ground, piece, lamp((x, y, z)))
         figure = figure_in(layer.cels.drawings[0].path, document.canvas.box)

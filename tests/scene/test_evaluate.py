@@ -15,7 +15,8 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.light import sun
 from kagezou.picture_source import PicturePart
-from kagezou.scene.evaluate import card_at, contact_of, evaluate, light_at
+from kagezou.scene.evaluate import contact_of, evaluate, light_at
+from kagezou.scene.figure_card import card_at
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import PlacedDrawing, ShadowLook
 from tests.documents import documents
@@ -104,7 +105,7 @@ def test_a_lamp_overhead_becomes_four() -> None:
 def test_the_contact_is_the_middle_of_the_grounding_points() -> None:
     document = document_with(ground__position=[150, 250], grounding=[[120, 250], [200, 250]])
     scene = evaluate(document, 1)
-    card = card_at(document.layers[0], 1, scene.camera, scene.ground)
+    card = card_at(document, document.layers[0], 1, scene.camera, scene.ground)
     assert contact_of(card, scene.ground) == pytest.approx((160.0, 250.0, 0.0))
 
 

@@ -16,7 +16,8 @@ from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import foot_of
 from kagezou.geometry.shadow import cast_on
 from kagezou.geometry.vectors import Point2, Vector3, height_over
-from kagezou.scene.evaluate import camera_at, card_at, ground_at, light_at
+from kagezou.scene.evaluate import camera_at, ground_at, light_at
+from kagezou.scene.figure_card import card_at
 from kagezou.tools.ground import LEVER_VIEW_PX
 from kagezou.tools.handles import handles_of
 from kagezou.tools.light import MIN_HEIGHT_PX
@@ -197,7 +198,7 @@ def test_the_tip_lies_where_the_head_s_shadow_is_drawn(document: Document) -> No
     assume(tip)
     assert tip is not None
     camera, ground = camera_at(document, 1), ground_of(document)
-    card = card_at(document.layer(LAYER), 1, camera, ground)
+    card = card_at(document, document.layer(LAYER), 1, camera, ground)
     piece = next(piece for piece in card.pieces if piece.holds((500.0, 500.0)))
     cast = cast_on(camera, ground, piece, light_at(document, 1, ground))
     assume(cast)  # a light within the card's own plane casts a line

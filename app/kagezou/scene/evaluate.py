@@ -1,17 +1,18 @@
 """From a document and a frame to the scene."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from kagezou.document import figure_properties, properties, set_properties
+from kagezou.document import properties, set_properties
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.card import Card, card_for
+from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
+from kagezou.scene.figure_card import Moment, card_of
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
 from kagezou.scene.placing import drawing_of, shown_parts
 from kagezou.scene.receiving import with_received
@@ -41,7 +42,7 @@ def evaluate(document: Document, frame: int) -> Scene:
     ground = ground_at(document, frame)
     pieces = pieces_at(document, frame, camera, ground)
     has_ground = value_at(document.tracks, set_properties.GROUND_RECEIVES, frame)
-    stands = _Stands(document, frame, camera, ground)
+    stands = Moment(document, frame, camera, ground)
     layers = tuple(
         _on_set(_layer_scene(stands, layer), pieces, has_ground=has_ground)
         for layer in document.layers
@@ -76,14 +77,6 @@ def light_at(document: Document, frame: int, ground: Plane) -> Vector4:
     return lamp(value_at(document.tracks, properties.LIGHT_POSITION, frame))
 
 
-def card_at(layer: Layer, frame: int, camera: Camera, ground: Plane) -> Card:
-    """Return the card a layer's drawing stands on at a frame."""
-    points = value_at(layer.tracks, properties.GROUNDING, frame)
-    tilt = value_at(layer.tracks, properties.TILT, frame)
-    upright = value_at(layer.tracks, figure_properties.UPRIGHT, frame)
-    return card_for(camera, ground, points, tilt, layer.figure.height, upright)
-
-
 def contact_of(card: Card, ground: Plane) -> Vector3:
     """Return where the character stands: the middle of its grounding points' places, else the ground's position."""
     if not card.contacts:
@@ -92,24 +85,14 @@ def contact_of(card: Card, ground: Plane) -> Vector3:
     return (x, y, z)
 
 
-@dataclass(frozen=True, slots=True)
-class _Stands:
-    """Where layers stand on a frame."""
-
-    document: Document
-    frame: int
-    camera: Camera
-    ground: Plane
-
-
-def _layer_scene(on: _Stands, layer: Layer) -> LayerScene:
+def _layer_scene(on: Moment, layer: Layer) -> LayerScene:
     drawing = drawing_of(on.document, layer, on.frame)
     figure = layer if layer.joins is None else on.document.layer(layer.joins)
     parts = parts_of(on.document, figure.id)
     # Everything about the shadow but the camera, the ground under it and where cels lie may wait for the next drawing.
     waits = value_at(figure.tracks, properties.TIMING, on.frame) == "exposures"
     moment = max(part.cels.exposed_since(on.frame) for part in parts) if waits else on.frame
-    card = card_at(figure, moment, on.camera, on.ground)
+    card = card_of(on, figure, moment)
     cast = None
     if layer is figure:
         cels = (drawing_of(on.document, part, on.frame) for part in shown_parts(on.document, figure.id, on.frame))
@@ -117,7 +100,7 @@ def _layer_scene(on: _Stands, layer: Layer) -> LayerScene:
     return LayerScene(layer.id, layer.name, drawing, cast, _look(figure.tracks, moment), card, figure.id)
 
 
-def _cast(on: _Stands, layer: Layer, cels: tuple[PlacedDrawing, ...], standing: tuple[Card, int]) -> ShadowCast | None:
+def _cast(on: Moment, layer: Layer, cels: tuple[PlacedDrawing, ...], standing: tuple[Card, int]) -> ShadowCast | None:
     """Return what the cels of a figure cast together, None where all are empty."""
     if not cels:
         return None

@@ -13,7 +13,8 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Point2, Vector3, Vector4
-from kagezou.scene.evaluate import camera_at, card_at, contact_of, ground_at, light_at
+from kagezou.scene.evaluate import camera_at, contact_of, ground_at, light_at
+from kagezou.scene.figure_card import card_at
 from kagezou.scene.piece_frames import PieceFrame, piece_frame
 from kagezou.tools.view import CanvasView
 
@@ -44,7 +45,7 @@ class FrameGeometry:
         """Work a frame out; KeyError where the document has no such layer or set piece."""
         camera, ground = camera_at(document, frame), ground_at(document, frame)
         layer = None if layer_id is None else document.layer(layer_id)
-        card = None if layer is None else card_at(layer, frame, camera, ground)
+        card = None if layer is None else card_at(document, layer, frame, camera, ground)
         piece = None if piece_id is None else piece_frame(document.piece(piece_id), frame, camera, ground)
         light = light_at(document, frame, ground)
         return cls(document, frame, view, layer, camera, ground, light, card, piece_id, piece)

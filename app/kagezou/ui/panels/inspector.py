@@ -14,7 +14,8 @@ from kagezou.document.properties import TABLE
 from kagezou.document.property import AnyProperty, Scope
 from kagezou.document.set_properties import SET_BLEND, SET_COLOR, SET_OPACITY
 from kagezou.document.values import value_at
-from kagezou.scene.evaluate import camera_at, card_at, ground_at
+from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.scene.figure_card import card_at
 from kagezou.ui.panels.piece_sections import PieceName, piece_sections
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.row_menu import PropertyMenus
@@ -193,7 +194,7 @@ class Inspector(QScrollArea):
             return
         document, frame = self._bridge.document, self._bridge.frame
         camera, ground = camera_at(document, frame), ground_at(document, frame)
-        cards = [card_at(document.layer(each), frame, camera, ground) for each in ids]
+        cards = [card_at(document, document.layer(each), frame, camera, ground) for each in ids]
         row = self.row(properties.TILT.name)
         row.set_editable(editable=all(len(card.contacts) < 2 for card in cards))
         if len(cards) == 1 and len(cards[0].contacts) >= 2:
