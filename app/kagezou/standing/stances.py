@@ -1,0 +1,82 @@
+"""How a figure stands over time: which foot carries, the ground below each, and how high it is."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from kagezou.standing.carrying import carrying
+from kagezou.standing.flights import airborne
+from kagezou.standing.foot import Verdict
+from kagezou.standing.motion import Flags, Floats, Motion, motion_of
+from kagezou.standing.seen import Seen, Stance, Standing
+
+
+def stances(sequence: Sequence[Seen]) -> tuple[Stance, ...]:
+    """Return how the figure stands in each run of frames.
+
+    A planted foot has the ground at its own row. Below a lifted one it is interpolated in time between the contact that
+    the foot left and the one that it comes to; before the first and after the last it is the nearest. A foot without
+    any contact has the ground of those that carry. What a person said wins.
+
+    Parameters
+    ----------
+    sequence
+        In the order of frames.
+    """
+    if not sequence:
+        return ()
+    motion = motion_of(sequence)
+    found = carrying(motion)
+    air = airborne(motion)
+    planted = _with_verdicts(found.planted & ~air[:, None], motion, sequence)
+    ground = _ground(motion, planted)
+    over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
+    lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
+    doubt = _doubts(found.is_narrow & ~air, sequence)
+    return tuple(
+        Stance(_standings(motion, planted, ground, row), float(lift[row]), bool(doubt[row]))
+        for row in range(len(sequence))
+    )
+
+
+def _with_verdicts(planted: Flags, motion: Motion, sequence: Sequence[Seen]) -> Flags:
+    """Return ``planted`` with what a person said."""
+    result = planted.copy()
+    for row, seen in enumerate(sequence):
+        for foot in seen.feet:
+            if foot.verdict is not None:
+                result[row, motion.tracks.index(foot.track)] = foot.verdict is Verdict.PLANTED
+    return result & motion.seen
+
+
+def _ground(motion: Motion, planted: Flags) -> Floats:
+    """Return (N, K) the row of the ground below each foot, canvas px."""
+    some = planted.any(axis=1)
+    if not some.any():
+        return motion.y
+    carrying_rows = np.where(planted, motion.y, -np.inf).max(axis=1)
+    common = np.interp(motion.frames, motion.frames[some], carrying_rows[some])
+    ground = np.repeat(common[:, None], motion.seen.shape[1], axis=1)
+    for column in np.flatnonzero(planted.any(axis=0)):
+        at = planted[:, column]
+        ground[:, column] = np.interp(motion.frames, motion.frames[at], motion.y[at, column])
+    return ground
+
+
+def _doubts(is_narrow: Flags, sequence: Sequence[Seen]) -> Flags:
+    """Return (N,) whether a person should look; where a person has decided nobody needs to."""
+    said: Flags = np.array([any(foot.verdict for foot in seen.feet) for seen in sequence], np.bool_)
+    doubt: Flags = is_narrow & ~said
+    return doubt
+
+
+def _standings(motion: Motion, planted: Flags, ground: Floats, row: int) -> tuple[Standing, ...]:
+    return tuple(
+        Standing(
+            motion.tracks[column],
+            (float(motion.x[row, column]), float(motion.y[row, column])),
+            float(ground[row, column]),
+            bool(planted[row, column]),
+        )
+        for column in np.flatnonzero(motion.seen[row]).tolist()
+    )
