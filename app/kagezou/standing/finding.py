@@ -5,8 +5,6 @@ from dataclasses import dataclass
 from enum import Enum
 from statistics import median
 
-import numpy as np
-
 from kagezou.message import Message
 from kagezou.standing.foot import Foot
 from kagezou.standing.minima import Minimum, minima_of
@@ -14,11 +12,10 @@ from kagezou.standing.outline import Outline, longest_run
 from kagezou.standing.tracks import Tracks, joined, tracked
 
 _BASE = 0.03  # of the height: what lies no higher over the lowest pixel rests on the ground
-_BROAD_IN_ONE = 0.32  # of the height: wider than a foot, and than two that are close together
-_BROAD_IN_ALL = 0.55
+_BROAD = 0.4  # of the height: wider than a foot, and than two that are close together
 _CUT = 0.25  # of the height: a body, not a sole, runs out of the picture
 _REACH = 0.45  # of the height: a foot is lifted no higher than a hip
-_TOUCHES = 0.03  # of the height: a foot comes this close to the lowest one at least once
+_TOUCHES = 0.06  # of the height: a foot that is farther away can stand so much higher in the picture
 _MOST = 4  # feet of a figure
 
 
@@ -83,12 +80,7 @@ def _footless(outline: Outline | None) -> Footless | None:
     if outline.cut_px > _CUT * outline.height_px:
         return Footless.CUT_OFF
     rests = outline.lower >= outline.box.bottom - _BASE * outline.height_px
-    if (
-        longest_run(rests) > _BROAD_IN_ONE * outline.height_px
-        or np.count_nonzero(rests) > _BROAD_IN_ALL * outline.height_px
-    ):
-        return Footless.BROAD
-    return None
+    return Footless.BROAD if longest_run(rests) > _BROAD * outline.height_px else None
 
 
 def _in_reach(minima: tuple[Minimum, ...], height_px: float) -> tuple[Minimum, ...]:

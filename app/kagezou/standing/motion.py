@@ -1,4 +1,4 @@
-"""How feet move from each drawing to the next, told in heights of the figure a frame."""
+"""How feet move from each drawing to the next, told in heights of the figure a frame of the cinema: 1/24 s."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,9 +16,12 @@ Flags: TypeAlias = NDArray[np.bool_]
 SLOW = 0.012
 """Heights a frame: a foot that moves no faster than this stays where it is, but for the drawing's unevenness."""
 
+UNKNOWN = 1e9
+"""Heights, or heights a frame: more than any that is known."""
+
+_FPS = 24
 _HOLD = 3  # times the usual exposure: the figure rests in a drawing that is held so long
 _PAN_WINDOW = 15
-_UNKNOWN = 1e9
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -37,12 +40,16 @@ class Motion:
         (N, K) whether a track is seen, and nobody said that it is no foot.
     x, y
         (N, K) places, canvas px; 0 where it is not seen.
+    may_carry
+        (N, K) whether a track is seen, and nobody said that it is lifted.
+    unit_px
+        (N - 1,) how far a step of one height a frame goes.
     followed
         (N - 1, K) whether a track is seen before and after a step.
     vx, vy
         (N - 1, K) heights a frame; 0 where it is not followed.
-    rests
-        (N,) whether the figure is held in a drawing for long, or nothing is known before or after it.
+    is_held
+        (N,) whether the figure rests in a drawing that is held for long; in the last one nobody knows.
     """
 
     tracks: tuple[int, ...]
@@ -51,10 +58,12 @@ class Motion:
     seen: Flags
     x: Floats
     y: Floats
+    may_carry: Flags
+    unit_px: Floats
     followed: Flags
     vx: Floats
     vy: Floats
-    rests: Flags
+    is_held: Flags
 
     @property
     def shown(self) -> Flags:
@@ -65,52 +74,63 @@ class Motion:
     @property
     def lowest(self) -> NDArray[np.intp]:
         """The column of each run's lowest foot; 0 where none is seen."""
-        column: NDArray[np.intp] = np.where(self.seen, self.y, -_UNKNOWN).argmax(axis=1)
+        return self.lowest_of(self.seen)
+
+    def lowest_of(self, feet: Flags) -> NDArray[np.intp]:
+        """Return the column of each run's lowest among ``feet`` (N, K); 0 where there are none."""
+        column: NDArray[np.intp] = np.where(feet, self.y, -UNKNOWN).argmax(axis=1)
         return column
 
     def above(self, columns: NDArray[np.intp]) -> Floats:
         """Return how far each foot is over that of ``columns`` (N,), in heights, (N, K); much where it is not seen."""
         rows = np.take_along_axis(self.y, columns[:, None], axis=1)
-        above: Floats = np.where(self.seen, (rows - self.y) / self.height[:, None], _UNKNOWN)
+        above: Floats = np.where(self.seen, (rows - self.y) / self.height[:, None], UNKNOWN)
         return above
 
 
-def motion_of(sequence: Sequence[Seen]) -> Motion:
-    """Return the motion of the feet in ``sequence``, which has one run of frames or more, in order."""
+def motion_of(sequence: Sequence[Seen], fps: float) -> Motion:
+    """Return the motion of the feet in ``sequence``, one run of frames or more, in order, at ``fps`` a second."""
     tracks = tuple(sorted({foot.track for seen in sequence for foot in seen.feet})) or (0,)
     column = {track: index for index, track in enumerate(tracks)}
     shape = len(sequence), len(tracks)
-    seen, x, y = np.zeros(shape, np.bool_), np.zeros(shape), np.zeros(shape)
+    seen, may_carry, x, y = np.zeros(shape, np.bool_), np.zeros(shape, np.bool_), np.zeros(shape), np.zeros(shape)
     for row, each in enumerate(sequence):
         for foot in each.feet:
             if foot.verdict is not Verdict.NONE:
                 at = row, column[foot.track]
-                seen[at], x[at], y[at] = True, foot.place[0], foot.place[1]
+                seen[at], may_carry[at] = True, foot.verdict is not Verdict.LIFTED
+                x[at], y[at] = foot.place
     frames = np.array([each.frame for each in sequence], np.float64)
     height = np.array([each.height_px or 1.0 for each in sequence])
     lengths = np.diff(frames)
-    usual = float(np.median(lengths)) if lengths.size else 1.0
+    usual = usual_exposure(frames)
     # A drawing that is held changes at once, not slowly during the hold.
-    unit = (np.minimum(lengths, usual) * (height[1:] + height[:-1]) / 2)[:, None]
+    unit_px = np.minimum(lengths, usual) * (_FPS / fps) * (height[1:] + height[:-1]) / 2
     followed = seen[1:] & seen[:-1]
-    vx, vy = (np.where(followed, np.diff(places, axis=0) / unit, 0.0) for places in (x, y))
-    rests = np.concatenate((lengths >= max(_HOLD * usual, 2.0), [True]))
-    return Motion(tracks, frames, height, seen, x, y, followed, vx, vy, rests)
+    vx, vy = (np.where(followed, np.diff(places, axis=0) / unit_px[:, None], 0.0) for places in (x, y))
+    is_held = np.concatenate((lengths >= _HOLD * usual, [False]))
+    return Motion(tracks, frames, height, seen, x, y, may_carry, unit_px, followed, vx, vy, is_held)
+
+
+def usual_exposure(frames: Floats) -> float:
+    """Return for how many frames a drawing is seen in most cases; ``frames`` (N,) are the first ones of each."""
+    return float(np.median(np.diff(frames))) if frames.size > 1 else 1.0
 
 
 def slide_of(motion: Motion) -> Floats:
     """Return (N, K) how fast each foot slides over the ground, heights a frame; on the slower side of the two.
 
+    `UNKNOWN` where it is seen neither before nor after.
     A figure that walks on the spot has a ground that runs below it: its common speed is the median of that of the
     lowest feet around the time.
     """
     ground = _ground_speed(motion)[:, None]
-    speed = np.where(motion.followed, np.hypot(motion.vx - ground, motion.vy), _UNKNOWN)
     # Part of the ground's own speed is granted: it is drawn unevenly, and eases.
-    speed = np.maximum(0.0, speed - np.abs(ground) / 3)
-    unknown = np.full((1, motion.seen.shape[1]), _UNKNOWN)
-    slower = np.minimum(np.concatenate((unknown, speed)), np.concatenate((speed, unknown)))
-    return np.where(slower == _UNKNOWN, 0.0, slower)
+    along = np.maximum(0.0, np.abs(motion.vx - ground) - np.abs(ground) / 3)
+    speed = np.where(motion.followed, np.hypot(along, motion.vy), UNKNOWN)
+    unknown = np.full((1, motion.seen.shape[1]), UNKNOWN)
+    slower: Floats = np.minimum(np.concatenate((unknown, speed)), np.concatenate((speed, unknown)))
+    return slower
 
 
 def _ground_speed(motion: Motion) -> Floats:

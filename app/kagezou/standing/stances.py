@@ -7,11 +7,13 @@ import numpy as np
 from kagezou.standing.carrying import carrying
 from kagezou.standing.flights import airborne
 from kagezou.standing.foot import Verdict
-from kagezou.standing.motion import Flags, Floats, Motion, motion_of
+from kagezou.standing.motion import Flags, Floats, Motion, motion_of, slide_of
 from kagezou.standing.seen import Seen, Stance, Standing
 
+_LOW = 0.02  # of the height: over the ground by less than that may be a sole that rolls
 
-def stances(sequence: Sequence[Seen]) -> tuple[Stance, ...]:
+
+def stances(sequence: Sequence[Seen], fps: float = 24.0) -> tuple[Stance, ...]:
     """Return how the figure stands in each run of frames.
 
     A planted foot has the ground at its own row. Below a lifted one it is interpolated in time between the contact that
@@ -22,17 +24,21 @@ def stances(sequence: Sequence[Seen]) -> tuple[Stance, ...]:
     ----------
     sequence
         In the order of frames.
+    fps
+        Frames a second: how fast a foot may move while it carries, and must to jump, is a matter of seconds.
     """
     if not sequence:
         return ()
-    motion = motion_of(sequence)
-    found = carrying(motion)
-    air = airborne(motion)
+    motion = motion_of(sequence, fps)
+    slide = slide_of(motion)
+    found = carrying(motion, slide)
+    air = airborne(motion, slide)
     planted = _with_verdicts(found.planted & ~air[:, None], motion, sequence)
     ground = _ground(motion, planted)
     over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
     lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
-    doubt = _doubts(found.is_narrow & ~air, sequence)
+    is_low = (lift > 0) & (lift < _LOW * motion.height)
+    doubt = (is_low | found.is_narrow & ~air) & ~_said(sequence)
     return tuple(
         Stance(_standings(motion, planted, ground, row), float(lift[row]), bool(doubt[row]))
         for row in range(len(sequence))
@@ -63,11 +69,9 @@ def _ground(motion: Motion, planted: Flags) -> Floats:
     return ground
 
 
-def _doubts(is_narrow: Flags, sequence: Sequence[Seen]) -> Flags:
-    """Return (N,) whether a person should look; where a person has decided nobody needs to."""
-    said: Flags = np.array([any(foot.verdict for foot in seen.feet) for seen in sequence], np.bool_)
-    doubt: Flags = is_narrow & ~said
-    return doubt
+def _said(sequence: Sequence[Seen]) -> Flags:
+    """Return (N,) whether a person has decided: nobody needs to look again."""
+    return np.array([any(foot.verdict for foot in seen.feet) for seen in sequence], np.bool_)
 
 
 def _standings(motion: Motion, planted: Flags, ground: Floats, row: int) -> tuple[Standing, ...]:
