@@ -10,6 +10,7 @@ from kagezou.standing.foot import Verdict
 from kagezou.standing.motion import Flags, Floats, Motion, motion_of, slide_of
 from kagezou.standing.seen import Seen, Stance, Standing
 
+_LEVEL = 0.01  # of the height: a contact is level, but for ground that wanders
 _LOW = 0.02  # of the height: over the ground by less than that may be a sole that rolls
 
 
@@ -38,7 +39,7 @@ def stances(sequence: Sequence[Seen], fps: float = 24.0) -> tuple[Stance, ...]:
     over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
     lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
     is_low = (lift > 0) & (lift < _LOW * motion.height)
-    doubt = (is_low | found.is_narrow & ~air) & ~_said(sequence)
+    doubt = (is_low | found.is_narrow & ~air | _uneven(motion, planted)) & ~_said(sequence)
     return tuple(
         Stance(_standings(motion, planted, ground, row), float(lift[row]), bool(doubt[row]))
         for row in range(len(sequence))
@@ -67,6 +68,18 @@ def _ground(motion: Motion, planted: Flags) -> Floats:
         at = planted[:, column]
         ground[:, column] = np.interp(motion.frames, motion.frames[at], motion.y[at, column])
     return ground
+
+
+def _uneven(motion: Motion, planted: Flags) -> Flags:
+    """Return (N,) where a contact begins or ends that is not level with the rest of it: the foot may be in the air."""
+    level = np.abs(np.diff(motion.y, axis=0)) < _LEVEL * motion.height[1:, None]
+    uneven = planted[1:] & planted[:-1] & ~level
+    begins = uneven[1:] & ~planted[:-2] & motion.shown[:-2, None]
+    ends = uneven[:-1] & ~planted[2:] & motion.shown[2:, None]
+    result = np.zeros_like(planted)
+    result[1:-1] = begins | ends
+    uneven_runs: Flags = np.any(result, axis=1)
+    return uneven_runs
 
 
 def _said(sequence: Sequence[Seen]) -> Flags:
