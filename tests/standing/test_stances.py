@@ -44,6 +44,32 @@ def test_a_walk_on_twos_and_threes() -> None:
         assert all(stance.lift_px == 0 for stance in result)
 
 
+<<<<<<< HEAD
+=======
+@pytest.mark.parametrize("exposure", [1, 2, 3])
+def test_a_walk_slid_on_ones_whatever_its_drawings_are_on(exposure: int) -> None:
+    cycle = 24 // exposure
+    poses, speed_px = walk(2 * cycle, cycle), walk_speed(cycle) / exposure
+    found = found_feet(drawn(poses))
+    moved = tuple(
+        Seen(
+            frame,
+            300.0,
+            tuple(
+                SeenFoot(foot.track, (foot.place[0] + frame * speed_px, foot.place[1]))
+                for foot in found[frame // exposure].feet
+            ),
+            frame // exposure,
+        )
+        for frame in range(len(poses) * exposure)
+    )
+    result = stances(moved)
+    right = _right([poses[frame // exposure] for frame in range(len(moved))], result, speed_px)
+    assert sum(right) >= 0.9 * len(right)
+    assert all(stance.lift_px == 0 for stance in result)
+
+
+>>>>>>> feet
 RISES_PX = (0, 0, 0, 0, 12, 34, 52, 62, 64, 62, 52, 34, 12, 0, 0, 0)
 
 
@@ -56,6 +82,19 @@ def test_a_jump_is_in_the_air_exactly_while_it_is(exposure: int, fps: float) -> 
     assert all(foot.ground_row == pytest.approx(GROUND) for stance in result for foot in stance.feet)
 
 
+<<<<<<< HEAD
+=======
+@pytest.mark.parametrize("drawings", [1, 4])
+def test_a_jump_of_drawings_that_are_moved(drawings: int) -> None:
+    sequence = [
+        Seen(frame, 300.0, (SeenFoot(0, (200.0 + 3 * frame, 350.0 - up)),), frame * drawings // len(RISES_PX))
+        for frame, up in enumerate(RISES_PX)
+    ]
+    lifts = [stance.lift_px for stance in stances(sequence)]
+    assert [bool(lift) for lift in lifts] == [up > 0 for up in RISES_PX]
+
+
+>>>>>>> feet
 def test_a_run_is_in_the_air_between_its_steps() -> None:
     poses = run(6)
     result = stances(seen(found_feet(drawn(poses))))

@@ -94,9 +94,13 @@ class Cels:
 
     def drawing_at(self, frame: int) -> Drawing | None:
         """Return what is exposed at a frame, None for an empty cel."""
-        after = bisect_right(self.exposures, frame, key=lambda exposure: exposure.frame)
-        index = self.exposures[after - 1].drawing if after else None
+        index = self.index_at(frame)
         return None if index is None else self.drawings[index]
+
+    def index_at(self, frame: int) -> int | None:
+        """Return which drawing is exposed at a frame, None for an empty cel."""
+        after = bisect_right(self.exposures, frame, key=lambda exposure: exposure.frame)
+        return self.exposures[after - 1].drawing if after else None
 
     def exposed_since(self, frame: int) -> int:
         """Return the frame on which what is seen at ``frame`` came to be seen."""

@@ -77,8 +77,17 @@ def _made(document: Document, parts: Sequence[Layer]) -> FigureStances | None:
     if len(parts) > 1:
         feet = _near_the_ground(feet, height)
     runs = zip(frames, heights, feet, strict=True)
-    seen = [Seen(frame, height if shown > 0 else 0.0, found) for frame, shown, found in runs]
-    return FigureStances(tuple(frames), stances(seen), height)
+    numbers: dict[tuple[int | None, ...], int] = {}
+    seen = [
+        Seen(frame, height if shown > 0 else 0.0, found, numbers.setdefault(_exposed(parts, frame), len(numbers)))
+        for frame, shown, found in runs
+    ]
+    return FigureStances(tuple(frames), stances(seen, float(document.canvas.frame_rate)), height)
+
+
+def _exposed(parts: Sequence[Layer], frame: int) -> tuple[int | None, ...]:
+    """Return which drawing of each part is exposed on a frame."""
+    return tuple(part.cels.index_at(frame) for part in parts)
 
 
 def _run_starts(document: Document, parts: Sequence[Layer]) -> list[int]:

@@ -1,12 +1,20 @@
 """How a figure stands over time: which foot carries, the ground below each, and how high it is."""
 
 from collections.abc import Sequence
+<<<<<<< HEAD
+=======
+from dataclasses import dataclass
+>>>>>>> feet
 
 import numpy as np
 
 from kagezou.standing.carrying import carrying
 from kagezou.standing.flights import airborne
 from kagezou.standing.foot import Verdict
+<<<<<<< HEAD
+=======
+from kagezou.standing.key_runs import key_runs
+>>>>>>> feet
 from kagezou.standing.motion import Flags, Floats, Motion, motion_of, slide_of
 from kagezou.standing.seen import Seen, Stance, Standing
 
@@ -30,11 +38,39 @@ def stances(sequence: Sequence[Seen], fps: float = 24.0) -> tuple[Stance, ...]:
     """
     if not sequence:
         return ()
+<<<<<<< HEAD
+=======
+    keys, key_of = key_runs(sequence)
+    decided = _decided([sequence[key] for key in keys], fps)
+    motion = motion_of(sequence, fps)
+    planted = decided.planted[key_of]
+    ground = _ground(motion, planted)
+    over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
+    lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
+    is_low = (lift > 0) & (lift < _LOW * motion.height) & ~_said(sequence)
+    doubt = decided.doubt[key_of] | is_low
+    return tuple(
+        Stance(_standings(motion, planted, ground, row), float(lift[row]), bool(doubt[row]))
+        for row in range(len(sequence))
+    )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Decided:
+    """For N runs of frames and K tracks what carries, (N, K), and where it was close, (N,)."""
+
+    planted: Flags
+    doubt: Flags
+
+
+def _decided(sequence: Sequence[Seen], fps: float) -> _Decided:
+>>>>>>> feet
     motion = motion_of(sequence, fps)
     slide = slide_of(motion)
     found = carrying(motion, slide)
     air = airborne(motion, slide)
     planted = _with_verdicts(found.planted & ~air[:, None], motion, sequence)
+<<<<<<< HEAD
     ground = _ground(motion, planted)
     over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
     lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
@@ -44,6 +80,9 @@ def stances(sequence: Sequence[Seen], fps: float = 24.0) -> tuple[Stance, ...]:
         Stance(_standings(motion, planted, ground, row), float(lift[row]), bool(doubt[row]))
         for row in range(len(sequence))
     )
+=======
+    return _Decided(planted, (found.is_narrow & ~air | _uneven(motion, planted)) & ~_said(sequence))
+>>>>>>> feet
 
 
 def _with_verdicts(planted: Flags, motion: Motion, sequence: Sequence[Seen]) -> Flags:

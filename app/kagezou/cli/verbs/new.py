@@ -2,12 +2,17 @@
 
 from argparse import Namespace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, frame_rate, named_part, named_source, project_path, size
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import note
 from kagezou.errors import OutputProblem
 from kagezou.message import Message
+
+if TYPE_CHECKING:
+    from kagezou.document.model import Document
+    from kagezou.importing.imported import Imported
 
 DESCRIPTION = (
     "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', "
@@ -40,8 +45,7 @@ def add_arguments(parser: Parser) -> None:
         action="append",
         dest="character",
         metavar="CHARACTER=NAME=DIR_OR_FILE",
-        help="one more cel of a character, such as an arm: both are one figure with one shadow; "
-        "it lies over what was named before it",
+        help="one more cel of a character, such as an arm, over what was named before: one figure, one shadow",
     )
     parser.add_argument(
         "--psd",
@@ -59,12 +63,9 @@ def add_arguments(parser: Parser) -> None:
         "--timesheet",
         type=Path,
         metavar="SHEET.xdts",
-        help="when which drawing is exposed (also .tdts, .sts); "
-        "without --character its columns find their drawings beside it",
+        help="when which drawing is exposed (also .tdts, .sts); without --character its columns find their drawings",
     )
-    parser.add_argument(
-        "--no-feet", action="store_true", help="do not look for the characters' feet; kagezou feet does so later"
-    )
+    parser.add_argument("--no-feet", action="store_true", help="do not look for feet; kagezou feet does so later")
     parser.add_argument("--force", action="store_true", help="replace a project that is there")
 
 
@@ -98,16 +99,20 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         document = timed.document
         notes += timed.notes
     if not options.no_feet:
-        from kagezou.cli.terminal import ProgressLine
-        from kagezou.importing.feet import document_with_feet
-
-        with ProgressLine("looking for feet") as line:
-            found = document_with_feet(
-                document, [layer.id for layer in document.layers], lambda _part, done, whole: line.update(done, whole)
-            )
+        found = _on_feet(document)
         document = found.document
         notes += found.notes
     save(document, path)
     for sentence in notes:
         note(sentence)
     return 0
+
+
+def _on_feet(document: "Document") -> "Imported":
+    """Return the document with the feet of all its layers."""
+    from kagezou.cli.terminal import ProgressLine
+    from kagezou.importing.feet import document_with_feet
+
+    ids = [layer.id for layer in document.layers]
+    with ProgressLine("looking for feet") as line:
+        return document_with_feet(document, ids, lambda _part, done, whole: line.update(done, whole))

@@ -1,7 +1,6 @@
 """From the document and what was written to the composition."""
 
 import os
-from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -211,16 +210,11 @@ def _exposures(document: Document, layer: Layer, cels: CelFootage, rate: Fractio
     visible = track_of(document, Address(properties.VISIBLE, layer.id))
     held: list[tuple[float, int | None]] = []
     for frame in range(1, document.canvas.length_frames + 1):
-        index = _index_at(layer, frame) if visible.value_at(frame) else None
+        index = layer.cels.index_at(frame) if visible.value_at(frame) else None
         picture = None if index is None else cels.places[index]
         if not held or held[-1][1] != picture:
             held.append((seconds(frame, rate), picture))
     return tuple(held)
-
-
-def _index_at(layer: Layer, frame: int) -> int | None:
-    after = bisect_right(layer.cels.exposures, frame, key=lambda exposure: exposure.frame)
-    return layer.cels.exposures[after - 1].drawing if after else None
 
 
 def _notes(document: Document, layer_id: str) -> tuple[ae.CompMarker, ...]:
