@@ -44,8 +44,6 @@ def test_a_walk_on_twos_and_threes() -> None:
         assert all(stance.lift_px == 0 for stance in result)
 
 
-<<<<<<< HEAD
-=======
 @pytest.mark.parametrize("exposure", [1, 2, 3])
 def test_a_walk_slid_on_ones_whatever_its_drawings_are_on(exposure: int) -> None:
     cycle = 24 // exposure
@@ -69,7 +67,6 @@ def test_a_walk_slid_on_ones_whatever_its_drawings_are_on(exposure: int) -> None
     assert all(stance.lift_px == 0 for stance in result)
 
 
->>>>>>> feet
 RISES_PX = (0, 0, 0, 0, 12, 34, 52, 62, 64, 62, 52, 34, 12, 0, 0, 0)
 
 
@@ -82,8 +79,6 @@ def test_a_jump_is_in_the_air_exactly_while_it_is(exposure: int, fps: float) -> 
     assert all(foot.ground_row == pytest.approx(GROUND) for stance in result for foot in stance.feet)
 
 
-<<<<<<< HEAD
-=======
 @pytest.mark.parametrize("drawings", [1, 4])
 def test_a_jump_of_drawings_that_are_moved(drawings: int) -> None:
     sequence = [
@@ -94,7 +89,6 @@ def test_a_jump_of_drawings_that_are_moved(drawings: int) -> None:
     assert [bool(lift) for lift in lifts] == [up > 0 for up in RISES_PX]
 
 
->>>>>>> feet
 def test_a_run_is_in_the_air_between_its_steps() -> None:
     poses = run(6)
     result = stances(seen(found_feet(drawn(poses))))

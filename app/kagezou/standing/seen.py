@@ -37,25 +37,19 @@ class Seen:
         The figure's height on the canvas; 0 where nothing is shown.
     feet
         Each track once.
-<<<<<<< HEAD
-=======
     drawing
         Which drawing it is, where runs that follow each other may show the same one moved; None where they do not.
->>>>>>> feet
     """
 
     frame: int
     height_px: float
     feet: tuple[SeenFoot, ...]
-<<<<<<< HEAD
-=======
     drawing: int | None = None
 
     def is_moved(self, other: "Seen") -> bool:
         """Return whether ``other`` is the same drawing in another place, with the same said about its feet."""
         mine, its = ([(foot.track, foot.verdict) for foot in each.feet] for each in (self, other))
         return self.drawing is not None and self.drawing == other.drawing and mine == its
->>>>>>> feet
 
 
 @dataclass(frozen=True, slots=True)

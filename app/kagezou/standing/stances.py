@@ -1,20 +1,14 @@
 """How a figure stands over time: which foot carries, the ground below each, and how high it is."""
 
 from collections.abc import Sequence
-<<<<<<< HEAD
-=======
 from dataclasses import dataclass
->>>>>>> feet
 
 import numpy as np
 
 from kagezou.standing.carrying import carrying
 from kagezou.standing.flights import airborne
 from kagezou.standing.foot import Verdict
-<<<<<<< HEAD
-=======
 from kagezou.standing.key_runs import key_runs
->>>>>>> feet
 from kagezou.standing.motion import Flags, Floats, Motion, motion_of, slide_of
 from kagezou.standing.seen import Seen, Stance, Standing
 
@@ -38,8 +32,6 @@ def stances(sequence: Sequence[Seen], fps: float = 24.0) -> tuple[Stance, ...]:
     """
     if not sequence:
         return ()
-<<<<<<< HEAD
-=======
     keys, key_of = key_runs(sequence)
     decided = _decided([sequence[key] for key in keys], fps)
     motion = motion_of(sequence, fps)
@@ -64,25 +56,12 @@ class _Decided:
 
 
 def _decided(sequence: Sequence[Seen], fps: float) -> _Decided:
->>>>>>> feet
     motion = motion_of(sequence, fps)
     slide = slide_of(motion)
     found = carrying(motion, slide)
     air = airborne(motion, slide)
     planted = _with_verdicts(found.planted & ~air[:, None], motion, sequence)
-<<<<<<< HEAD
-    ground = _ground(motion, planted)
-    over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
-    lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
-    is_low = (lift > 0) & (lift < _LOW * motion.height)
-    doubt = (is_low | found.is_narrow & ~air | _uneven(motion, planted)) & ~_said(sequence)
-    return tuple(
-        Stance(_standings(motion, planted, ground, row), float(lift[row]), bool(doubt[row]))
-        for row in range(len(sequence))
-    )
-=======
     return _Decided(planted, (found.is_narrow & ~air | _uneven(motion, planted)) & ~_said(sequence))
->>>>>>> feet
 
 
 def _with_verdicts(planted: Flags, motion: Motion, sequence: Sequence[Seen]) -> Flags:
