@@ -19,7 +19,7 @@ def psd(tmp_path: Path) -> Path:
 
 
 def test_a_character_is_the_cels_of_a_file(shell: Shell, tmp_path: Path, psd: Path) -> None:
-    shell.ok("new", tmp_path / "p.kage", "--character", f"Hero={psd}")
+    shell.ok("new", "--no-feet", tmp_path / "p.kage", "--character", f"Hero={psd}")
     layers = json.loads((tmp_path / "p.kage").read_text(encoding="utf-8"))["layers"]
     assert [(layer["name"], len(layer["drawings"])) for layer in layers] == [("Hero", 3)]
     assert shell.json("render", tmp_path / "p.kage", "-o", tmp_path / "out", "--json")["written"] == 3
@@ -27,7 +27,7 @@ def test_a_character_is_the_cels_of_a_file(shell: Shell, tmp_path: Path, psd: Pa
 
 
 def test_layers_that_are_gone_are_told(shell: Shell, tmp_path: Path, psd: Path) -> None:
-    shell.ok("new", tmp_path / "p.kage", "--psd", psd)
+    shell.ok("new", "--no-feet", tmp_path / "p.kage", "--psd", psd)
     assert shell.json("info", tmp_path / "p.kage", "--json")["missing"] == []
     write_psd(psd, [Leaf("BG", block(*SIZE)), Folder("A", [Leaf("1", block(12, 24))])])
     missing = shell.json("info", tmp_path / "p.kage", "--json")["missing"]

@@ -16,7 +16,7 @@ def test_a_new_project_has_what_was_said(shell: Shell, tmp_path: Path) -> None:
     a, b = make_drawings(tmp_path / "a", 5), make_drawings(tmp_path / "b", 2)
     path = tmp_path / "duo.kage"
     words = ["--character", f"A={a}", "--character", f"B={b}", "--size", "200x100", "--fps", "23.976"]
-    shell.ok("new", path, *words, "--background", a / "walk_0001.png")
+    shell.ok("new", "--no-feet", path, *words, "--background", a / "walk_0001.png")
     about = shell.json("info", path, "--json")
     assert (about["width_px"], about["height_px"], about["frame_rate"]) == (200, 100, "24000/1001")
     assert [layer["name"] for layer in about["layers"]] == ["A", "B"]
@@ -28,7 +28,7 @@ def test_a_project_that_is_there_is_not_replaced_unasked(shell: Shell, project: 
     before = project.read_bytes()
     assert "--force" in shell.fails(4, "new", project)
     assert project.read_bytes() == before
-    shell.ok("new", project, "--force")
+    shell.ok("new", "--no-feet", project, "--force")
     assert shell.json("info", project, "--json")["layers"] == []
 
 
@@ -116,7 +116,7 @@ def test_setting_what_is_so_writes_nothing(shell: Shell, project: Path) -> None:
 
 def test_a_layer_name_with_an_equals_sign_and_dots(shell: Shell, tmp_path: Path) -> None:
     drawings = make_drawings(tmp_path / "d", 1)
-    shell.ok("new", tmp_path / "p.kage", "--character", f"a.b={drawings}")
+    shell.ok("new", "--no-feet", tmp_path / "p.kage", "--character", f"a.b={drawings}")
     shell.ok("set", tmp_path / "p.kage", "layers.a.b.tilt=3")
     assert shell.json("get", tmp_path / "p.kage", "layers.a.b.tilt") == 3
 
@@ -161,7 +161,7 @@ def test_a_project_that_cannot_be_read_is_told(shell: Shell, tmp_path: Path, ver
 
 def test_set_obeys_a_link(shell: Shell, tmp_path: Path) -> None:
     drawings, path = make_drawings(tmp_path / "a", 1), tmp_path / "duo.kage"
-    shell.ok("new", path, "--character", f"A={drawings}", "--character", f"B={drawings}")
+    shell.ok("new", "--no-feet", path, "--character", f"A={drawings}", "--character", f"B={drawings}")
     document = load(path)
     save(link(document, Address(OPACITY, document.layers[0].id)), path)
     shell.ok("set", path, "layers.B.shadow.opacity=0.25", "--frame", "3")

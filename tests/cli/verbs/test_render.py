@@ -59,7 +59,7 @@ def test_render_that_keeps_going_says_what_failed(shell: Shell, project: Path) -
 
 def test_render_tells_the_names_that_files_carry(shell: Shell, tmp_path: Path) -> None:
     drawings = make_drawings(tmp_path / "d", 1)
-    shell.ok("new", tmp_path / "p.kage", "--character", f"a/b={drawings}", "--fps", "12")
+    assert shell("new", tmp_path / "p.kage", "--character", f"a/b={drawings}", "--fps", "12") == 0
     assert shell("render", tmp_path / "p.kage", "-o", tmp_path / "out", "--frames", "1") == 0
     assert shell.said == "kagezou: note: layer 'a/b' is written as 'a_b', which every system accepts\n"
 

@@ -8,7 +8,7 @@ from tests.cli.projects import Shell, make_drawings
 
 def test_a_sheet_is_written_once_and_replaced_only_when_told(shell: Shell, tmp_path: Path) -> None:
     project, sheet = tmp_path / "cut 12.kage", tmp_path / "cut 12.xdts"
-    shell.ok("new", project, "--character", f"A={make_drawings(tmp_path / 'A', 3)}")
+    assert shell("new", project, "--character", f"A={make_drawings(tmp_path / 'A', 3)}") == 0
     assert shell.ok("timesheet", project, "-o", sheet) == f"{sheet}\n"
     assert read_timesheet(sheet).tracks[0].entries == ((0, "1"), (1, "2"), (2, "3"))
     before = sheet.read_bytes()
@@ -22,6 +22,6 @@ def test_a_sheet_is_written_once_and_replaced_only_when_told(shell: Shell, tmp_p
 
 def test_other_formats_are_refused(shell: Shell, tmp_path: Path) -> None:
     project = tmp_path / "cut.kage"
-    shell.ok("new", project, "--character", f"A={make_drawings(tmp_path / 'A', 1)}")
+    assert shell("new", project, "--character", f"A={make_drawings(tmp_path / 'A', 1)}") == 0
     assert "a timesheet is written as .xdts" in shell.fails(2, "timesheet", project, "-o", tmp_path / "cut.sts")
     assert not (tmp_path / "cut.sts").exists()
