@@ -14,6 +14,7 @@ from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Usual
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vectors import Point2
+from kagezou.standing.foot import FootPin
 
 _POWERS = MappingProxyType({"px": 1, "px²": 2})
 """Units of lengths and areas: how often a size divides them."""
@@ -69,9 +70,14 @@ def _drawing(drawing: Drawing, canvas: Canvas, divisor: int) -> Drawing:
         return drawing
     offset = centred_offset(canvas.box, *drawing_size(canvas, drawing))
     feet = drawing.feet and tuple(replace(foot, place=_place(foot.place, offset, divisor)) for foot in drawing.feet)
-    pins = tuple(replace(pin, place=pin.place and _place(pin.place, offset, divisor)) for pin in drawing.pins)
+    pins = tuple(_pin(pin, offset, divisor) for pin in drawing.pins)
     figure = drawing.figure and _smaller_box(drawing.figure.moved(*offset), divisor)
     return replace(drawing, size_px=None, figure=figure, feet=feet, pins=pins)
+
+
+def _pin(pin: FootPin, offset: tuple[int, int], divisor: int) -> FootPin:
+    row = None if pin.ground_row is None else (pin.ground_row + offset[1]) / divisor
+    return replace(pin, place=pin.place and _place(pin.place, offset, divisor), ground_row=row)
 
 
 def _place(place: Point2, offset: tuple[int, int], divisor: int) -> Point2:

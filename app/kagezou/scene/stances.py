@@ -13,7 +13,7 @@ from kagezou.document.values import value_at
 from kagezou.geometry.box import centred_offset
 from kagezou.geometry.vectors import Point2
 from kagezou.scene.placing import PLACING, placement_at
-from kagezou.standing.foot import Foot, Verdict
+from kagezou.standing.foot import Foot, FootPin, Verdict
 from kagezou.standing.seen import Seen, SeenFoot, Stance
 from kagezou.standing.stances import stances
 
@@ -132,23 +132,25 @@ def _feet_on(document: Document, parts: Sequence[Layer], frame: int) -> Iterator
         first = index * TRACKS_OF_A_PART
         placement = placement_at(document, layer, frame)
         left, top = _offset(document, drawing)
-        for foot, verdict in feet_of(drawing):
-            place = (foot.place[0] + left, foot.place[1] + top)
-            yield SeenFoot(first + foot.track, place if placement is None else placement.placed(place), verdict)
+        for foot, pin in feet_of(drawing):
+            x, y = (foot.place[0] + left, foot.place[1] + top)
+            place = (x, y) if placement is None else placement.placed((x, y))
+            row = None
+            if pin is not None and pin.ground_row is not None:
+                below = (x, pin.ground_row + top)
+                row = below[1] if placement is None else placement.placed(below)[1]
+            yield SeenFoot(first + foot.track, place, None if pin is None else pin.verdict, row)
 
 
-def feet_of(drawing: Drawing) -> Iterator[tuple[Foot, Verdict | None]]:
+def feet_of(drawing: Drawing) -> Iterator[tuple[Foot, FootPin | None]]:
     """Yield the feet of a drawing, drawing px, with what a person said about them; what was said to be none is not."""
     places: dict[int, Point2] = {foot.track: foot.place for foot in drawing.feet or ()}
-    verdicts: dict[int, Verdict | None] = {}
-    for pin in drawing.pins:
-        verdicts[pin.track] = pin.verdict
-        if pin.place is not None:
-            places[pin.track] = pin.place
+    pins = {pin.track: pin for pin in drawing.pins}
+    places |= {track: pin.place for track, pin in pins.items() if pin.place is not None}
     for track in sorted(places):
-        verdict = verdicts.get(track)
-        if verdict is not Verdict.NONE:
-            yield Foot(track, places[track]), verdict
+        pin = pins.get(track)
+        if pin is None or pin.verdict is not Verdict.NONE:
+            yield Foot(track, places[track]), pin
 
 
 def _near_the_ground(feet: Sequence[tuple[SeenFoot, ...]], height: float) -> list[tuple[SeenFoot, ...]]:

@@ -44,8 +44,11 @@ class FootPin:
     place
         Where it is, drawing px; None leaves it where it was found. A track that was not found there is a foot that a
         person put.
+    ground_row
+        The row of the ground below it while it is lifted, drawing px; None leaves that to its contacts.
     """
 
     track: int
     verdict: Verdict | None = None
     place: Point2 | None = None
+    ground_row: float | None = None

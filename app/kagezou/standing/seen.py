@@ -18,11 +18,14 @@ class SeenFoot:
         Its lowest point, canvas px, y down.
     verdict
         What a person said about it; None where nobody did.
+    ground_row
+        The row of the ground below it while it is lifted, canvas px, where a person said so.
     """
 
     track: int
     place: Point2
     verdict: Verdict | None = None
+    ground_row: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,7 +36,7 @@ def stances(sequence: Sequence[Seen], fps: float = 24.0) -> tuple[Stance, ...]:
     decided = _decided([sequence[key] for key in keys], fps)
     motion = motion_of(sequence, fps)
     planted = decided.planted[key_of]
-    ground = _ground(motion, planted)
+    ground = _ground(motion, planted, _rows_said(motion, planted, sequence))
     over = np.where(motion.seen, ground - motion.y, np.inf).min(axis=1)
     lift = np.where(planted.any(axis=1) | ~motion.shown, 0.0, np.maximum(0.0, over))
     is_low = (lift > 0) & (lift < _LOW * motion.height) & ~_said(sequence)
@@ -74,17 +74,30 @@ def _with_verdicts(planted: Flags, motion: Motion, sequence: Sequence[Seen]) -> 
     return result & motion.seen
 
 
-def _ground(motion: Motion, planted: Flags) -> Floats:
-    """Return (N, K) the row of the ground below each foot, canvas px."""
+def _rows_said(motion: Motion, planted: Flags, sequence: Sequence[Seen]) -> Floats:
+    """Return (N, K) the rows of the ground below lifted feet that a person has put, NaN elsewhere."""
+    rows = np.full(planted.shape, np.nan)
+    for row, seen in enumerate(sequence):
+        for foot in seen.feet:
+            if foot.ground_row is not None:
+                rows[row, motion.tracks.index(foot.track)] = foot.ground_row
+    return np.where(planted, np.nan, rows)
+
+
+def _ground(motion: Motion, planted: Flags, said: Floats) -> Floats:
+    """Return (N, K) the row of the ground below each foot, canvas px; ``said`` are rows known beside contacts."""
     some = planted.any(axis=1)
-    if not some.any():
-        return motion.y
-    carrying_rows = np.where(planted, motion.y, -np.inf).max(axis=1)
-    common = np.interp(motion.frames, motion.frames[some], carrying_rows[some])
-    ground = np.repeat(common[:, None], motion.seen.shape[1], axis=1)
-    for column in np.flatnonzero(planted.any(axis=0)):
-        at = planted[:, column]
-        ground[:, column] = np.interp(motion.frames, motion.frames[at], motion.y[at, column])
+    if some.any():
+        carrying_rows = np.where(planted, motion.y, -np.inf).max(axis=1)
+        common = np.interp(motion.frames, motion.frames[some], carrying_rows[some])
+        ground = np.repeat(common[:, None], motion.seen.shape[1], axis=1)
+    else:
+        ground = motion.y.copy()
+    known = planted | ~np.isnan(said)
+    rows = np.where(planted, motion.y, said)
+    for column in np.flatnonzero(known.any(axis=0)):
+        at = known[:, column]
+        ground[:, column] = np.interp(motion.frames, motion.frames[at], rows[at, column])
     return ground
 
 

@@ -45,6 +45,16 @@ class HandleShape(StrEnum):
     """Where a set piece stands."""
     GRIP = "grip"
     """A side of a set piece."""
+    SOLE = "sole"
+    """A foot that carries."""
+    SOLE_LIFTED = "sole-lifted"
+    """A foot in the air."""
+    GROUND_MARK = "ground-mark"
+    """The ground below a foot in the air."""
+    TURN = "turn"
+    """Outside of a corner: turns a cel."""
+    ANCHOR = "anchor"
+    """The point about which a cel is turned and scaled."""
 
 
 class Cursor(StrEnum):
@@ -67,7 +77,8 @@ class Handle:
         ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``filter.distance``, ``filter.wave1``,
         ``filter.wave2``, ``grounding.0``, ``grounding.1`` …, ``match.horizon``, ``match.horizon_end``,
         ``match.end.0`` …, and of the set piece worked on ``piece.position``, ``piece.turn``, ``piece.width``,
-        ``piece.depth``, ``piece.height``, ``piece.lean``.
+        ``piece.depth``, ``piece.height``, ``piece.lean``; of the figure worked on ``foot.0`` …, ``foot_ground.0`` …;
+        while a cel is transformed ``cel.anchor``, ``cel.corner.0`` …, ``cel.turn.0`` …, ``cel.move``.
     shape
         Its look, of constant size on screen.
     canvas_px
@@ -83,7 +94,7 @@ class Handle:
     layer_id, piece_id
         The layer or set piece it was made for.
     index
-        Its place in a list of points.
+        Its place in a list of points; of a foot its track in the figure.
     stays_in_view
         Whether it is shown at the viewport's edge while it lies outside.
     """
@@ -148,6 +159,10 @@ class GuideKind(StrEnum):
     FLOOR_RAY = "floor-ray"
     """From an edge to where it vanishes."""
     HORIZON = "horizon"
+    FOOT_HEIGHT = "foot-height"
+    """From a lifted foot down to the ground below it."""
+    CEL_FRAME = "cel-frame"
+    """Around the drawing that is transformed."""
 
 
 @dataclass(frozen=True, slots=True)

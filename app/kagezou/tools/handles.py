@@ -3,14 +3,28 @@
 from types import MappingProxyType
 
 from kagezou.document.model import Document
-from kagezou.tools import filters, ground, grounding, light, matching, set_piece, set_size, shadow, sun, tilt
+from kagezou.geometry.vectors import Point2
+from kagezou.tools import (
+    cel_placing,
+    feet,
+    filters,
+    ground,
+    grounding,
+    light,
+    matching,
+    set_piece,
+    set_size,
+    shadow,
+    sun,
+    tilt,
+)
 from kagezou.tools.drag import Drag, Move, dragging
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.pointer import Modifiers, Pointer
 from kagezou.tools.view import CanvasView
 
-_ROOMS = (ground, tilt, filters, grounding, shadow, set_size, set_piece, light, sun)
+_ROOMS = (ground, tilt, filters, grounding, feet, shadow, set_size, set_piece, light, sun)
 """Whose handles lie over whose: the last one's are topmost."""
 
 _MOVES: MappingProxyType[str, Move] = MappingProxyType(
@@ -33,6 +47,12 @@ _MOVES: MappingProxyType[str, Move] = MappingProxyType(
         set_size.WIDTH: set_size.move_size,
         set_size.DEPTH: set_size.move_size,
         set_size.HEIGHT: set_size.move_size,
+        feet.FOOT: feet.move_foot,
+        feet.GROUND: feet.move_ground,
+        cel_placing.MOVE: cel_placing.move_cel,
+        cel_placing.ANCHOR_POINT: cel_placing.move_anchor,
+        cel_placing.CORNER: cel_placing.move_corner,
+        cel_placing.TURN: cel_placing.move_turn,
         matching.END: matching.move_end,
         matching.HORIZON: matching.move_horizon,
         matching.HORIZON_END: matching.move_horizon_end,
@@ -59,6 +79,19 @@ def matching_handles_of(document: Document, frame: int, view: CanvasView) -> Han
     """Return what lies over the picture while the camera is matched to it."""
     geometry = FrameGeometry.of(document, frame, None, view)
     return HandleSet(matching.handles(geometry), matching.guides(geometry), matching.note_of(geometry))
+
+
+def placing_handles_of(document: Document, frame: int, layer_id: str | None, view: CanvasView) -> HandleSet:
+    """Return what lies over the picture while a cel is transformed."""
+    geometry = FrameGeometry.of(document, frame, layer_id, view)
+    return HandleSet(cel_placing.handles(geometry), cel_placing.guides(geometry))
+
+
+def cel_mover(
+    document: Document, frame: int, layer_id: str | None, view: CanvasView, canvas_px: Point2
+) -> Handle | None:
+    """Return the handle that moves the whole cel, where the hand is within its frame; it is not shown."""
+    return cel_placing.mover(FrameGeometry.of(document, frame, layer_id, view), canvas_px)
 
 
 def drag_of(handle: Handle, document: Document, frame: int, view: CanvasView) -> Drag:

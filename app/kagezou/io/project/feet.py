@@ -26,7 +26,7 @@ def feet_tree(drawings: Sequence[Drawing]) -> dict[str, object]:
         if drawing.feet is not None
     ]
     pins = [
-        JsonRow([index, pin.track, pin.verdict, pin.place])
+        JsonRow([index, pin.track, pin.verdict, pin.place, pin.ground_row])
         for index, drawing in enumerate(drawings)
         for pin in drawing.pins
     ]
@@ -59,7 +59,7 @@ def read_feet(found: Mapping[str, Reader], cels: Cels) -> Cels:
     for index, row in _indexed(found.get("feet"), 3, len(drawings)):
         feet = tuple(_foot(each) for each in row[2].items(_MAX_FEET))
         drawings[index] = replace(drawings[index], figure=_box(row[1]), feet=feet)
-    for index, row in _indexed(found.get("pins"), 4, len(drawings)):
+    for index, row in _indexed(found.get("pins"), 5, len(drawings)):
         drawing = drawings[index]
         drawings[index] = replace(drawing, pins=(*drawing.pins, _pin(row)))
     return replace(cels, drawings=tuple(drawings))
@@ -94,12 +94,13 @@ def _foot(reader: Reader) -> Foot:
 
 
 def _pin(row: list[Reader]) -> FootPin:
-    _, track, verdict, place = row
+    _, track, verdict, place, ground = row
     words = [str(each) for each in Verdict]
     return FootPin(
         track.whole(0, _MAX_TRACK),
         None if verdict.value is None else Verdict(verdict.word(words)),
         None if place.value is None else _place(place),
+        None if ground.value is None else _px(ground),
     )
 
 

@@ -78,9 +78,10 @@ LAYER: Final[Fields] = MappingProxyType({
                   "Drawings in which feet were looked for: the opaque part, [left, top, right, bottom] in whole px of "
                   "the picture, or null; and the feet that were found: which one, and its lowest point in px of the "
                   "picture.", optional=True),
-    "pins": Field("list of [index, track, verdict, place]",
-                  'What a person said about a foot of a drawing: "planted", "lifted", "none" or null, and [x, y] in px '
-                  "of the picture or null.", optional=True),
+    "pins": Field("list of [index, track, verdict, place, row]",
+                  'What a person said about a foot of a drawing: "planted", "lifted", "none" or null; [x, y] in px of '
+                  "the picture or null; and the row of the ground below it, px of the picture, or null.",
+                  optional=True),
 })  # fmt: skip
 
 PIECE: Final[Fields] = MappingProxyType({
