@@ -9,7 +9,7 @@ from kagezou.document.address import Address, value_of
 from kagezou.document.edits import add_layer, set_constant
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
-from kagezou.document.property import AnyProperty
+from kagezou.document.property import AnyProperty, Scope
 from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.box import Box
 from kagezou.geometry.vectors import Point2
@@ -37,9 +37,9 @@ def document_with(*settings: tuple[AnyProperty, object]) -> Document:
 
 
 def address(prop: AnyProperty) -> Address:
-    if prop.name in properties.OF_PIECE:
+    if prop.scope is Scope.PIECE:
         return Address(prop, piece_id=PIECE)
-    return Address(prop, LAYER if prop.name in properties.OF_LAYER else None)
+    return Address(prop, LAYER if prop.scope is Scope.LAYER else None)
 
 
 def with_piece(document: Document, kind: str, **values: object) -> Document:

@@ -47,12 +47,9 @@ def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
                 _TURN_LABEL,
                 Cursor.ROTATE,
                 layer_id=layer_id,
-                index=index,
             )
         )
-        made.append(
-            Handle(f"{CORNER}.{index}", HandleShape.SQUARE, at, scale, _SCALE_LABEL, layer_id=layer_id, index=index)
-        )
+        made.append(Handle(f"{CORNER}.{index}", HandleShape.SQUARE, at, scale, _SCALE_LABEL, layer_id=layer_id))
     anchor = Handle(
         ANCHOR_POINT,
         HandleShape.ANCHOR,
@@ -107,7 +104,7 @@ def move_anchor(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
 def move_corner(geometry: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     """Scale the cel about its anchor so that a corner lies under the hand; constrained it keeps its proportions."""
     placement = _placement(geometry)
-    corner = _box_corner(_box(geometry), handle.index or 0)
+    corner = _box_corner(_box(geometry), int(handle.id.rpartition(".")[2]))
     way = (corner[0] - placement.anchor[0], corner[1] - placement.anchor[1])
     # The hand as seen without the turn: then each axis has a scale of its own.
     straight = Placement((0.0, 0.0), placement.position, rotation_deg=-placement.rotation_deg)

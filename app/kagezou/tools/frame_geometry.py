@@ -7,7 +7,7 @@ from kagezou.document import properties
 from kagezou.document.address import Address, tracks_of
 from kagezou.document.edits import set_value
 from kagezou.document.model import Document, Layer
-from kagezou.document.property import AnyProperty, Property
+from kagezou.document.property import AnyProperty, Property, Scope
 from kagezou.document.values import T, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
@@ -74,9 +74,9 @@ class FrameGeometry:
 
     def address(self, prop: AnyProperty) -> Address:
         """Return where a property of the document, or of the layer or set piece worked on, lives."""
-        if prop.name in properties.OF_PIECE:
+        if prop.scope is Scope.PIECE:
             return Address(prop, piece_id=self.piece_id)
-        return Address(prop, self.layer.id if self.layer is not None and prop.name in properties.OF_LAYER else None)
+        return Address(prop, self.layer.id if self.layer is not None and prop.scope is Scope.LAYER else None)
 
     def value(self, prop: Property[T], document: Document | None = None) -> T:
         """Return the value at the frame, here or in another version of the document."""

@@ -99,7 +99,8 @@ def drag_of(handle: Handle, document: Document, frame: int, view: CanvasView) ->
 
     Each answer is a whole document made of ``document``, so cancelling is showing that one again.
     """
-    name = handle.id if handle.index is None else handle.id.removesuffix(f".{handle.index}")
+    whole, _, number = handle.id.rpartition(".")
+    name = whole if number.isdigit() else handle.id
     return dragging(FrameGeometry.of(document, frame, handle.layer_id, view, handle.piece_id), handle, _MOVES[name])
 
 
