@@ -215,13 +215,15 @@ class CompositeContent(Content):
     layers: tuple[tuple[Drawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
+    shadows_unite: bool = True
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
         """Return the content of a whole scene."""
         layers = tuple((each.drawing, each.cast, each.look, each.received) for each in scene.layers)
         clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
-        return cls(scene, scene.background, layers, scene.set_shadow, (scene.camera, clay) if clay else None)
+        seen_as_clay = (scene.camera, clay) if clay else None
+        return cls(scene, scene.background, layers, scene.set_shadow, seen_as_clay, scene.shadows_unite)
 
     def draw(self, painter: Painter) -> Picture:
         """Draw it over the background."""
