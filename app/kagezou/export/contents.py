@@ -143,6 +143,31 @@ class ShadowContent(_ShadowLike):
 
 
 @dataclass(frozen=True, slots=True)
+class UnitedContent(_ShadowLike):
+    """The shadows of several characters as one; ``layers`` is what to draw it from and not compared."""
+
+    layers: tuple[LayerScene, ...] = field(compare=False, repr=False)
+    casts: tuple[ShadowCast, ...]
+    look: ShadowLook
+
+    @classmethod
+    def of(cls, scene: Scene, layers: tuple[LayerScene, ...]) -> Self:
+        """Return the content of layers of one look, at least one; those without a shadow add nothing."""
+        casts = tuple(layer.cast for layer in layers if layer.cast is not None)
+        # As for a character's alone.
+        return cls(scene, layers, casts, replace(layers[0].look, multiply=True))
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw the united shadow."""
+        return ShadowPicture(painter.renderer.united_shadow(self.scene, self.layers, painter.depth))
+
+    @property
+    def sources(self) -> Sources:
+        """The alphas of the drawings, and the sets they fall on."""
+        return Sources(mattes=tuple(cast.drawing.source for cast in self.casts), sets=_sets_in(self.scene))
+
+
+@dataclass(frozen=True, slots=True)
 class SetShadowContent(_ShadowLike):
     """The shadow of the set itself."""
 
