@@ -8,6 +8,7 @@ from pathlib import Path
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
+from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
 from kagezou.io.files.faults import shown
@@ -108,7 +109,8 @@ def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Hel
         name = source.name or printable(path.stem)
         cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
         size, about = _measured(name, cels.drawings, progress)
-        return Held([NewCels(name, cels, size, 1, tuple(about))], [])
+        cels, on_paper = on_found_paper(name, cels)
+        return Held([NewCels(name, cels, size, 1, (*about, *on_paper))], [])
     cast = characters_in(tree, path.stem)
     backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
     drawn = [node for node in cast.backgrounds if node not in backgrounds]
@@ -195,6 +197,8 @@ def _some(names: Iterable[str]) -> str:
 def _new_cels(name: str, sequence: Sequence, source: CharacterSource, progress: Progress) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
     size, notes = _measured(name, cels.drawings, progress)
+    cels, about = on_found_paper(name, cels)
+    notes += about
     if sequence.gaps and not source.is_timed:
         notes.insert(
             0,
@@ -258,6 +262,4 @@ def _measured(name: str, drawings: tuple[Drawing, ...], progress: Progress) -> t
                 height_px=other[1].height_px,
             )
         )
-    if not infos[0][1].has_alpha:
-        notes.append(Message("{name}: its drawings have no alpha; pure white is taken as clear", name=name))
     return (max(width for width, _ in sizes), max(height for _, height in sizes)), notes

@@ -27,9 +27,16 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     """Load the project and print the value."""
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import resolve, track_of
+    from kagezou.document.paper import layer_of_paper, paper_of
     from kagezou.io.project.file import load
 
     document = load(options.project)
+    layer = layer_of_paper(document, options.path)
+    if layer is not None:
+        paper = paper_of(layer).value
+        whole = {"path": options.path, "unit": "", "frame": options.frame, "value": paper, "keys": []}
+        give_json(whole if options.json else paper)
+        return 0
     address = resolve(document, options.path)
     track = track_of(document, address)
     keys = json_of_keys(track)
