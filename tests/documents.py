@@ -15,6 +15,7 @@ from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Kind
 from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import VanishingLines
+from kagezou.picture_source import Paper
 
 FOLDER = Path("/cuts/c012")
 
@@ -80,7 +81,8 @@ paths = st.builds(lambda folder, name: folder / name, folders, file_names)
 
 @st.composite
 def cels(draw: st.DrawFn) -> Cels:
-    drawings = tuple(Drawing(draw(names), path) for path in draw(st.lists(paths, max_size=4)))
+    paper = draw(st.sampled_from(list(Paper)))
+    drawings = tuple(Drawing(draw(names), path, paper=paper) for path in draw(st.lists(paths, max_size=4)))
     frames = sorted(draw(st.sets(st.integers(-5, 100), max_size=6)))
     index = st.one_of(st.none(), st.integers(0, len(drawings) - 1)) if drawings else st.none()
     return Cels(drawings, tuple(Exposure(frame, draw(index)) for frame in frames))

@@ -1,6 +1,7 @@
 #version 330 core
 // Lays one source over what is under it and writes the whole result: straight alpha, sRGB-coded as compositing is done.
-// The source is a picture (character, background) or one colour with a covered part of its own (shadow). Switch:
+// The source is a picture (character, background) or one colour with a covered part of its own (shadow); with MOST_TAKEN
+// it is what united shadows take of each part of white, and their covered part (common/shade.frag). Switch:
 //   MOVED   the picture's texels do not fall on pixels
 
 #include "common/look.glsl"
@@ -49,6 +50,9 @@ void main() {
     vec4 texel = texelFetch(u_source, here - ivec2(u_source_corner_px), 0);
 #endif
     vec4 source = u_is_picture ? texel : vec4(color_at(gl_FragCoord.xy, u_color), texel.r * opacity_at(gl_FragCoord.xy, u_opacity));
+#ifdef MOST_TAKEN
+    source = vec4(texel.a > 0.0 ? 1.0 - texel.rgb / texel.a : vec3(0.0), texel.a * u_opacity);
+#endif
 #ifdef OUTLINED
     source = vec4(u_color, line_at(here));
 #endif

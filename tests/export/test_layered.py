@@ -9,6 +9,7 @@ import OpenImageIO as oiio  # noqa: N813  # the name its own manual uses
 import pytest
 from numpy.typing import NDArray
 from psd_tools import PSDImage
+from psd_tools.composite import composite
 from psd_tools.constants import BlendMode
 
 from kagezou.document.edits import add_layer, set_background
@@ -169,8 +170,10 @@ def test_layers_called_like_a_shadow_are_told_apart(tmp_path: Path) -> None:
     document = cut(tmp_path, 1)
     document = add_layer(document, "A_shadow", document.layers[0].cels, Box(12, 20, 20, 40))
     export(document, tmp_path / "out", layered=True, format="psd")
-    names = [layer.name for layer in PSDImage.open(tmp_path / "out/layered/layered_0001.psd")]
-    assert names == ["A_shadow", "A_shadow_shadow", "A", "A_shadow_"]
+    layers: Any = list(PSDImage.open(tmp_path / "out/layered/layered_0001.psd"))
+    shadows, *characters = layers
+    assert [layer.name for layer in shadows] == ["A_shadow", "A_shadow_shadow"]
+    assert [layer.name for layer in characters] == ["A", "A_shadow_"]
 
 
 @pytest.mark.parametrize(
@@ -209,3 +212,67 @@ def test_a_document_has_its_largest_size(tmp_path: Path) -> None:
         write_layered(tmp_path / "a.psd", LayeredImage(30001, 1, ()))
     with pytest.raises(UsageProblem, match=r"\.exr or \.psd"):
         write_layered(tmp_path / "a.png", LayeredImage(4, 3, ()))
+
+
+@pytest.fixture
+def alike(pair: Document) -> Document:
+    """The pair with soft shadows of one look, which lie on each other."""
+    document = with_values(pair, layers__相棒__shadow__opacity=0.5, layers__相棒__shadow__color="#203040")
+    return with_values(document, layers__主役__shadow__softness=9.0, layers__相棒__shadow__softness=14.0)
+
+
+@pytest.mark.parametrize("depth", [8, 16])
+def test_shadows_of_one_look_are_a_group_that_is_laid_once(alike: Document, tmp_path: Path, depth: int) -> None:
+    export(alike, tmp_path / "out", layered=True, format="psd", depth=depth)
+    for frame in (1, 2, 3):
+        stored: Any = PSDImage.open(tmp_path / f"out/layered/layered_{frame:04d}.psd")
+        assert [each.name for each in stored] == ["background", "shadows", "主役", "相棒"]
+        group = stored[1]
+        assert group.is_group()
+        assert [each.name for each in group] == ["主役_shadow", "相棒_shadow"]
+        assert (group.blend_mode, group.opacity) == (BlendMode.MULTIPLY, 128)
+        assert {(each.blend_mode, each.opacity) for each in group} == {(BlendMode.NORMAL, 255)}
+        merged = stored.numpy()[..., :3] * 255
+        color, _, _ = composite(stored, force=True)
+        assert np.abs(color * 255 - merged).max() <= 1
+        if frame < 3:
+            shapes = [each.numpy("shape").max() for each in group]
+            assert min(shapes) > 0.5, "each layer is whole"
+    apart = with_values(alike, scene__shadows_unite=False)
+    export(apart, tmp_path / "apart", composite=True)
+    export(alike, tmp_path / "apart", layered=True, format="psd", skip_existing=False)
+    once = read_cel(tmp_path / "apart/layered/layered_0002.psd").rgba.astype(int)
+    twice = read_cel(tmp_path / "apart/composite/composite_0002.png").rgba.astype(int)
+    assert (once - twice)[..., :3].max() > 10
+
+
+def test_the_parts_of_an_exr_name_their_group(alike: Document, tmp_path: Path) -> None:
+    export(alike, tmp_path / "out", layered=True, format="exr", depth=16)
+    export(alike, tmp_path / "alone", united=True, format="exr", depth=16)
+    source = opened(tmp_path / "out/layered/layered_0002.exr")
+    names, groups, most = [], [], np.zeros((HEIGHT, WIDTH), np.float32)
+    for index in range(5):
+        assert source.seek_subimage(index, 0)
+        spec = source.spec()
+        names.append(spec.get_string_attribute("oiio:subimagename"))
+        groups.append(spec.get_string_attribute("kagezou:united"))
+        if groups[-1]:
+            place = (slice(spec.y, spec.y + spec.height), slice(spec.x, spec.x + spec.width))
+            most[place] = np.maximum(most[place], source.read_image(index, 0, 3, 4, oiio.FLOAT)[..., 0])
+    source.close()
+    assert names == ["background", "shadows.主役_shadow", "shadows.相棒_shadow", "主役", "相棒"]
+    assert groups == ["", "shadows", "shadows", "", ""]
+    alone = opened(tmp_path / "alone/shadows/shadows_0002.exr")
+    assert np.array_equal(alone.read_image(oiio.FLOAT)[..., 3], most), "the maximum of the parts is the united shadow"
+    alone.close()
+
+
+def test_what_unites_on_some_frames_only_stays_apart_and_that_is_said(alike: Document, tmp_path: Path) -> None:
+    document = with_key(with_key(alike, "layers.相棒.shadow.opacity", 1, 0.5), "layers.相棒.shadow.opacity", 2, 0.2)
+    summary = export(document, tmp_path / "out", layered=True, format="psd", frames=(1,))
+    assert [each.name for each in PSDImage.open(tmp_path / "out/layered/layered_0001.psd")] == [
+        "background", "主役_shadow", "相棒_shadow", "主役", "相棒",
+    ]  # fmt: skip
+    (note,) = map(str, summary.notes)
+    assert note.startswith("the shadows of '主役', '相棒' unite in the picture, but stay apart as layers")
+    assert export(alike, tmp_path / "more", layered=True, format="psd", frames=(1,)).notes == ()

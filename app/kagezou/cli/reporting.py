@@ -19,6 +19,8 @@ def report(summary: "Summary", *, as_json: bool) -> None:
         if layer != name and not as_json:
             words = "layer {layer!r} is written as {name!r}, which every system accepts"
             note(Message(words, layer=layer, name=name))
+    for sentence in summary.notes:
+        note(sentence)
     if as_json:
         give_json(
             {
@@ -30,6 +32,7 @@ def report(summary: "Summary", *, as_json: bool) -> None:
                 "whole": summary.is_whole,
                 "folders": [shown(folder) for folder in summary.folders],
                 "names": summary.names,
+                "notes": [str(each) for each in summary.notes],
                 "seconds": round(summary.seconds, 3),
                 "fps": round(summary.written / summary.seconds, 2) if summary.seconds > 0 else None,
             }

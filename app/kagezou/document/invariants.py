@@ -28,6 +28,7 @@ def check(document: Document) -> None:
         if any(not 0 <= index < len(layer.cels.drawings) for index in shown):
             raise ProjectProblem(Message("layers.{layer}: an exposure names a missing drawing", layer=layer.name))
     _check_joins(document)
+    _check_paper(document)
     _check_pieces(document)
     _check_links(document)
     _check_tracks(document)
@@ -75,6 +76,12 @@ def _check_joins(document: Document) -> None:
             raise ProjectProblem(
                 Message("layers.{layer}: it joins a layer that is no figure of its own", layer=layer.name)
             )
+
+
+def _check_paper(document: Document) -> None:
+    for layer in document.layers:
+        if len({drawing.paper for drawing in layer.cels.drawings}) > 1:
+            raise ProjectProblem(Message("layers.{layer}: its drawings are on different paper", layer=layer.name))
 
 
 def _check_pieces(document: Document) -> None:

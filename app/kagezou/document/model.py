@@ -10,7 +10,7 @@ from types import MappingProxyType
 from kagezou.animation.track import Track
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vanishing import VanishingLines
-from kagezou.picture_source import PicturePart, PictureSource
+from kagezou.picture_source import OutlinedPicture, Paper, PicturePart, PictureSource
 from kagezou.standing.foot import Foot, FootPin
 
 Tracks = Mapping[str, Track]
@@ -52,6 +52,8 @@ class Drawing:
         What was found in the picture, by track; None where nothing was looked for.
     pins
         What a person said about them, by track.
+    paper
+        Which white is clear where the file has no alpha; the same in all drawings of a layer.
     """
 
     name: str
@@ -61,11 +63,14 @@ class Drawing:
     figure: Box | None = None
     feet: tuple[Foot, ...] | None = None
     pins: tuple[FootPin, ...] = ()
+    paper: Paper = Paper.WHITE
 
     @property
     def source(self) -> PictureSource:
         """What its pixels come from."""
-        return self.path if self.part is None else PicturePart(self.path, self.part)
+        if self.part is not None:
+            return PicturePart(self.path, self.part)
+        return OutlinedPicture(self.path) if self.paper is Paper.BORDER else self.path
 
 
 def drawing_size(canvas: Canvas, drawing: Drawing | None) -> tuple[int, int]:

@@ -16,7 +16,7 @@ class ExportChoices:
         Whether frames outside the work area are left out; a hand-off to After Effects always has them all.
     format
         One of those of its exporter.
-    depth, composite, receivers, skip_existing
+    depth, composite, receivers, united, skip_existing
         As of `ExportRequest`.
     in_one
         Whether a farm makes frames of layers instead of shadow layers.
@@ -34,6 +34,7 @@ class ExportChoices:
     depth: int = 8
     composite: bool = False
     receivers: bool = False
+    united: bool = False
     in_one: bool = False
     skip_existing: bool = True
     per_drawing: bool = False

@@ -142,6 +142,31 @@ class ShadowContent(_ShadowLike):
 
 
 @dataclass(frozen=True, slots=True)
+class UnitedContent(_ShadowLike):
+    """The shadows of several characters as one; ``layers`` is what to draw it from and not compared."""
+
+    layers: tuple[LayerScene, ...] = field(compare=False, repr=False)
+    casts: tuple[ShadowCast, ...]
+    look: ShadowLook
+
+    @classmethod
+    def of(cls, scene: Scene, layers: tuple[LayerScene, ...]) -> Self:
+        """Return the content of layers of one look, at least one; those without a shadow add nothing."""
+        casts = tuple(layer.cast for layer in layers if layer.cast is not None)
+        # As for a character's alone.
+        return cls(scene, layers, casts, replace(layers[0].look, multiply=True))
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw the united shadow."""
+        return ShadowPicture(painter.renderer.united_shadow(self.scene, self.layers, painter.depth))
+
+    @property
+    def sources(self) -> Sources:
+        """The alphas of the drawings, and the sets they fall on."""
+        return Sources(mattes=tuple(source for cast in self.casts for source in cast.sources), sets=_sets_in(self.scene))
+
+
+@dataclass(frozen=True, slots=True)
 class SetShadowContent(_ShadowLike):
     """The shadow of the set itself."""
 
@@ -214,13 +239,15 @@ class CompositeContent(Content):
     layers: tuple[tuple[PlacedDrawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
+    shadows_unite: bool = True
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
         """Return the content of a whole scene."""
         layers = tuple((each.drawing, each.cast, each.look, each.received) for each in scene.layers)
         clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
-        return cls(scene, scene.background, layers, scene.set_shadow, (scene.camera, clay) if clay else None)
+        seen_as_clay = (scene.camera, clay) if clay else None
+        return cls(scene, scene.background, layers, scene.set_shadow, seen_as_clay, scene.shadows_unite)
 
     def draw(self, painter: Painter) -> Picture:
         """Draw it over the background."""

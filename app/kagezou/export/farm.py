@@ -118,7 +118,12 @@ def _words(request: FarmRequest) -> list[str]:
         if "{{" in layer:
             raise UsageProblem(Message("the layer {layer!r} cannot be named in a job: it has braces", layer=layer))
         words += ["--layer", layer]
-    switches = {"--composite": export.composite, "--layered": export.layered, "--receivers": export.receivers}
+    switches = {
+        "--united": export.united,
+        "--composite": export.composite,
+        "--layered": export.layered,
+        "--receivers": export.receivers,
+    }
     return words + [switch for switch, is_on in switches.items() if is_on]
 
 

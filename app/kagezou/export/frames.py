@@ -152,4 +152,5 @@ class _Run:
             folders=self.plan.folders,
             names=self.plan.names,
             seconds=seconds,
+            notes=self.plan.notes,
         )

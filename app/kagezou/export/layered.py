@@ -9,6 +9,7 @@ import numpy as np
 
 from kagezou.export.contents import CompositeContent, Content, Sources
 from kagezou.export.painter import Painter
+from kagezou.export.part_groups import as_group
 from kagezou.export.pictures import LayeredPicture, Picture
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images.reading import Cel, Steps
@@ -20,6 +21,8 @@ from kagezou.scene.scene import LayerScene, SetShadow, ShadowLook
 _BACKGROUND: Final = "background"
 _SET_SHADOW: Final = "set_shadow"
 _NOTHING: Final = Box(0, 0, 0, 0)
+_NO_LOOK: Final = ShadowLook((0, 0, 0), 1.0, multiply=True)
+"""That of a group while nothing is in it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,11 +35,14 @@ class LayerOfFrame:
         As of the document's layer.
     receives
         Whether it receives the shadows of others at any time.
+    group
+        The name of the group in which its shadow unites with those of others over the whole cut; empty for none.
     """
 
     id: str
     name: str
     receives: bool = False
+    group: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,9 +90,8 @@ class LayeredContent(Content):
 
         A character may be called as another's shadow is; the later one of the two gets a ``_`` more.
         """
-        names = [_BACKGROUND] if self.picture.background is not None else []
-        names += [_SET_SHADOW] if self.has_set else []
-        names += [f"{layer.name}_shadow" for layer in self.layers]
+        names = self._names_below
+        names += [f"{layer.name}_shadow" for group in _groups(self.layers) for layer in group]
         for layer in self.layers:
             names += [layer.name, f"{layer.name}_received"] if layer.receives else [layer.name]
         unlike: list[str] = []
@@ -96,6 +101,17 @@ class LayeredContent(Content):
                 free += "_"
             unlike.append(free)
         return tuple(unlike)
+
+    @property
+    def group_names(self) -> tuple[str, ...]:
+        """What the groups are called in which the layers of the file are, from the bottom; empty for none."""
+        groups = [group[0].group for group in _groups(self.layers) for _ in group]
+        below, above = len(self._names_below), len(self.part_names)
+        return (*[""] * below, *groups, *[""] * (above - below - len(groups)))
+
+    @property
+    def _names_below(self) -> list[str]:
+        return [_BACKGROUND] * (self.picture.background is not None) + [_SET_SHADOW] * self.has_set
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +129,8 @@ class _Parts:
             yield _cel_part(self.painter.background(scene.background), scene.canvas)
         if self.content.has_set:
             yield self._set_part()
-        for character in characters:
-            yield self._shadow_part(seen.get(character.id))
+        for group in _groups(characters):
+            yield from self._shadow_parts([seen.get(each.id) for each in group], group[0].group)
         for character in characters:
             layer = seen.get(character.id)
             yield self._character_part(layer)
@@ -124,6 +140,15 @@ class _Parts:
     def _set_part(self) -> LayerPart:
         shadow = self.content.scene.set_shadow
         return self._empty_part() if shadow is None else self._laid(partial(self._draw_set, shadow), shadow.look)
+
+    def _shadow_parts(self, layers: list[LayerScene | None], group: str) -> list[LayerPart]:
+        """Return the shadows of layers, as those of a group where it has a name."""
+        parts = [self._shadow_part(layer) for layer in layers]
+        if not group:
+            return parts
+        looks = [layer.look for layer in layers if layer is not None and layer.cast is not None]
+        look = looks[0] if looks else _NO_LOOK
+        return as_group(group, parts, look, keeps_opacity=self.painter.keeps_opacity)
 
     def _shadow_part(self, layer: LayerScene | None) -> LayerPart:
         return self._empty_part() if layer is None else self._laid(partial(self._draw_shadow, layer), layer.look)
@@ -157,6 +182,15 @@ class _Parts:
 
     def _empty_part(self) -> LayerPart:
         return LayerPart("", np.zeros((0, 0, 4), np.uint8 if self.painter.depth == 8 else np.uint16), _NOTHING)
+
+
+def _groups(layers: tuple[LayerOfFrame, ...]) -> tuple[tuple[LayerOfFrame, ...], ...]:
+    """Return layers by the groups of their shadows, in the order of the lowest of each; those without one alone."""
+    groups: dict[tuple[str, str], tuple[LayerOfFrame, ...]] = {}
+    for layer in layers:
+        key = (layer.group, "" if layer.group else layer.id)
+        groups[key] = (*groups.get(key, ()), layer)
+    return tuple(groups.values())
 
 
 def _part_of(drawn: ShadowImage, opacity: float, *, multiply: bool) -> LayerPart:

@@ -10,6 +10,8 @@ from kagezou.export.names import safe_names
 from kagezou.export.request import ExportRequest
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import OutputSequence, sequences_of
+from kagezou.export.uniting import cut_groups
+from kagezou.message import Message
 from kagezou.scene.evaluate import evaluate
 
 
@@ -46,12 +48,14 @@ class FrameJob:
 class Plan:
     """Everything an export is to make: the pictures in the order of their first frames, sequences and names.
 
-    ``names`` holds, for the name of each layer that has sequences of its own, the one that they carry.
+    ``names`` holds, for the name of each layer that has sequences of its own, the one that they carry; ``notes`` what
+    is to be said, one sentence each.
     """
 
     jobs: tuple[FrameJob, ...]
     sequences: tuple[OutputSequence, ...]
     names: dict[str, str]
+    notes: tuple[Message, ...] = ()
 
     @property
     def files(self) -> int:
@@ -89,7 +93,15 @@ def planned(document: Document, request: ExportRequest) -> Plan:
         jobs = tuple(_each_once(jobs))
     owners = {sequence.subject.owner for sequence in sequences}
     names = safe_names(layer.name for layer in document.layers)
-    return Plan(jobs, sequences, {each.name: names[each.name] for each in document.layers if each.id in owners})
+    carried = {each.name: names[each.name] for each in document.layers if each.id in owners}
+    return Plan(jobs, sequences, carried, _notes(document, request))
+
+
+def _notes(document: Document, request: ExportRequest) -> tuple[Message, ...]:
+    """Return what is to be said about shadows that unite in the picture but not in what is made."""
+    if not request.united and not request.layered:
+        return ()
+    return cut_groups(document, of_one_color=request.layered).notes()
 
 
 def jobs_of(document: Document, frames: Iterable[int], sequences: tuple[OutputSequence, ...]) -> tuple[FrameJob, ...]:

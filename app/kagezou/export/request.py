@@ -58,6 +58,8 @@ class ExportRequest:
         `SHADOWS`, `RECEIVED` or `RECEIVERS`; None for the first two.
     receivers
         Whether mattes of the ground and of every set piece are written as well.
+    united
+        Whether the shadows of each look are written as one as well.
     """
 
     folder: Path
@@ -73,6 +75,7 @@ class ExportRequest:
     layered: bool = False
     only: str | None = None
     receivers: bool = False
+    united: bool = False
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:
@@ -81,6 +84,10 @@ class ExportRequest:
             )
         if self.layered and self.composite:
             raise UsageProblem(Message("a layered frame holds what a composite is made of; ask for one of the two"))
+        if self.layered and self.united:
+            raise UsageProblem(
+                Message("a layered frame holds the shadows of a look as a group; ask for one of the two")
+            )
         if not self.layered and self.format not in SUFFIXES:
             hint = Message(", which needs layered frames,") if self.format in LAYERED_SUFFIXES else ""
             raise UsageProblem(
@@ -149,6 +156,8 @@ class Summary:
         Layer name → the name its folder and files carry.
     seconds
         How long it took.
+    notes
+        What the user should know, one sentence each.
     """
 
     files: int
@@ -160,6 +169,7 @@ class Summary:
     folders: tuple[Path, ...]
     names: dict[str, str]
     seconds: float
+    notes: tuple[Message, ...] = ()
 
     @property
     def is_whole(self) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, Layer
 from kagezou.errors import UsageProblem
 from kagezou.export.layered import LayerOfFrame
 from kagezou.export.names import digits_for, safe_names
@@ -19,11 +19,15 @@ from kagezou.export.subjects import (
     SetShadowSubject,
     ShadowSubject,
     Subject,
+    UnitedSubject,
 )
+from kagezou.export.uniting import CutGroups, cut_groups
 from kagezou.message import Message
 
 COMPOSITE: Final = "composite"
 """The folder and the first part of the files of composites."""
+UNITED: Final = "shadows"
+"""The same of the shadows of one look as one."""
 LAYERED: Final = "layered"
 """The same of frames that hold all layers in one file."""
 
@@ -87,8 +91,33 @@ def layered_subject(document: Document, request: ExportRequest) -> LayeredSubjec
     if not layers:
         raise _nothing()
     is_whole = request.layers is None
-    characters = tuple(LayerOfFrame(layer.id, layer.name, ever_receives(layer)) for layer in layers)
+    groups = _group_names(document, layers)
+    characters = tuple(
+        LayerOfFrame(layer.id, layer.name, ever_receives(layer), groups.get(layer.id, "")) for layer in layers
+    )
     return LayeredSubject(characters, is_whole and set_ever_casts(document), is_whole)
+
+
+def _group_names(document: Document, layers: tuple[Layer, ...]) -> dict[str, str]:
+    """Return, by their ids, what the groups of layers are called whose shadows unite."""
+    names = {layer.id: layer.name for layer in layers}
+    united = _chosen(cut_groups(document, of_one_color=True), names)
+    groups = [ids for ids in united if len(ids) > 1]
+    return {each: label for label, ids in zip(_labels(groups, names), groups, strict=True) for each in ids}
+
+
+def _chosen(groups: CutGroups, names: dict[str, str]) -> list[tuple[str, ...]]:
+    """Return groups without the layers that are not in ``names``, and without those of which none is left."""
+    kept = (tuple(each for each in group.ids if each in names) for group in groups.groups)
+    return [ids for ids in kept if ids]
+
+
+def _labels(groups: list[tuple[str, ...]], names: dict[str, str]) -> list[str]:
+    """Return a name for each group: where there are several, each has that of its lowest layer in it.
+
+    No other name ends in ``_shadows``.
+    """
+    return [UNITED] if len(groups) == 1 else [f"{names[ids[0]]}_{UNITED}" for ids in groups]
 
 
 def _nothing() -> UsageProblem:
@@ -107,10 +136,18 @@ def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Su
         yield from ((f"{names[layer.name]}_received", ReceivedSubject(layer.id)) for layer in receiving)
     if request.only in (None, SHADOWS) and request.layers is None and set_ever_casts(document):
         yield _set_label(document, names), SetShadowSubject()
+    if request.united:
+        yield from _united(document, {layer.id: names[layer.name] for layer in layers})
     if request.receivers or request.only == RECEIVERS:
         yield from ((each.label, each.subject) for each in receivers_of(document))
     if request.composite:
         yield COMPOSITE, CompositeSubject()
+
+
+def _united(document: Document, names: dict[str, str]) -> Iterator[tuple[str, Subject]]:
+    """Yield the shadows of each look as one, of the layers in ``names`` (id → name)."""
+    groups = _chosen(cut_groups(document, of_one_color=False), names)
+    yield from zip(_labels(groups, names), map(UnitedSubject, groups), strict=True)
 
 
 def _set_label(document: Document, names: dict[str, str]) -> str:

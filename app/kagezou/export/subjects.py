@@ -15,6 +15,7 @@ from kagezou.export.contents import (
     ReceiverContent,
     SetShadowContent,
     ShadowContent,
+    UnitedContent,
 )
 from kagezou.export.layered import LayeredContent, LayerOfFrame
 from kagezou.scene.pieces import SetCast
@@ -46,6 +47,25 @@ class ShadowSubject:
         if seen is None or seen.cast is None:
             return _nothing(document, self.layer_id, scene, frame)
         return ShadowContent.of(scene, seen, seen.cast)
+
+
+@dataclass(frozen=True, slots=True)
+class UnitedSubject:
+    """The shadows of layers, by their ids from the bottom, that unite over the whole cut."""
+
+    layer_ids: tuple[str, ...]
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: the ids, behind a word that no id begins with."""
+        return f"united:{','.join(self.layer_ids)}"
+
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
+        """Return the united shadow; one alone is the layer's own, and where there is none the picture is empty."""
+        layers = tuple(layer for layer in scene.layers if layer.id in self.layer_ids and layer.cast is not None)
+        if len(layers) > 1:
+            return UnitedContent.of(scene, layers)
+        return ShadowSubject(layers[0].id if layers else self.layer_ids[0]).content_at(document, scene, frame)
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +171,15 @@ class LayeredSubject:
         return LayeredContent(scene, CompositeContent.of(scene), self.layers, self.has_set)
 
 
-Subject = ShadowSubject | ReceivedSubject | SetShadowSubject | ReceiverSubject | CompositeSubject | LayeredSubject
+Subject = (
+    ShadowSubject
+    | UnitedSubject
+    | ReceivedSubject
+    | SetShadowSubject
+    | ReceiverSubject
+    | CompositeSubject
+    | LayeredSubject
+)
 
 
 def _seen(scene: Scene, layer_id: str) -> LayerScene | None:

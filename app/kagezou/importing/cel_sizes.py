@@ -73,8 +73,6 @@ def measured_cels(name: str, drawings: tuple[Drawing, ...], progress: Progress) 
                 height_px=other[1].height_px,
             )
         )
-    if not infos[0][1].has_alpha:
-        notes.append(Message("{name}: its drawings have no alpha; pure white is taken as clear", name=name))
     known = {id(drawing): (info.width_px, info.height_px) for drawing, info in infos}
     sized = tuple(replace(drawing, size_px=known.get(id(drawing))) for drawing in drawings)
     size = (max(width for width, _ in sizes), max(height for _, height in sizes))

@@ -8,6 +8,7 @@ from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import measured_cels
+from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
 from kagezou.io.files.faults import shown
@@ -121,7 +122,8 @@ def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Hel
         name = source.name or printable(path.stem)
         cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
         measured = measured_cels(name, cels.drawings, progress)
-        return Held([NewCels(name, replace(cels, drawings=measured.drawings), measured.size_px, 1, measured.notes)], [])
+        cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
+        return Held([NewCels(name, cels, measured.size_px, 1, (*measured.notes, *on_paper))], [])
     cast = characters_in(tree, path.stem)
     backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
     drawn = [node for node in cast.backgrounds if node not in backgrounds]
@@ -225,14 +227,15 @@ def _some(names: Iterable[str]) -> str:
 def _new_cels(name: str, sequence: Sequence, source: CharacterSource, progress: Progress) -> NewCels:
     cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
     measured = measured_cels(name, cels.drawings, progress)
-    notes = list(measured.notes)
+    cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
+    notes = [*measured.notes, *on_paper]
     if sequence.gaps and not source.is_timed:
         notes.insert(
             0,
             Message("{name}: missing {gaps}; the drawing before is held", name=name, gaps=format_frames(sequence.gaps)),
         )
     last = cels.exposures[-1].frame
-    return NewCels(name, replace(cels, drawings=measured.drawings), measured.size_px, last, tuple(notes))
+    return NewCels(name, cels, measured.size_px, last, tuple(notes))
 
 
 def _drawing(file: NumberedFile) -> Drawing:

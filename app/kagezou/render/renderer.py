@@ -1,5 +1,7 @@
 """The renderer: the one way from a scene to pixels, for the window, the command line and a farm alike."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from kagezou.errors import GraphicsProblem
@@ -14,7 +16,7 @@ from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.info import read_info
 from kagezou.render.gpu.presenter import Presenter, WindowView
-from kagezou.render.gpu.targets import Format, Target, Texture
+from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.meshes.display import Display
 from kagezou.render.passes.depth_map import DepthMapPass
 from kagezou.render.passes.picture import PicturePass
@@ -22,6 +24,7 @@ from kagezou.render.passes.received import ReceivedCoverage
 from kagezou.render.passes.shadow_image import Coloring, Drawn, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.mixing import mixed
+from kagezou.render.united_shadows import UnitedShadows
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
 
@@ -57,6 +60,7 @@ class Renderer:
         self._divisor = divisor
         self._boxes = Boxes()
         self._shadows = CoverageCache(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
+        self._united = UnitedShadows(self._boxes, self._shadows)
         self._images = ShadowImages(self._boxes)
         self._presenter = Presenter(self._boxes)
         self._picture: PicturePass | None = None
@@ -92,6 +96,10 @@ class Renderer:
         coverage = self._shadows.coverage(scene, layer)
         measured = None if coverage is None else coverage.measured
         return self._images.image(scene.canvas, drawn(coverage), Coloring(layer.look, layer.cast, measured), depth)
+
+    def united_shadow(self, scene: Scene, layers: Sequence[LayerScene], depth: int = 8) -> ShadowImage:
+        """Return the shadows of layers of one look, at least one, as one, otherwise as :meth:`shadow` does."""
+        return self._images.united(scene.canvas, self._united.drawn(scene, layers), layers[0].look, depth)
 
     def received(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are."""
@@ -164,14 +172,9 @@ class Renderer:
         self._shadows.forget_except(scene)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
         cels = {each.id: self._cels.cel(each.drawing.source) for each in scene.layers if each.drawing is not None}
-        outlines: list[tuple[Texture, Box]] = []
-        for layer in scene.layers:
-            coverage = self._shadows.coverage(scene, layer)
-            if coverage is not None and coverage.box is not None and layer.cast is not None:
-                if line_px:
-                    outlines.append((coverage.target.texture, coverage.box))
-                else:
-                    picture.lay_shadow(coverage.target.texture, coverage.box, layer.cast, layer.look, coverage.measured)
+        outlines = list(self._united.outlined(scene)) if line_px else []
+        if not line_px:
+            self._united.lay(picture, scene)
         for layer in scene.layers:
             if layer.drawing is not None:
                 picture.lay_cel(cels[layer.id], layer.drawing.placement)
@@ -206,6 +209,7 @@ class Renderer:
         """Give the memory back; the context must be current."""
         if self._picture is not None:
             self._picture.close()
+        self._united.close()
         self._shadows.close()
         self._images.close()
         self._presenter.close()

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from kagezou.document import properties, set_properties
+from kagezou.document.figure_properties import SHADOWS_UNITE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
@@ -51,7 +52,8 @@ def evaluate(document: Document, frame: int) -> Scene:
     receiving = {layer.id for layer in document.layers if value_at(layer.tracks, properties.RECEIVES, frame)}
     layers = with_received(layers, receiving)
     set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))
-    return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow)
+    unite = value_at(document.tracks, SHADOWS_UNITE, frame)
+    return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow, unite)
 
 
 def camera_at(document: Document, frame: int) -> Camera:

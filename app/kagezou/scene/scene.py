@@ -269,7 +269,8 @@ class SetShadow:
 class Scene:
     """One frame: the canvas, what it is seen with, the ground, the visible layers from bottom to top, and the set.
 
-    ``set_shadow`` is None where no piece casts one.
+    ``set_shadow`` is None where no piece casts one. ``shadows_unite`` says whether shadows of like look do, see
+    ``uniting``.
     """
 
     canvas: Box
@@ -279,6 +280,7 @@ class Scene:
     layers: tuple[LayerScene, ...]
     pieces: tuple[PieceScene, ...] = ()
     set_shadow: SetShadow | None = None
+    shadows_unite: bool = True
 
 
 def without_pieces(scene: Scene, ids: Collection[str]) -> Scene:

@@ -122,12 +122,13 @@
     /* What was written down the last time; empty texts where nothing was, as by older versions. */
     function memoryOf(layer) {
         var parts = (layer.comment.split(" #")[layer.comment.split(" #").length - 1] || "").split(",");
-        var isThere = layer.comment.indexOf(" #") >= 0 && parts.length === 4;
-        return { opacity: isThere ? parts[0] : "", bounds: isThere ? parts[1] : "", remap: isThere ? parts[2] : "r", gone: isThere && parts[3] === "off" };
+        var isThere = layer.comment.indexOf(" #") >= 0 && parts.length >= 4;
+        return { opacity: isThere ? parts[0] : "", bounds: isThere ? parts[1] : "", remap: isThere ? parts[2] : "r", gone: isThere && parts[3] === "off", colors: parts[4] || "" };
     }
 
     function remember(layer, tag, memory) {
-        layer.comment = tagOf(tag) + " #" + [memory.opacity, memory.bounds, memory.remap, memory.gone ? "off" : "on"].join(",");
+        var said = [memory.opacity, memory.bounds, memory.remap, memory.gone ? "off" : "on"];
+        layer.comment = tagOf(tag) + " #" + said.concat(memory.colors ? [memory.colors] : []).join(",");
     }
 
     function folderOf(name, parent) {
@@ -277,6 +278,62 @@
         }
     }
 
+    /* Shift Channels: what alpha, red, green and blue are taken from. */
+    var ALPHA = 1;
+    var RED = 2;
+    var FULL_ON = 9;
+
+    function shiftChannels(layer, sources) {
+        var effect = layer.property("ADBE Effect Parade").addProperty("ADBE Shift Channels");
+        for (var i = 0; i < sources.length; i++) {
+            effect.property("ADBE Shift Channels-000" + (i + 1)).setValue(sources[i]);
+        }
+    }
+
+    /* The colour of a united shadow, null where the user took the effect away. */
+    function fillOf(layer) {
+        var effects = layer.property("ADBE Effect Parade");
+        for (var i = 1; i <= effects.numProperties; i++) {
+            if (effects.property(i).matchName === "ADBE Fill") {
+                return effects.property(i).property("ADBE Fill-0002");
+            }
+        }
+        return null;
+    }
+
+    function stateOfColors(property, shift) {
+        var said = [];
+        for (var i = 1; i <= Math.max(property.numKeys, 1); i++) {
+            var color = property.numKeys > 0 ? property.keyValue(i) : property.value;
+            said.push(property.numKeys > 0 ? rounded((property.keyTime(i) - shift) * HAND_OFF.frame_rate) : 0);
+            for (var j = 0; j < 3; j++) {
+                said.push(Math.round(color[j] * 255));
+            }
+        }
+        return checksum(said.join(" "));
+    }
+
+    /* A user's own colour stays. */
+    function setColors(layer, colors, memory) {
+        var property = fillOf(layer);
+        if (property === null || (memory.colors !== "" && memory.colors !== stateOfColors(property, layer.startTime))) {
+            return;
+        }
+        var times = [];
+        var values = [];
+        for (var i = 0; i < colors.length; i++) {
+            times.push(colors[i][0] + layer.startTime);
+            values.push([colors[i][1][0], colors[i][1][1], colors[i][1][2], 1]);
+        }
+        if (times.length === 1) {
+            clearKeys(property);
+            property.setValue(values[0]);
+        } else {
+            hold(property, times, values);
+        }
+        memory.colors = stateOfColors(property, layer.startTime);
+    }
+
     /* No opacity on empty cels. */
     function showHeld(opacity, held, shift) {
         var times = [];
@@ -384,6 +441,16 @@
         mark(layer.property("ADBE Marker"), wanted.markers, shift);
         if (isNew && wanted.inverted) {
             layer.property("ADBE Effect Parade").addProperty("ADBE Invert");
+        }
+        if (isNew && wanted.alpha_shown) {
+            shiftChannels(layer, [FULL_ON, ALPHA, ALPHA, ALPHA]);
+        }
+        if (wanted.colors.length > 0) {
+            if (isNew) {
+                shiftChannels(layer, [RED]);
+                layer.property("ADBE Effect Parade").addProperty("ADBE Fill");
+            }
+            setColors(layer, wanted.colors, memory);
         }
         remember(layer, wanted.tag, memory);
         step();
@@ -585,12 +652,16 @@
                 items[HAND_OFF.footage[i].tag] = importFootage(HAND_OFF.footage[i], root);
             }
         }
-        if (target) {
-            /* The main composition comes last. */
-            return fillComp(target, HAND_OFF.comps[HAND_OFF.comps.length - 1], items);
-        }
+        /* The main composition comes last, behind those that are layers of it. */
         for (i = 0; i < HAND_OFF.comps.length; i++) {
-            comp = buildComp(HAND_OFF.comps[i], items, root);
+            var wanted = HAND_OFF.comps[i];
+            if (target && i === HAND_OFF.comps.length - 1) {
+                return fillComp(target, wanted, items);
+            }
+            if (!target || wanted.tag.indexOf("united:") === 0) {
+                comp = buildComp(wanted, items, root);
+                items["comp:" + wanted.tag] = comp;
+            }
         }
         return comp;
     }

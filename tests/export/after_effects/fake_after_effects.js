@@ -70,13 +70,14 @@ class Property {
         return this.keys[index - 1];
     }
     property(name) {
-        const found = this.children[name];
+        const found = typeof name === "number" ? Object.values(this.children)[name - 1] : this.children[name];
         return found === undefined ? null : found;
     }
+    get numProperties() { return Object.keys(this.children).length; }
     dump() {
         const children = {};
         for (const [name, child] of Object.entries(this.children)) children[name] = child.dump();
-        return { value: this.value, keys: this.keys, children };
+        return { matchName: this.matchName, value: this.value, keys: this.keys, children };
     }
 }
 
@@ -84,7 +85,14 @@ class Effects extends Property {
     addProperty(matchName) {
         const effect = new Property(matchName, null);
         const parade = this;
-        effect.children["ADBE Slider Control-0001"] = new Property("ADBE Slider Control-0001", 0);
+        const parts = {
+            "ADBE Slider Control": [0], "ADBE Invert": [], "ADBE Shift Channels": [1, 2, 3, 4], "ADBE Fill": [0, [1, 0, 0, 1]]
+        };
+        if (!(matchName in parts)) throw new Error("After Effects: no effect " + matchName);
+        parts[matchName].forEach((value, i) => {
+            const part = `${matchName}-000${i + 1}`;
+            effect.children[part] = new Property(part, value);
+        });
         let name = matchName;
         Object.defineProperty(effect, "name", {
             get: () => name,
@@ -243,7 +251,7 @@ File.saveDialog = () => new File(settings.saveTo);
 File.openDialog = () => (settings.openFile ? new File(settings.openFile) : null);
 const settings = { saveTo: "", openFile: "", mayWrite: true };
 const asked = [];
-const BlendingMode = { NORMAL: "NORMAL", MULTIPLY: "MULTIPLY" };
+const BlendingMode = { NORMAL: "NORMAL", MULTIPLY: "MULTIPLY", LIGHTEN: "LIGHTEN" };
 
 const world = {
     app: {

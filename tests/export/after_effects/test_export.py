@@ -20,6 +20,7 @@ from kagezou.document.ease_edits import set_ease
 from kagezou.document.edits import add_layer, rename_layer, set_background, set_canvas, set_key
 from kagezou.document.key_edits import all_keys
 from kagezou.document.model import Cels, Document, Exposure, Marker
+from kagezou.document.paper import set_paper
 from kagezou.document.properties import GROUNDING, LIGHT_POSITION, OPACITY
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import OutputProblem, UsageProblem
@@ -34,6 +35,7 @@ from kagezou.geometry.camera import project
 from kagezou.io.images.reading import read_cel
 from kagezou.io.images.writing import write_rgba
 from kagezou.locations import resource_folder
+from kagezou.picture_source import Paper
 from kagezou.render.gpu.context import open_headless_context
 from kagezou.scene.evaluate import camera_at
 from tests.documents import names as layer_names
@@ -274,6 +276,18 @@ def test_drawings_whose_white_is_clear_are_copied_with_alpha(tmp_path: Path) -> 
     copy = Image.open(tmp_path / "ae" / "characters" / "A" / "A_0001.png")
     assert copy.mode == "RGBA"
     assert np.asarray(copy)[0, 0, 3] == 0
+
+
+def test_white_inside_outlines_is_in_the_copies(tmp_path: Path) -> None:
+    document = cut(tmp_path, count=2)
+    for drawing in document.layers[0].cels.drawings:
+        paper = np.full((HEIGHT, WIDTH, 3), 255, np.uint8)
+        paper[20:40, 20:30] = (200, 120, 40)
+        paper[25:30, 23:27] = 255
+        Image.fromarray(paper).save(drawing.path)
+    handed_off(set_paper(document, "layer-1", Paper.BORDER), tmp_path / "ae", copies=False)
+    copy = np.asarray(Image.open(tmp_path / "ae" / "characters" / "A" / "A_0001.png"))
+    assert (copy[0, 0, 3], copy[27, 25, 3]) == (0, 255)
 
 
 def test_drawings_with_gaps_are_copied_and_that_is_said(document: Document, tmp_path: Path) -> None:

@@ -109,8 +109,10 @@ def test_what_characters_cast_on_each_other_comes_back_over_them(panel: Panel, s
     assert run.tree["alerts"] == []
     names = [layer["name"] for layer in run.item("cut", "CompItem")["layers"]]
     assert names == [
-        "Light", "Ground line", "over", "B", "A received", "A", "B shadow", "A shadow", "under"
+        "Light", "Ground line", "over", "B", "A received", "A", "A, B shadows", "under"
     ]  # fmt: skip
+    within = [layer["name"] for layer in run.item("A, B shadows", "CompItem")["layers"]]
+    assert within == ["B shadow", "A shadow"]
     assert run.item("A received", "FootageItem")["frames"] == 4
     assert saved.exists()
 

@@ -28,7 +28,9 @@ def script_in(document: Document, folder: Path, name: str = "cut", **options: ob
 
 
 def with_second(document: Document, folder: Path) -> Document:
-    return add_layer(document, "B", Cels(drawings(folder, 2, "b"), (Exposure(1, 0), Exposure(2, 1))), Box(1, 1, 2, 2))
+    """Add B, whose shadow has another look."""
+    cels = Cels(drawings(folder, 2, "b"), (Exposure(1, 0), Exposure(2, 1)))
+    return with_values(add_layer(document, "B", cels, Box(1, 1, 2, 2)), layers__B__shadow__opacity=0.5)
 
 
 def order(run_layers: list[dict[str, object]]) -> list[object]:
@@ -191,6 +193,7 @@ def test_many_layers_show_how_far_it_is_and_the_window_goes_whatever_happens(tmp
     assert "show" not in few.tree["calls"]
     for number in range(2, 8):
         document = add_layer(document, f"L{number}", document.layers[0].cels, document.layers[0].figure)
+    document = with_values(document, scene__shadows_unite=False)
     script = script_in(document, tmp_path / "ae")
     calls = [each for each in run_script(script, tmp_path / "ae.json").tree["calls"] if each != "importFile"]
     assert calls == ["show", *(f"at {done} of 28" for done in range(1, 29)), "close"]

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images.oiio_guard import DecodedPicture
-from kagezou.io.images.reading import ImageInfo, matte_of, probe, read_cel, read_matte
+from kagezou.io.images.reading import ImageInfo, enclosed_part, matte_of, probe, read_cel, read_matte
+from kagezou.picture_source import OutlinedPicture
 from tests.io.images import picture_files as files
 
 Pixels = NDArray[Any]
@@ -148,6 +149,34 @@ def test_pure_white_is_clear(tmp_path: Path, dtype: str) -> None:
     paper = read_cel(tmp_path / "a.png", white_is_clear=False)
     assert tuple(map(str, paper.notes)) == ()
     assert (paper.matte.whole() == full).all()
+
+
+@pytest.mark.parametrize("dtype", ["uint8", "uint16"])
+def test_white_inside_an_outline_stays_where_the_source_says_so(tmp_path: Path, dtype: str) -> None:
+    full = int(np.iinfo(dtype).max)
+    pixels = np.full((12, 14, 3), full, dtype)
+    pixels[3:9, 3:10] = 50
+    pixels[5:7, 5:8] = full
+    pixels[9, 4] = full - 1
+    files.save(tmp_path / "a.png", pixels)
+    cel = read_cel(OutlinedPicture(tmp_path / "a.png"))
+    assert tuple(map(str, cel.notes)) == ("no alpha channel: white that reaches the border was taken as clear",)
+    wanted = np.zeros((12, 14), dtype)
+    wanted[3:9, 3:10] = wanted[9, 4] = full
+    assert np.array_equal(cel.matte.whole(), wanted)
+    assert np.array_equal(read_matte(OutlinedPicture(tmp_path / "a.png")).whole(), wanted)
+    assert enclosed_part(tmp_path / "a.png") == 6 / 43
+    (tmp_path / "b.png").write_bytes((tmp_path / "a.png").read_bytes())
+    assert read_cel(tmp_path / "b.png").matte.whole()[5:7, 5:8].max() == 0
+
+
+def test_paper_changes_nothing_in_a_picture_with_alpha(tmp_path: Path) -> None:
+    pixels = np.full((8, 9, 4), 255, np.uint8)
+    pixels[:2, :, 3] = 0
+    files.save(tmp_path / "a.png", pixels)
+    found = read_cel(OutlinedPicture(tmp_path / "a.png"))
+    assert np.array_equal(found.rgba, read_cel(tmp_path / "a.png").rgba)
+    assert enclosed_part(tmp_path / "a.png") == 0.0
 
 
 @pytest.mark.parametrize("name", ["a.jpg", "a.JPEG", "a.bmp", "a.tga", "a.png", "a.tif"])

@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMenu
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
@@ -11,6 +12,7 @@ from kagezou.document.invariants import check
 from kagezou.document.properties import TABLE
 from kagezou.document.property import Scope
 from kagezou.importing.staging import CharacterSource
+from kagezou.picture_source import Paper
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.layer_model import Role
@@ -173,6 +175,23 @@ def test_the_eye_is_clicked_in_the_list(qtbot: QtBot, layers: LayerList) -> None
         layers.view.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(place.left() + 12, place.center().y())
     )
     assert not layers.model.index(0).data(Role.IS_VISIBLE)
+
+
+def test_white_inside_outlines_is_switched_in_the_menu(layers: LayerList, filled: OpenProject) -> None:
+    def switch() -> QAction:
+        layers.view.customContextMenuRequested.emit(layers.view.visualRect(layers.model.index(0)).center())
+        menu = layers.view.findChildren(QMenu)[-1]
+        (found,) = (each for each in menu.actions() if each.text() == "White inside Outlines Stays")
+        menu.close()
+        return found
+
+    assert not switch().isChecked()
+    switch().trigger()
+    assert {drawing.paper for drawing in filled.bridge.document.layers[0].cels.drawings} == {Paper.BORDER}
+    check(filled.bridge.document)
+    assert switch().isChecked()
+    filled.bridge.session.undo()
+    assert not switch().isChecked()
 
 
 def test_dropping_a_row_moves_its_layer(layers: LayerList, filled: OpenProject) -> None:

@@ -30,6 +30,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16, tga 8)")
+    parser.add_argument("--united", action="store_true", help="also the shadows of each look as one")
     parser.add_argument("--composite", action="store_true", help="also background, shadows and characters in one")
     parser.add_argument("--receivers", action="store_true", help="also mattes of the ground and every set piece")
     parser.add_argument("--layered", action="store_true", help="each frame one psd or exr with all layers instead")
@@ -56,6 +57,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         depth=options.depth or DEPTHS[form][0],
         composite=options.composite,
         receivers=options.receivers,
+        united=options.united,
         layered=options.layered,
     )
     document = load(project)

@@ -28,14 +28,15 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import resolve, track_of
     from kagezou.document.joining import join_path, joins
+    from kagezou.document.paper import layer_of_paper, paper_of
     from kagezou.io.project.file import load
 
     document = load(options.project)
-    joining = join_path(document, options.path)
-    if joining is not None:
-        figure = joins(document, joining)
-        table: dict[str, Json] = {"path": options.path, "unit": "", "frame": options.frame, "value": figure, "keys": []}
-        give_json(table if options.json else figure)
+    joining, layer = join_path(document, options.path), layer_of_paper(document, options.path)
+    if joining is not None or layer is not None:
+        word = joins(document, joining) if joining is not None else paper_of(layer).value if layer else ""
+        table: dict[str, Json] = {"path": options.path, "unit": "", "frame": options.frame, "value": word, "keys": []}
+        give_json(table if options.json else word)
         return 0
     address = resolve(document, options.path)
     track = track_of(document, address)

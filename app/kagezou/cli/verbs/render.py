@@ -33,6 +33,9 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16, tga 8)")
     parser.add_argument(
+        "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
+    )
+    parser.add_argument(
         "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
     )
     parser.add_argument(
@@ -78,6 +81,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         composite=options.composite,
         layered=options.layered,
         receivers=options.receivers,
+        united=options.united,
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
         keep_going=options.keep_going,

@@ -10,8 +10,7 @@ from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 if TYPE_CHECKING:
-    from kagezou.document.address import Address
-    from kagezou.document.joining import JoinPath
+    from kagezou.animation.track import Interpolation
     from kagezou.document.model import Document
 
 DESCRIPTION = """\
@@ -24,6 +23,7 @@ EXAMPLES = """\
   kagezou set walk.kage light.azimuth=40 --frame 48 --interp bezier
   kagezou set walk.kage 'layers.Hero.grounding=[[420,900],[510,900]]'
   kagezou set walk.kage layers.arm.joins=Hero      one more cel of Hero; "" makes it a character of its own
+  kagezou set walk.kage layers.Hero.paper=border        drawings without alpha: white inside outlines stays (or white)
   kagezou info walk.kage --properties        lists every PATH
 """
 
@@ -46,8 +46,6 @@ def add_arguments(parser: Parser) -> None:
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation
-    from kagezou.document.edits import set_constant, set_key
-    from kagezou.document.joining import JoinPath, joined
     from kagezou.io.project.file import load, save
 
     if options.interp is not None and options.frame is None:
@@ -55,32 +53,40 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     interpolation = None if options.interp is None else Interpolation(options.interp)
     before = document = load(options.project)
     for text in options.assignments:
-        address, raw = _assignment(document, text)
-        if isinstance(address, JoinPath):
-            document = joined(document, address, raw, options.frame)
-        elif options.frame is None:
-            document = set_constant(document, address, raw)
-        else:
-            document = set_key(document, address, options.frame, raw, interpolation)
+        document = _assigned(document, text, options.frame, interpolation)
     if document is not before:
         save(document, options.project)
     return 0
 
 
-def _assignment(document: "Document", text: str) -> "tuple[Address | JoinPath, object]":
-    """Return the address and the raw value of ``PATH=JSON``; a layer's name may hold an equals sign."""
+def _assigned(document: "Document", text: str, frame: int | None, interpolation: "Interpolation | None") -> "Document":
+    """Return the document after ``PATH=JSON``; a layer's name may hold an equals sign."""
     from kagezou.cli.values import NotJson, value_of_text
     from kagezou.document.address import resolve
-    from kagezou.document.joining import join_path
+    from kagezou.document.edits import set_constant, set_key
+    from kagezou.document.joining import join_path, joined
+    from kagezou.document.paper import layer_of_paper, set_paper, typed_paper
 
     problem: UsageProblem | None = None
     for path, value in _halves(text):
+        layer = layer_of_paper(document, path)
+        if layer is not None:
+            if frame is not None:
+                raise UsageProblem(Message("{path} is the same on every frame and has no keys", path=path))
+            return set_paper(document, layer.id, typed_paper(value_of_text(path, value)))
         try:
-            return join_path(document, path) or resolve(document, path), value_of_text(path, value)
+            joining = join_path(document, path)
+            if joining is not None:
+                return joined(document, joining, value_of_text(path, value), frame)
+            address, raw = resolve(document, path), value_of_text(path, value)
         except NotJson:
             raise
         except UsageProblem as unknown:
             problem = problem or unknown
+            continue
+        if frame is None:
+            return set_constant(document, address, raw)
+        return set_key(document, address, frame, raw, interpolation)
     raise problem or UsageProblem(
         Message("{text!r} is not PATH=JSON, such as light.position=[1400,-300,900]", text=text)
     )

@@ -10,14 +10,15 @@ from kagezou.document import properties
 from kagezou.document.address import Address, track_of
 from kagezou.document.model import Document, Layer, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
-from kagezou.document.set_properties import SET_BLEND, SET_OPACITY
 from kagezou.document.values import value_at
 from kagezou.export.after_effects import comp as ae
-from kagezou.export.after_effects.channels import channel_of, seconds
+from kagezou.export.after_effects.channels import seconds
 from kagezou.export.after_effects.drawings import CelFootage
 from kagezou.export.after_effects.guides import guides_of
 from kagezou.export.after_effects.renderings import RECEIVED, SHADOW_MATTES, SHADOWS, Rendering
+from kagezou.export.after_effects.shadows import ShadowFootage, Shown, shadow_layers, united_comps
 from kagezou.export.subjects import GROUND, SET
+from kagezou.export.uniting import CutGroup
 
 Remap = tuple[tuple[float, int | None], ...]
 
@@ -57,6 +58,8 @@ class Written:
         The background's file.
     lit
         Whether the lit area is asked for; it is made of the mattes of the shadows alone.
+    united
+        The groups of layers whose shadows unite over the whole cut.
     """
 
     folder: Path
@@ -64,6 +67,7 @@ class Written:
     cels: Mapping[str, CelFootage]
     background: Path | None
     lit: bool = False
+    united: tuple[CutGroup, ...] = ()
 
 
 def hand_off(document: Document, name: str, project: str, written: Written) -> ae.HandOff:
@@ -71,10 +75,12 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
     canvas = document.canvas
     rate = canvas.frame_rate
     first, last = document.played
+    shown = _shown(document, written)
+    shadows = shadow_layers(document, written.united, shown)
     main = ae.Comp(
         "main",
         name,
-        (*_background(written), *_shadows(document, written), *_characters(document, written)),
+        (*_background(written), *shadows, *_characters(document, written)),
         guides_of(document),
         _markers(document),
     )
@@ -88,7 +94,7 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
         duration=float(canvas.length_frames / rate),
         work_area=(seconds(first, rate), float((last - first + 1) / rate)),
         footage=_footage(document, written),
-        comps=(*_lit(document, written), main),
+        comps=(*_lit(document, written), *united_comps(document, written.united, shown), main),
     )
 
 
@@ -115,29 +121,14 @@ def _background(written: Written) -> tuple[ae.CompLayer, ...]:
     return (ae.CompLayer("background", "Background", "background", "NORMAL", ae.Channel(100.0)),)
 
 
-def _shadows(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
-    """Return the shadow layers, that of the set below those of the characters."""
-    made = []
+def _shown(document: Document, written: Written) -> Shown:
+    """Return the shadows that were rendered, and what stands at them."""
     rate = document.canvas.frame_rate
-    owners = [(SET, "Set", value_at(document.tracks, SET_BLEND, 1), Address(SET_OPACITY))]
-    owners += [
-        (layer.id, layer.name, value_at(layer.tracks, properties.BLEND, 1), Address(properties.OPACITY, layer.id))
-        for layer in document.layers
-    ]
-    for owner, name, blend, opacity in owners:
-        if (SHADOWS, owner) in written.rendered:
-            made.append(
-                ae.CompLayer(
-                    tag=f"shadow:{owner}",
-                    name=f"{name} shadow",
-                    footage=f"shadow:{owner}",
-                    blend=blend.upper(),
-                    opacity=channel_of(track_of(document, opacity), 0, rate, 100.0),
-                    remap=_remap(written.rendered[SHADOWS, owner].pictures, rate),
-                    markers=_notes(document, owner),
-                )
-            )
-    return tuple(made)
+    return {
+        owner: ShadowFootage(_remap(footage.pictures, rate), _notes(document, owner))
+        for (rendering, owner), footage in written.rendered.items()
+        if rendering == SHADOWS
+    }
 
 
 def _characters(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:

@@ -77,12 +77,14 @@ class CompMarker:
 
 @dataclass(frozen=True, slots=True)
 class CompLayer:
-    """A layer of footage.
+    """A layer of footage, or of a composition.
 
     Parameters
     ----------
+    footage
+        The tag of its footage; ``comp:`` and the tag of a composition that comes before its own.
     blend
-        "NORMAL" or "MULTIPLY".
+        "NORMAL", "MULTIPLY" or "LIGHTEN".
     opacity
         In per cent.
     remap
@@ -90,6 +92,11 @@ class CompLayer:
         cel.
     inverted
         Whether its colours are turned over, black for white.
+    alpha_shown
+        Whether it is an opaque picture of its alpha, white on black.
+    colors
+        (seconds, red, green and blue from 0 to 1) from when on it has a colour, and its brightness as its alpha; empty
+        where it is what its footage is.
     """
 
     tag: str
@@ -100,6 +107,8 @@ class CompLayer:
     remap: tuple[tuple[float, int | None], ...] = ()
     markers: tuple[CompMarker, ...] = ()
     inverted: bool = False
+    alpha_shown: bool = False
+    colors: tuple[tuple[float, tuple[float, ...]], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.sequences import sequences_of
+from kagezou.export.uniting import cut_groups
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.reading import read_cel
@@ -119,7 +120,10 @@ def export_to_after_effects(
     summaries = [run.export(each, open_context) for each in run.renderings]
     if any(summary.cancelled for summary in summaries):
         return HandedOff(None, tuple(summaries), (), time.monotonic() - started)
-    written = Written(request.folder, run.footage, run.cels(), run.background(), lit="lit" in request.mattes)
+    united = cut_groups(document, of_one_color=True)
+    run.notes.extend(united.notes())
+    lit, groups = "lit" in request.mattes, united.of_several()
+    written = Written(request.folder, run.footage, run.cels(), run.background(), lit, groups)
     file = safe_names([request.name])[request.name] + ".jsx"
     text = script_of(hand_off(document, request.name, file, written))
     write_bytes(request.folder / file, text.encode("ascii"))

@@ -20,6 +20,7 @@ class Option(StrEnum):
     DEPTH = "depth"
     COMPOSITE = "composite"
     RECEIVERS = "receivers"
+    UNITED = "united"
     ONLY_WORK_AREA = "only_work_area"
     SKIP_EXISTING = "skip_existing"
     IN_ONE = "in_one"

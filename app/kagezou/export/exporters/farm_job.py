@@ -76,6 +76,14 @@ FARM_JOB: Final = FarmJob(
     label=Message("Render farm job"),
     verb="farm",
     options=frozenset(
-        (Option.DEPTH, Option.IN_ONE, Option.COMPOSITE, Option.RECEIVERS, Option.ONLY_WORK_AREA, Option.CHUNK)
+        (
+            Option.DEPTH,
+            Option.IN_ONE,
+            Option.UNITED,
+            Option.COMPOSITE,
+            Option.RECEIVERS,
+            Option.ONLY_WORK_AREA,
+            Option.CHUNK,
+        )
     ),
 )

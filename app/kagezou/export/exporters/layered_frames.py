@@ -33,7 +33,9 @@ class LayeredFrames(NumberedFrames):
         # The layers are the same in every frame.
         frame = chosen_frames(document, request)[0]
         content = layered_subject(document, request).content_at(document, evaluate(document, frame), frame)
-        return (*lines, *(f"    {name}" for name in reversed(content.part_names)))
+        named = zip(content.group_names, content.part_names, strict=True)
+        parts = [f"    {group} / {name}" if group else f"    {name}" for group, name in named]
+        return (*lines, *reversed(parts))
 
     def request(self, document: Document, choices: ExportChoices, place: Place) -> ExportRequest:
         """Return what the frames are asked for with."""

@@ -35,7 +35,7 @@ class NumberedFrames(Exporter[ExportRequest, Summary]):
 
     def outcome(self, made: Summary, place: Place) -> ExportOutcome:
         """Return what came of it; the folder is the one to look in."""
-        return outcome_of((made,), place.folder)
+        return outcome_of((made,), place.folder, made.notes)
 
 
 def frames_request(document: Document, choices: ExportChoices, folder: Path, *, is_layered: bool) -> ExportRequest:
@@ -46,7 +46,7 @@ def frames_request(document: Document, choices: ExportChoices, folder: Path, *, 
     folder
         Where the folders of the sequences are made.
     is_layered
-        Whether each frame is one file that holds all layers; then no composite and no mattes are made beside it.
+        Whether each frame is one file that holds all layers; then nothing else is made beside it.
     """
     return ExportRequest(
         folder=folder,
@@ -55,6 +55,7 @@ def frames_request(document: Document, choices: ExportChoices, folder: Path, *, 
         depth=choices.depth,
         composite=choices.composite and not is_layered,
         receivers=choices.receivers and not is_layered,
+        united=choices.united and not is_layered,
         skip_existing=choices.skip_existing,
         workers=workers(),
         layered=is_layered,

@@ -11,7 +11,7 @@ from kagezou.message import Message
 
 
 class ShadowLayers(NumberedFrames):
-    """Shadows, composites and mattes of receivers as frames."""
+    """Shadows, each apart and those of a look as one, composites and mattes of receivers as frames."""
 
     __slots__ = ()
 
@@ -36,5 +36,14 @@ SHADOW_LAYERS: Final = ShadowLayers(
     key="layers",
     label=Message("Shadow layers"),
     verb="render",
-    options=frozenset((Option.DEPTH, Option.COMPOSITE, Option.RECEIVERS, Option.ONLY_WORK_AREA, Option.SKIP_EXISTING)),
+    options=frozenset(
+        (
+            Option.DEPTH,
+            Option.UNITED,
+            Option.COMPOSITE,
+            Option.RECEIVERS,
+            Option.ONLY_WORK_AREA,
+            Option.SKIP_EXISTING,
+        )
+    ),
 )

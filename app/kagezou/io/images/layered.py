@@ -54,8 +54,13 @@ def write_layered(path: Path, image: LayeredImage) -> None:
 
 
 def _exr_part(part: LayerPart) -> ExrPart:
-    """Return a part as linear light; OpenEXR has no empty part, so that one clear pixel stands for it."""
+    """Return a part as linear light; OpenEXR has no empty part, so that one clear pixel stands for it.
+
+    It has no groups either: the name of a part in one begins with the group's, and a dot.
+    """
+    united = part.group.name if part.group else ""
+    name = f"{united}.{part.name}" if united else part.name
     blend = "multiply" if part.multiply else "normal"
     if part.box.is_empty:
-        return ExrPart(part.name, (0, 0), np.zeros((1, 1, 4), np.float16), blend)
-    return ExrPart(part.name, (part.box.left, part.box.top), light_from_rgba(part.pixels), blend)
+        return ExrPart(name, (0, 0), np.zeros((1, 1, 4), np.float16), blend, united)
+    return ExrPart(name, (part.box.left, part.box.top), light_from_rgba(part.pixels), blend, united)

@@ -17,6 +17,9 @@ from kagezou.message import Message
 BLEND: Final = "kagezou:blend"
 """The attribute that says how a part lies on those before it: ``normal`` or ``multiply``."""
 
+UNITED: Final = "kagezou:united"
+"""The attribute of parts that are laid as one, by the maximum of their alphas: the name of their group."""
+
 
 @dataclass(frozen=True, eq=False)
 class ExrPart:
@@ -32,12 +35,15 @@ class ExrPart:
         (H, W, 4) ``float16``, linear, multiplied by alpha.
     blend
         The value of `BLEND`.
+    united
+        The value of `UNITED`, empty for none.
     """
 
     name: str
     corner_px: tuple[int, int]
     light: NDArray[np.float16]
     blend: str
+    united: str = ""
 
 
 def write_parts_verified(temp: Path, size_px: tuple[int, int], parts: Sequence[ExrPart], shown_as: Path) -> None:
@@ -75,6 +81,8 @@ def _spec(part: ExrPart, size_px: tuple[int, int]) -> oiio.ImageSpec:
     spec.full_width, spec.full_height = size_px
     # Without a given DateTime the writer puts in the present one.
     settings = {"oiio:subimagename": part.name, "compression": "zip", "DateTime": "", BLEND: part.blend}
+    if part.united:
+        settings[UNITED] = part.united
     for name, value in settings.items():
         spec.attribute(name, value)
     return spec

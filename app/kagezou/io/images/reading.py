@@ -14,15 +14,19 @@ from numpy.typing import NDArray
 from kagezou.geometry.box import Box
 from kagezou.io.images.oiio_guard import DecodedPicture
 from kagezou.io.images.stored_pixels import TURNED, alpha_plane, assembled, box_of, full, on_canvas, upright
+from kagezou.io.pixels.paper import reaching_border
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
 from kagezou.message import Message
-from kagezou.picture_source import PicturePart, PictureSource, file_of
+from kagezou.picture_source import OutlinedPicture, PicturePart, PictureSource, file_of
 
 Steps = NDArray[np.uint8] | NDArray[np.uint16]
 _NO_ALPHA: Final = Message("no alpha channel: pure white was taken as clear")
+_NO_ALPHA_BORDER: Final = Message("no alpha channel: white that reaches the border was taken as clear")
 _NO_ALPHA_NO_WHITE: Final = Message("no alpha channel and no white: the whole frame would cast a shadow")
+_FILLED: Final = 0.9
+"""What takes more of a picture than this is not its figure."""
 _ALL_FULL: Final = Message("alpha is full everywhere: the whole frame would cast a shadow")
 
 
@@ -138,7 +142,8 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
     source
         A picture file, or a part of one.
     white_is_clear
-        In a file without alpha, whether pure white is clear; False for a background, which is opaque.
+        In a file without alpha, whether white is clear, all of it or what reaches the border, as the source says; False
+        for a background, which is opaque.
 
     Raises
     ------
@@ -148,7 +153,7 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
     rgba, has_alpha = _psd_rgba(source) if is_psd(file_of(source)) else _file_rgba(file_of(source))
     notes: tuple[Message, ...] = ()
     if not has_alpha and white_is_clear:
-        notes = _clear_white(rgba)
+        notes = _clear_white(rgba, is_outlined=isinstance(source, OutlinedPicture))
     matte = matte_of(rgba[..., 3])
     if has_alpha and white_is_clear and rgba.size and matte.is_full:
         notes = (_ALL_FULL,)
@@ -215,9 +220,38 @@ def matte_of(alpha: NDArray[Any]) -> Matte:
     return Matte(width, height, box, kept, hard_edged=hard)
 
 
-def _clear_white(rgba: NDArray[Any]) -> tuple[Message, ...]:
-    """Make pure white clear in place, in (H, W, 4), and return the note about it."""
+def enclosed_part(path: Path) -> float:
+    """Return how much of the figure of a picture without alpha is white inside an outline, 0 to 1; 0 with alpha.
+
+    The figure is all that is not white or does not reach the border; one that fills the picture is a frame drawn around
+    it, or no figure on paper at all, and nothing is inside of it.
+
+    Raises
+    ------
+    InputProblem
+        As for `read_cel`.
+    """
+    if probe(path).has_alpha:
+        return 0.0
+    rgba = read_cel(path, white_is_clear=False).rgba
+    white = _white_of(rgba)
+    figure = white.size - int(np.count_nonzero(reaching_border(white)))
+    colored = white.size - int(np.count_nonzero(white))
+    return (figure - colored) / figure if 0 < figure < _FILLED * white.size else 0.0
+
+
+def _white_of(rgba: NDArray[Any]) -> NDArray[np.bool_]:
     most = full(rgba)
-    white = (rgba[..., 0] & rgba[..., 1] & rgba[..., 2]) == most
+    white: NDArray[np.bool_] = (rgba[..., 0] & rgba[..., 1] & rgba[..., 2]) == most
+    return white
+
+
+def _clear_white(rgba: NDArray[Any], *, is_outlined: bool) -> tuple[Message, ...]:
+    """Make pure white clear in place, in (H, W, 4), all or what reaches the border; return the note about it."""
+    white = _white_of(rgba)
+    if is_outlined:
+        white = reaching_border(white)
     rgba[..., 3][white] = 0
-    return (_NO_ALPHA,) if white.any() else (_NO_ALPHA_NO_WHITE,)
+    if not white.any():
+        return (_NO_ALPHA_NO_WHITE,)
+    return (_NO_ALPHA_BORDER if is_outlined else _NO_ALPHA,)

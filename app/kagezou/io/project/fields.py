@@ -71,6 +71,9 @@ LAYER: Final[Fields] = MappingProxyType({
                        "From this frame on that drawing is seen, counted from 0, or none for null; frames go up."),
     "tracks": Field("object", "Property name → track, for the properties of the layer."),
     "joins": Field("text", "The id of the layer of whose figure this one is a part.", optional=True),
+    "paper": Field("white or border",
+                   "Which white is clear where drawings have no alpha: all that is pure white, which is usual, or what "
+                   "is connected with the border of its picture.", optional=True),
     "sizes": Field("list of [index, width, height]",
                    "Pictures whose size is known, px: from this drawing on all have it, until the next row.",
                    optional=True),

@@ -8,7 +8,7 @@ from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.faults import input_problem, shown
 from kagezou.io.files.json_text import Reader, parse
 from kagezou.message import Message
-from kagezou.picture_source import PicturePart, PictureSource
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 _MOST_RULES = 10_000
 _MOST_CHARACTERS = 32_768
@@ -67,7 +67,7 @@ def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:
 def _mapped_source(source: PictureSource | None, rules: tuple[Rule, ...]) -> PictureSource | None:
     if isinstance(source, PicturePart):
         return replace(source, path=mapped(source.path, rules))
-    return None if source is None else mapped(source, rules)
+    return None if source is None else mapped(file_of(source), rules)
 
 
 def mapped(path: Path, rules: tuple[Rule, ...]) -> Path:

@@ -12,6 +12,7 @@ from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
+from kagezou.document.paper import on_paper
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, ValueProblem
 from kagezou.document.set_pieces import MAX_PIECES
@@ -24,7 +25,7 @@ from kagezou.io.project.feet import read_feet
 from kagezou.io.project.paths import MAX_PATH_CHARACTERS, local_path
 from kagezou.io.project.review import read_review
 from kagezou.message import Message
-from kagezou.picture_source import PicturePart, PictureSource
+from kagezou.picture_source import Paper, PicturePart, PictureSource
 
 _FRAME_RATE: Final = re.compile(r"[0-9]{1,18}(/[0-9]{1,18})?")
 _MAX_FRAME: Final = 1_000_000
@@ -97,11 +98,15 @@ def _layer(reader: Reader, folder: Path) -> Layer:
     return Layer(
         id=_name(found["id"]),
         name=_name(found["name"]),
-        cels=read_feet(found, _cels(found["drawings"], found["exposures"], folder)),
+        cels=on_paper(read_feet(found, _cels(found["drawings"], found["exposures"], folder)), _paper(found)),
         figure=_figure(found["figure"]),
         tracks=_tracks(found["tracks"], OF_LAYER),
         joins=_name(found["joins"]) if "joins" in found else None,
     )
+
+
+def _paper(found: Mapping[str, Reader]) -> Paper:
+    return Paper(found["paper"].word(list(Paper))) if "paper" in found else Paper.WHITE
 
 
 def _linked(reader: Reader) -> frozenset[str]:

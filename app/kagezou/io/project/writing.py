@@ -7,6 +7,7 @@ from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
 from kagezou.document.model import Document, Drawing, Layer, Piece, Tracks
+from kagezou.document.paper import paper_of
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
 from kagezou.io.files.json_text import JsonRow
@@ -14,7 +15,7 @@ from kagezou.io.project.feet import feet_tree
 from kagezou.io.project.paths import stored_path
 from kagezou.io.project.review import review_tree
 from kagezou.io.project.versions import CURRENT, FORMAT_NAME, Tree
-from kagezou.picture_source import PicturePart, PictureSource
+from kagezou.picture_source import Paper, PicturePart, PictureSource, file_of
 
 
 def tree_of(document: Document, folder: Path) -> Tree:
@@ -44,7 +45,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
 def _background(source: PictureSource, folder: Path) -> object:
     if isinstance(source, PicturePart):
         return JsonRow([stored_path(source.path, folder), source.address])
-    return stored_path(source, folder)
+    return stored_path(file_of(source), folder)
 
 
 def _drawing(drawing: Drawing, folder: Path) -> list[str]:
@@ -67,6 +68,7 @@ def _layer(layer: Layer, folder: Path) -> dict[str, object]:
         "exposures": [JsonRow([exposure.frame, exposure.drawing]) for exposure in cels.exposures],
         "tracks": _tracks(layer.tracks, OF_LAYER),
         **({} if layer.joins is None else {"joins": layer.joins}),
+        **({} if paper_of(layer) is Paper.WHITE else {"paper": paper_of(layer).value}),
         **feet_tree(cels.drawings),
     }
 

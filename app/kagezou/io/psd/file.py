@@ -162,7 +162,7 @@ def psd_pixels(source: PictureSource) -> PsdPixels:
     InputProblem
         As for `psd_tree`, or there is no such part.
     """
-    address = None if isinstance(source, Path) else source.address
+    address = source.address if isinstance(source, PicturePart) else None
     return _SHELF.opened(file_of(source)).pixels(address)
 
 

@@ -1,17 +1,19 @@
-"""Photoshop documents packed in memory: RGB layers with their blend mode and opacity, and the merged picture.
+"""Photoshop documents packed in memory: RGB layers and groups, their blend mode and opacity, and the merged picture.
 
 A document of 16 bit is laid out as Photoshop lays it out: the place where layers of 8 bit stand is empty, and they
 stand in a block of their own behind it.
 """
 
 import io
-from typing import Any, Final
+from collections.abc import Iterator
+from itertools import groupby
+from typing import Any, Final, TypeAlias
 
 import numpy as np
 from isal import isal_zlib
 from numpy.typing import NDArray
 from psd_tools.compression import encode_prediction
-from psd_tools.constants import BlendMode, ChannelID, ColorMode, Compression, Tag
+from psd_tools.constants import BlendMode, ChannelID, ColorMode, Compression, SectionDivider, Tag
 from psd_tools.psd import PSD
 from psd_tools.psd.header import FileHeader
 from psd_tools.psd.image_data import ImageData
@@ -25,14 +27,18 @@ from psd_tools.psd.layer_and_mask import (
     LayerInfo,
     LayerRecord,
     LayerRecords,
+    MaskData,
 )
 from psd_tools.psd.tagged_blocks import TaggedBlocks
 
-from kagezou.io.pixels.layers import LayeredImage, LayerPart
+from kagezou.geometry.box import Box
+from kagezou.io.pixels.layers import LayeredImage, LayerPart, PartGroup, Pixels
 
 LARGEST_SIDE_PX: Final = 30000
 # As differences to the left, deflated fast, 16 bit are packed as fast as in run lengths, in about half the room.
 _LEVEL: Final = 1
+_Layer: TypeAlias = tuple[LayerRecord, ChannelDataList]
+"""What a document says of a layer, and its planes."""
 _CHANNELS: Final = (ChannelID.CHANNEL_0, ChannelID.CHANNEL_1, ChannelID.CHANNEL_2, ChannelID.TRANSPARENCY_MASK)
 
 
@@ -91,7 +97,7 @@ def _on_white(image: LayeredImage) -> NDArray[Any]:
 
 def _layers(image: LayeredImage) -> LayerAndMaskInformation:
     """Return the layers where a document of the depth has them."""
-    layers = [_layer(part, image.depth) for part in image.parts]
+    layers = list(_records(image))
     records: Any = [record for record, _ in layers]
     planes: Any = [each for _, each in layers]
     content: Any = {
@@ -108,7 +114,43 @@ def _layers(image: LayeredImage) -> LayerAndMaskInformation:
     return LayerAndMaskInformation(LayerInfo(), GlobalLayerMaskInfo(), blocks)
 
 
-def _layer(part: LayerPart, depth: int) -> tuple[LayerRecord, ChannelDataList]:
+def _records(image: LayeredImage) -> Iterator[_Layer]:
+    """Yield the layers from the bottom; those of a group lie between its lower end and the group itself."""
+    for group, parts in groupby(image.parts, key=lambda part: part.group):
+        if group is not None:
+            yield _end_of_group()
+        yield from (_layer(part, image.depth) for part in parts)
+        if group is not None:
+            yield _group(group, image.depth)
+
+
+def _end_of_group() -> _Layer:
+    """Return the hidden layer at the lower end of a group, which all readers know by its kind alone."""
+    planes: Any = [ChannelData() for _ in _CHANNELS]
+    kinds = [ChannelInfo(kind, 2) for kind in _CHANNELS]
+    record = LayerRecord(channel_info=kinds, name="</Layer group>")
+    record.tagged_blocks.set_data(Tag.UNICODE_LAYER_NAME, "</Layer group>")
+    record.tagged_blocks.set_data(Tag.SECTION_DIVIDER_SETTING, SectionDivider.BOUNDING_SECTION_DIVIDER)
+    return record, ChannelDataList(planes)
+
+
+def _group(group: PartGroup, depth: int) -> _Layer:
+    """Return a group, with its mask where it has one; its layers are laid on each other before it is laid."""
+    nothing: Pixels = np.zeros((0, 0, 4), np.uint8)
+    part = LayerPart(group.name, nothing, Box(0, 0, 0, 0), group.opacity, group.multiply)
+    record, planes = _layer(part, depth)
+    record.tagged_blocks.set_data(Tag.SECTION_DIVIDER_SETTING, SectionDivider.OPEN_FOLDER, blend_mode=record.blend_mode)
+    if group.mask is not None and group.mask_box is not None:
+        plane, box = _plane(_in_depth(group.mask, depth)), group.mask_box
+        planes.append(plane)
+        record.channel_info.append(ChannelInfo(ChannelID.USER_LAYER_MASK, 2 + len(plane.data)))
+        record.mask_data = MaskData(
+            top=box.top, left=box.left, bottom=box.bottom, right=box.right, background_color=255
+        )
+    return record, planes
+
+
+def _layer(part: LayerPart, depth: int) -> _Layer:
     """Return what a document says of a layer, and its planes."""
     box = part.box
     pixels = _in_depth(part.pixels, depth)

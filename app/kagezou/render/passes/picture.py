@@ -15,6 +15,7 @@ from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.display import Display, SetPicture
 from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
+from kagezou.render.passes.unite import MOST_TAKEN
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.moved import MOVED, moved_by, moved_uniforms
 from kagezou.render.prepare.uniforms import Uniform
@@ -95,6 +96,17 @@ class PicturePass:
             },
             switches,
         )
+
+    def lay_united(self, united: Texture, box: Box, look: ShadowLook) -> None:
+        """Lay several shadows of one look over the picture as one, see `UnitePass`."""
+        uniforms: dict[str, Uniform] = {
+            "u_source_corner_px": (0.0, 0.0),
+            "u_is_picture": False,
+            "u_color": unit_rgb(look.color),
+            "u_opacity": look.opacity,
+            "u_multiply": look.multiply,
+        }
+        self._lay(self._target, box, united, uniforms, MOST_TAKEN if look.tip else frozenset())
 
     def lay_outline(self, coverage: Texture, box: Box, line_px: int) -> None:
         """Lay a shadow's outline over the picture as a line that reaches ``line_px`` to both sides of it."""

@@ -14,6 +14,7 @@ from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
 from kagezou.scene.scene import ShadowCast, ShadowLook
+from kagezou.scene.uniting import united_look
 
 _DEPTHS = {8: np.uint8, 16: np.uint16}
 _MOST_COVERED = 65535
@@ -85,6 +86,19 @@ class ShadowImages:
         if look.tip:
             return ShadowImage(width, height, look.color, shown[..., 3], box, shown[..., :3])
         return ShadowImage(width, height, look.color, shown, box)
+
+    def united(self, canvas: Box, drawn: Drawn | None, look: ShadowLook, depth: int) -> ShadowImage:
+        """Return shadows that `UnitePass` has made one, as :meth:`image` does a single one of their look."""
+        if drawn is None or look.tip is None:
+            return self.image(canvas, drawn, Coloring(united_look(look)), depth)
+        target, box = drawn
+        taken = target.read(box) / np.float32(_MOST_COVERED)
+        check("drawing a shadow")
+        covered = taken[..., 3:]
+        color = np.where(covered > 0, 1 - taken[..., :3] / np.where(covered > 0, covered, 1), 0)
+        most, form = (1 << depth) - 1, _DEPTHS[depth]
+        alpha, shown = (np.rint(each * most).astype(form) for each in (covered[..., 0] * look.opacity, color))
+        return ShadowImage(canvas.width, canvas.height, look.color, alpha, box, shown)
 
     def close(self) -> None:
         """Give the memory back."""

@@ -55,7 +55,7 @@ class ExportOptions(QWidget):
         _allow(self.depth_box, "" if len(depths) > 1 else only)
         _fill(self.video_box, self._pictures(), choices.video_layer)
         apart = self.tr("One file with all layers has it already.") if exporter.is_layered(choices) else ""
-        for option in (Option.COMPOSITE, Option.RECEIVERS):
+        for option in (Option.UNITED, Option.COMPOSITE, Option.RECEIVERS):
             _allow(self._ticks[option], apart)
         for option, box in self._ticks.items():
             _tick(box, on=bool(getattr(choices, option)))
@@ -78,6 +78,7 @@ class ExportOptions(QWidget):
         self._form.addRow(self.labels[1], self.video_box)
         self._rows.append((self.video_box, Option.VIDEO_LAYER))
         self._add(self.tr("All layers of a frame in one file"), Option.IN_ONE)
+        self._add(self.tr("Shadows of a look as one besides"), Option.UNITED)
         self._add(self.tr("Composite with background and characters"), Option.COMPOSITE)
         self._add(self.tr("Mattes: the ground and every set piece"), Option.RECEIVERS)
         self._add(self.tr("Only the work area"), Option.ONLY_WORK_AREA)

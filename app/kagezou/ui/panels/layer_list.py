@@ -23,6 +23,8 @@ from PySide6.QtWidgets import (
 )
 
 from kagezou.document.edits import remove_layer
+from kagezou.document.paper import paper_of
+from kagezou.picture_source import Paper
 from kagezou.ui.panels.layer_delegate import LayerDelegate
 from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.panels.look_clipboard import LookClipboard
@@ -164,6 +166,7 @@ class LayerList(QWidget):
         menu.addSeparator()
         menu.addAction(self.tr("Copy Look"), self.looks.copy)
         menu.addAction(self.tr("Paste Look"), self.looks.paste).setEnabled(self.looks.can_paste)
+        self._add_paper(menu, layer_id)
         menu.addSeparator()
         up = menu.addAction(self.tr("Move up"), lambda: self.model.move(layer_id, index.row() - 1))
         up.setEnabled(index.row() > 0)
@@ -172,3 +175,20 @@ class LayerList(QWidget):
         menu.addSeparator()
         menu.addAction(self.tr("Remove"), self.remove_current)
         menu.popup(self.view.viewport().mapToGlobal(at))
+
+    def _add_paper(self, menu: QMenu, layer_id: str) -> None:
+        """Add the switch of what is clear on the paper of drawings that are files of their own."""
+        layer = self._bridge.document.layer(layer_id)
+        if not any(drawing.part is None for drawing in layer.cels.drawings):
+            return
+        outlined = menu.addAction(self.tr("White inside Outlines Stays"))
+        outlined.setCheckable(True)
+        outlined.setChecked(paper_of(layer) is Paper.BORDER)
+        outlined.setToolTip(
+            self.tr(
+                "For drawings without alpha: only white that reaches the border is clear, so that white shirts, hair "
+                "and eyes stay. White between arm and body stays, too."
+            )
+        )
+        menu.setToolTipsVisible(True)
+        outlined.triggered.connect(lambda on: self.model.put_on_paper(self._bridge.layer_ids, outlined=on))

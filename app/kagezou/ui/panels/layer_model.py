@@ -11,8 +11,10 @@ from kagezou.document.address import Address
 from kagezou.document.common_edits import set_all
 from kagezou.document.edits import move_layer, rename_layer
 from kagezou.document.model import Layer
+from kagezou.document.paper import set_paper
 from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
+from kagezou.picture_source import Paper
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.system.bridge import Bridge
 
@@ -88,6 +90,13 @@ class LayerModel(QAbstractListModel):
         visible = [Address(properties.VISIBLE, layer_id) for layer_id in layer_ids]
         name = self.tr("Show layer") if shown else self.tr("Hide layer")
         self._bridge.session.edit(name, set_all(self._bridge.document, visible, shown, self._bridge.frame))
+
+    def put_on_paper(self, layer_ids: tuple[str, ...], *, outlined: bool) -> None:
+        """Say for layers whether white inside an outline stays in drawings without alpha, as one step."""
+        document = self._bridge.document
+        for layer_id in layer_ids:
+            document = set_paper(document, layer_id, Paper.BORDER if outlined else Paper.WHITE)
+        self._bridge.session.edit(self.tr("Paper of drawings"), document)
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         if not index.isValid():

@@ -1,0 +1,78 @@
+"""After Effects' compositing, as much of it as hand-offs use: 8 bit a channel, straight, rounded after every step."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kagezou.io.images.reading import read_cel
+from tests.export.after_effects.extendscript import Run, property_of, value_at
+
+Pixels = NDArray[np.uint8]
+
+# What Shift Channels may take a channel from, by number; hue, lightness and saturation are not asked for.
+SOURCES = {1: 3, 2: 0, 3: 1, 4: 2}
+FULL_ON = 9
+
+
+def composed(run: Run, comp: str, frame: int) -> Pixels:
+    """Return what a composition shows on a frame, counted from 1: (H, W, 4), straight, clear where nothing lies."""
+    item = run.item(comp, "CompItem")
+    shown = np.zeros((item["height"], item["width"], 4), np.uint8)
+    for layer in reversed(item["layers"]):
+        if layer["enabled"]:
+            shown = _laid(run, layer, shown, frame, item["frameRate"])
+    return shown
+
+
+def _laid(run: Run, layer: dict[str, Any], under: Pixels, frame: int, rate: float) -> Pixels:
+    time = (frame - 1) / rate
+    pixels = _source(run, layer, frame, rate)
+    for effect in layer["groups"]["ADBE Effect Parade"]["children"].values():
+        pixels = _with_effect(effect, pixels, time)
+    opacity = value_at(property_of(layer, "ADBE Transform Group", "ADBE Opacity"), time) / 100
+    over, below = pixels / 255, under / 255
+    alpha, covered = over[..., 3:] * opacity, below[..., 3:]
+    blended = {
+        "NORMAL": over[..., :3],
+        "MULTIPLY": over[..., :3] * below[..., :3],
+        "LIGHTEN": np.maximum(over[..., :3], below[..., :3]),
+    }[layer["blend"]]
+    whole = alpha + covered * (1 - alpha)
+    light = alpha * (1 - covered) * over[..., :3] + alpha * covered * blended + (1 - alpha) * covered * below[..., :3]
+    color = light / np.where(whole > 0, whole, 1)
+    return np.asarray(np.rint(np.concatenate([color, whole], -1) * 255), np.uint8)
+
+
+def _source(run: Run, layer: dict[str, Any], frame: int, rate: float) -> Pixels:
+    found = [each for each in run.tree["items"] if each["name"] == layer["source"] and each["kind"] != "FolderItem"]
+    assert len(found) == 1, layer["source"]
+    if found[0]["kind"] == "CompItem":
+        return composed(run, layer["source"], frame)
+    picture = frame - 1
+    if layer["remap"]:
+        picture = int(value_at(property_of(layer, "ADBE Time Remapping"), (frame - 1) / rate) * rate)
+    first = Path(found[0]["file"])
+    path = first
+    if found[0]["frames"] > 1:
+        stem, _, number = first.stem.rpartition("_")
+        path = first.with_name(f"{stem}_{int(number) + picture:0{len(number)}d}{first.suffix}")
+    rgba = read_cel(path, white_is_clear=False).rgba
+    assert rgba.dtype == np.uint8
+    return np.asarray(rgba, np.uint8)
+
+
+def _with_effect(effect: dict[str, Any], pixels: Pixels, time: float) -> Pixels:
+    parts = effect["children"]
+    if effect["matchName"] == "ADBE Shift Channels":
+        sources = [parts[f"ADBE Shift Channels-000{number}"]["value"] for number in (2, 3, 4, 1)]
+        full = np.full(pixels.shape[:2], 255, np.uint8)
+        return np.stack([full if each == FULL_ON else pixels[..., SOURCES[each]] for each in sources], -1)
+    assert effect["matchName"] == "ADBE Fill"
+    color = parts["ADBE Fill-0002"]
+    held = [key for key in color["keys"] if key["time"] <= time + 1e-9]
+    assert all(key["out"] == "HOLD" for key in color["keys"])
+    filled = pixels.copy()
+    filled[..., :3] = np.rint(np.array((held[-1] if held else color)["value"][:3]) * 255)
+    return filled
