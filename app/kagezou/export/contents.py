@@ -163,7 +163,9 @@ class UnitedContent(_ShadowLike):
     @property
     def sources(self) -> Sources:
         """The alphas of the drawings, and the sets they fall on."""
-        return Sources(mattes=tuple(source for cast in self.casts for source in cast.sources), sets=_sets_in(self.scene))
+        return Sources(
+            mattes=tuple(source for cast in self.casts for source in cast.sources), sets=_sets_in(self.scene)
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from kagezou.export.part_groups import as_group
 from kagezou.export.pictures import LayeredPicture, Picture
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images.reading import Cel, Steps
+from kagezou.io.images.stored_pixels import box_of
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.pixels.layers import LayeredImage, LayerPart
 from kagezou.render.prepare.backdrop import Backdrop
@@ -37,12 +38,15 @@ class LayerOfFrame:
         Whether it receives the shadows of others at any time.
     group
         The name of the group in which its shadow unites with those of others over the whole cut; empty for none.
+    has_shadow
+        Whether it is a figure of its own; a part of another's shares the shadow of that.
     """
 
     id: str
     name: str
     receives: bool = False
     group: str = ""
+    has_shadow: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +160,21 @@ class _Parts:
     def _character_part(self, layer: LayerScene | None) -> LayerPart:
         if layer is None or layer.drawing is None:
             return self._empty_part()
+        if layer.drawing.placement is not None:
+            return self._moved_part(layer)
         return _cel_part(self.painter.cels.cel(layer.drawing.source), self.content.scene.canvas)
+
+    def _moved_part(self, layer: LayerScene) -> LayerPart:
+        """Return a drawing that its layer moves, as the picture shows it."""
+        scene = self.content.scene
+        alone = replace(layer, cast=None, received=None)
+        bare = replace(scene, background=None, layers=(alone,), pieces=(), set_shadow=None)
+        self.painter.renderer.draw_picture(bare, Backdrop.TRANSPARENT, self.painter.depth)
+        seen = self.painter.renderer.read_picture()
+        box = box_of(seen[..., 3])
+        return (
+            self._empty_part() if box is None else LayerPart("", seen[box.top : box.bottom, box.left : box.right], box)
+        )
 
     def _received_part(self, layer: LayerScene | None) -> LayerPart:
         """Return what others cast on a layer, at the opacity of those who cast."""
@@ -187,7 +205,7 @@ class _Parts:
 def _groups(layers: tuple[LayerOfFrame, ...]) -> tuple[tuple[LayerOfFrame, ...], ...]:
     """Return layers by the groups of their shadows, in the order of the lowest of each; those without one alone."""
     groups: dict[tuple[str, str], tuple[LayerOfFrame, ...]] = {}
-    for layer in layers:
+    for layer in (each for each in layers if each.has_shadow):
         key = (layer.group, "" if layer.group else layer.id)
         groups[key] = (*groups.get(key, ()), layer)
     return tuple(groups.values())

@@ -93,7 +93,8 @@ def layered_subject(document: Document, request: ExportRequest) -> LayeredSubjec
     is_whole = request.layers is None
     groups = _group_names(document, layers)
     characters = tuple(
-        LayerOfFrame(layer.id, layer.name, ever_receives(layer), groups.get(layer.id, "")) for layer in layers
+        LayerOfFrame(layer.id, layer.name, ever_receives(layer), groups.get(layer.id, ""), layer.joins is None)
+        for layer in layers
     )
     return LayeredSubject(characters, is_whole and set_ever_casts(document), is_whole)
 

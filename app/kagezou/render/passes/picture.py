@@ -124,10 +124,7 @@ class PicturePass:
 
     def lay_cel(self, cel: Cel, placement: Placement | None = None) -> None:
         """Lay a drawing over the picture: centred, pixel for pixel, unless a placement moves it."""
-        if placement is None:
-            self._lay_cel(self._target, cel)
-        else:
-            self._lay_moved(cel, placement)
+        self._lay_cel(self._target, cel, placement)
 
     def copy_whole(self) -> None:
         """Draw the whole picture once into another target, one texel a pixel: the unit of cost of a benchmark."""
@@ -179,49 +176,19 @@ class PicturePass:
         switches = frozenset({"CONTRASTING"} if is_wire else ())
         self._lay(self._base_target, self._base_target.box, picture.texture, uniforms, switches)
 
-    def _lay_cel(self, target: Target, cel: Cel) -> None:
-        if cel.matte.box is None:
-            return
-        height, width = cel.rgba.shape[:2]
-        left, top = centred_offset(target.box, width, height)
-        box = cel.matte.box.moved(left, top).intersection(target.box)
-        if box is None:
+    def _lay_cel(self, target: Target, cel: Cel, placement: Placement | None = None) -> None:
+        seat = _seat_of(cel, placement, target.box)
+        if seat is None or cel.matte.box is None:
             return
         # Only the figure travels to the graphics card.
-        corner = cel.matte.box.moved(left, top)
-        texture = self._colors.made_of(cel, partial(_uploaded, cel, cel.matte.box))
-        self._lay(
-            target,
-            box,
-            texture,
-            {
-                "u_source_corner_px": (float(corner.left), float(corner.top)),
-                "u_is_picture": True,
-                "u_color": _NO_COLOR,
-                "u_opacity": 1.0,
-                "u_multiply": False,
-            },
-        )
-
-    def _lay_moved(self, cel: Cel, placement: Placement) -> None:
-        if cel.matte.box is None:
-            return
-        height, width = cel.rgba.shape[:2]
-        figure = cel.matte.box.moved(*centred_offset(self._target.box, width, height))
-        way = placement.canvas_from_centred()
-        # What lies between the outermost texels and nothing reaches half a texel further.
-        box = around_placed(figure.grown(1), way).intersection(self._target.box)
-        if box is None:
-            return
         texture = self._colors.made_of(cel, partial(_uploaded, cel, cel.matte.box))
         uniforms: dict[str, Uniform] = {
             "u_is_picture": True,
             "u_color": _NO_COLOR,
             "u_opacity": 1.0,
             "u_multiply": False,
-            **moved_uniforms(way @ moved_by(figure.left, figure.top)),
         }
-        self._lay(self._target, box, texture, uniforms, MOVED)
+        self._lay(target, seat.box, texture, uniforms | seat.uniforms, seat.switches)
 
     def _lay(
         self,
@@ -250,6 +217,31 @@ class PicturePass:
         GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self._base_target.id)
         self._target.texture.bind(0)
         GL.glCopyTexSubImage2D(GL.GL_TEXTURE_2D, 0, box.left, box.top, box.left, box.top, box.width, box.height)
+
+
+@dataclass(frozen=True, slots=True)
+class _Seat:
+    """Where a drawing is seen on the canvas, and how its pixels find their texels."""
+
+    box: Box
+    uniforms: dict[str, Uniform]
+    switches: frozenset[str]
+
+
+def _seat_of(cel: Cel, placement: Placement | None, canvas: Box) -> _Seat | None:
+    """Return how a drawing lies on the canvas, None where nothing of it is seen."""
+    if cel.matte.box is None:
+        return None
+    height, width = cel.rgba.shape[:2]
+    figure = cel.matte.box.moved(*centred_offset(canvas, width, height))
+    corner = (float(figure.left), float(figure.top))
+    if placement is None:
+        box = figure.intersection(canvas)
+        return box and _Seat(box, {"u_source_corner_px": corner}, frozenset())
+    way = placement.canvas_from_centred()
+    # What lies between the outermost texels and nothing reaches half a texel further.
+    box = around_placed(figure.grown(1), way).intersection(canvas)
+    return box and _Seat(box, moved_uniforms(way @ moved_by(*corner)), MOVED)
 
 
 def _uploaded(cel: Cel, box: Box) -> Texture:
