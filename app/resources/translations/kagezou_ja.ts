@@ -249,6 +249,22 @@
         <translation>見た目を貼り付け(&amp;P)</translation>
     </message>
     <message>
+        <source>&amp;Transform Cel</source>
+        <translation>セルの変形(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Find &amp;Feet</source>
+        <translation>足を探す(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Next Dou&amp;btful Drawing</source>
+        <translation>次の疑わしい絵(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Previous Doubtful Drawing</source>
+        <translation>前の疑わしい絵</translation>
+    </message>
+    <message>
         <source>Edit &amp;Keyboard Shortcuts…</source>
         <translation>キーボードショートカットを編集 (&amp;K)…</translation>
     </message>
@@ -1079,6 +1095,10 @@
         <translation>1フレームの全レイヤーを1つのファイルに</translation>
     </message>
     <message>
+        <source>Shadows of a look as one besides</source>
+        <translation>同じ見た目の影をまとめた連番も書き出す</translation>
+    </message>
+    <message>
         <source>Composite with background and characters</source>
         <translation>背景・キャラクターとの合成も書き出す</translation>
     </message>
@@ -1183,6 +1203,24 @@
     </message>
 </context>
 <context>
+    <name>FeetFinder</name>
+    <message>
+        <source>Find feet</source>
+        <translation>足を探す</translation>
+    </message>
+</context>
+<context>
+    <name>Figures</name>
+    <message>
+        <source>Drag the cel to move it, a corner to scale it, outside of a corner to turn it; Shift constrains. Esc ends it.</source>
+        <translation>セルをドラッグで移動、角で拡大・縮小、角の外側で回転。Shift で制限。Esc で終了。</translation>
+    </message>
+    <message>
+        <source>There is no more drawing with doubtful feet in this direction.</source>
+        <translation>この方向に足の疑わしい絵はもうありません。</translation>
+    </message>
+</context>
+<context>
     <name>FlagList</name>
     <message>
         <source>Flags</source>
@@ -1203,6 +1241,25 @@
     <message>
         <source>key between two drawings</source>
         <translation>動画の途中にあるキー</translation>
+    </message>
+</context>
+<context>
+    <name>FootMenu</name>
+    <message>
+        <source>Planted</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>Lifted</source>
+        <translation>浮いている</translation>
+    </message>
+    <message>
+        <source>No Foot</source>
+        <translation>足ではない</translation>
+    </message>
+    <message>
+        <source>As Found (Unpin)</source>
+        <translation>見つかったまま (固定を解除)</translation>
     </message>
 </context>
 <context>
@@ -1249,12 +1306,32 @@
         <translation>%1を微調整</translation>
     </message>
     <message>
+        <source>Add foot</source>
+        <translation>足を追加</translation>
+    </message>
+    <message>
         <source>Add grounding point</source>
         <translation>接地点を追加</translation>
     </message>
     <message>
         <source>Remove grounding point</source>
         <translation>接地点を削除</translation>
+    </message>
+    <message>
+        <source>Plant foot</source>
+        <translation>足を接地</translation>
+    </message>
+    <message>
+        <source>Lift foot</source>
+        <translation>足を浮かせる</translation>
+    </message>
+    <message>
+        <source>Remove foot</source>
+        <translation>足を削除</translation>
+    </message>
+    <message>
+        <source>Unpin foot</source>
+        <translation>足の固定を解除</translation>
     </message>
 </context>
 <context>
@@ -1736,6 +1813,14 @@ Drop a folder of cels here.</source>
         <source>Remove</source>
         <translation>削除</translation>
     </message>
+    <message>
+        <source>White inside Outlines Stays</source>
+        <translation>線の内側の白を残す</translation>
+    </message>
+    <message>
+        <source>For drawings without alpha: only white that reaches the border is clear, so that white shirts, hair and eyes stay. White between arm and body stays, too.</source>
+        <translation>アルファのない動画で、画像の縁につながる白だけを透明にします。白い服や髪、目は残ります。腕と体の間の白も残ります。</translation>
+    </message>
 </context>
 <context>
     <name>LayerModel</name>
@@ -1756,6 +1841,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Rename layer</source>
         <translation>レイヤー名を変更</translation>
+    </message>
+    <message>
+        <source>Paper of drawings</source>
+        <translation>動画の紙の扱い</translation>
     </message>
     <message>
         <source>Reorder layers</source>
@@ -1809,6 +1898,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Finding a place for the lamp for %1</source>
         <translation>%1のランプの位置を探しています</translation>
+    </message>
+    <message>
+        <source>Looking for the feet of %1</source>
+        <translation>%1 の足を探しています</translation>
     </message>
     <message>
         <source>Reading drawings of %1</source>
@@ -1934,6 +2027,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>&amp;Drawings</source>
         <translation>セル(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gure</source>
+        <translation>キャラクター(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Set</source>
@@ -3407,6 +3504,18 @@ Drop a folder of cels here.</source>
         <translation>足</translation>
     </message>
     <message>
+        <source>Foot, lifted</source>
+        <translation>足 (浮いている)</translation>
+    </message>
+    <message>
+        <source>Foot, planted</source>
+        <translation>足 (接地)</translation>
+    </message>
+    <message>
+        <source>Ground below the foot</source>
+        <translation>足の下の地面</translation>
+    </message>
+    <message>
         <source>Ground line</source>
         <translation>接地線</translation>
     </message>
@@ -3451,6 +3560,10 @@ Drop a folder of cels here.</source>
         <translation>回転</translation>
     </message>
     <message>
+        <source>Scale of the cel</source>
+        <translation>セルのスケール</translation>
+    </message>
+    <message>
         <source>Shadow layers</source>
         <translation>影レイヤー</translation>
     </message>
@@ -3477,6 +3590,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>The shadow that the light casts, or a disc under the figure.</source>
         <translation>光が落とす影、またはキャラクターの足元の円。</translation>
+    </message>
+    <message>
+        <source>Turn of the cel</source>
+        <translation>セルの回転</translation>
     </message>
     <message>
         <source>Turn of the drawings in the picture, clockwise.</source>
@@ -3507,6 +3624,10 @@ Drop a folder of cels here.</source>
         <translation>同じ見た目の影が重なる所で一つになるか。オフでは重なるほど濃くなります。</translation>
     </message>
     <message>
+        <source>a layered frame holds the shadows of a look as a group; ask for one of the two</source>
+        <translation>レイヤー付きフレームには同じ見た目の影がグループとして入っています。どちらか一方を選んでください</translation>
+    </message>
+    <message>
         <source>a point [{axes}] in {unit}</source>
         <translation>点 [{axes}] ({unit})</translation>
     </message>
@@ -3515,8 +3636,40 @@ Drop a folder of cels here.</source>
         <translation>layers.{layer}: 独立したキャラクターではないレイヤーに結合されています</translation>
     </message>
     <message>
+        <source>layers.{layer}: its drawings are on different paper</source>
+        <translation>layers.{layer}: 動画ごとに紙の扱いが違います</translation>
+    </message>
+    <message>
+        <source>no alpha channel: white that reaches the border was taken as clear</source>
+        <translation>アルファチャンネルがないため、画像の縁につながる白を透明として扱いました</translation>
+    </message>
+    <message>
+        <source>nothing is drawn</source>
+        <translation>何も描かれていません</translation>
+    </message>
+    <message>
+        <source>paper is one of {papers}, not {text!r}</source>
+        <translation>paper に使えるのは {papers} です。{text!r} は使えません</translation>
+    </message>
+    <message>
+        <source>the figure is cut off by the lower edge of the drawing</source>
+        <translation>人物が作画の下端で切れています</translation>
+    </message>
+    <message>
+        <source>the figure rests on a broad base: a hem, or it sits or lies</source>
+        <translation>人物が広い面で接地しています（裾、座り、寝そべりなど）</translation>
+    </message>
+    <message>
+        <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
+        <translation>{layers} の影は画面では一つに重なりますが、レイヤーでは別々のままで、重なる所が濃くなります。見た目がフレームによって違うか、2色の影だからです</translation>
+    </message>
+    <message>
         <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>
         <translation>このプロジェクトにレイヤー {name!r} はありません（{near!r} ではありませんか？）</translation>
+    </message>
+    <message>
+        <source>there is no layer {name!r} to be joined</source>
+        <translation>結合先のレイヤー {name!r} がありません</translation>
     </message>
     <message>
         <source>there is no matte {matte!r}, only {mattes}</source>
@@ -3585,6 +3738,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>video needs PyAV, which is not installed: pip install &apos;kagezou[video]&apos;</source>
         <translation>動画には PyAV が要りますが、入っていません：pip install &apos;kagezou[video]&apos;</translation>
+    </message>
+    <message>
+        <source>what a layer joins holds for the whole cut and has no keys</source>
+        <translation>レイヤーの結合先はカット全体で一つで、キーは持てません</translation>
     </message>
     <message>
         <source>with {megabytes} MB it is larger than can be read</source>
@@ -3667,12 +3824,20 @@ Drop a folder of cels here.</source>
         <translation>{name}：絵にアルファがありません。純白を透明とみなします</translation>
     </message>
     <message>
+        <source>{name}: its drawings have no alpha; white inside their outlines stays, also between arm and body, and white that reaches the border is taken as clear (layers.{name}.paper)</source>
+        <translation>{name}: 動画にアルファがありません。線の内側の白は残し（腕と体の間の白も残ります）、画像の縁につながる白を透明として扱います（layers.{name}.paper）</translation>
+    </message>
+    <message>
         <source>{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px</source>
         <translation>{name}：{width} × {height} px の絵が {canvas} px のキャンバスからはみ出しています</translation>
     </message>
     <message>
         <source>{name}: missing {gaps}; the drawing before is held</source>
         <translation>{name}：{gaps} がありません。前の絵を止めて使います</translation>
+    </message>
+    <message>
+        <source>{name}: no feet were found ({reason}), so it stands on the ground line</source>
+        <translation>{name}: 足が見つからないため ({reason})、接地線に立ちます</translation>
     </message>
     <message>
         <source>{name}: the figure reaches the lower edge of its drawing, where the ground was put; if its feet are cut off, move the ground to where they would stand</source>
@@ -3691,12 +3856,24 @@ Drop a folder of cels here.</source>
         <translation>{name}：描画されないもの：{never}</translation>
     </message>
     <message>
+        <source>{name}: which foot carries is doubtful on {count} drawings (frames {frames}); please look at them</source>
+        <translation>{name}: {count} 枚の絵で接地足が疑わしいです (フレーム {frames})。確認してください</translation>
+    </message>
+    <message>
         <source>{name}: {cause}</source>
         <translation>{name}：{cause}</translation>
     </message>
     <message>
         <source>{name}: {count} drawings cannot be opened</source>
         <translation>{name}：{count} 枚の絵を開けません</translation>
+    </message>
+    <message>
+        <source>{part} is a part of {figure} and has no shadow of its own; please ask for {figure}</source>
+        <translation>{part} は {figure} の一部で、独自の影を持ちません。{figure} を指定してください</translation>
+    </message>
+    <message>
+        <source>{part}: there is no character {name!r} that it could join</source>
+        <translation>{part}: 結合先のキャラクター {name!r} がありません</translation>
     </message>
     <message>
         <source>{path} cannot be read: {cause}</source>
@@ -3773,6 +3950,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: left out, as they have no number: {names}</source>
         <translation>{path}：番号がないため使わなかった画像：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: one figure with one shadow: {names}</source>
+        <translation>{path}: 一つの影を持つ一体のキャラクター: {names}</translation>
     </message>
     <message>
         <source>{path}: the drawing is missing</source>
@@ -4551,6 +4732,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Preview resolution; exports are always full</source>
         <translation>プレビューの解像度。書き出しは常にフルです</translation>
+    </message>
+    <message>
+        <source>Looking for feet: %1 of %2</source>
+        <translation>足を探しています: %1 / %2</translation>
     </message>
     <message>
         <source>software rendering</source>

@@ -237,11 +237,11 @@ def _seat_of(cel: Cel, placement: Placement | None, canvas: Box) -> _Seat | None
     corner = (float(figure.left), float(figure.top))
     if placement is None:
         box = figure.intersection(canvas)
-        return box and _Seat(box, {"u_source_corner_px": corner}, frozenset())
+        return None if box is None else _Seat(box, {"u_source_corner_px": corner}, frozenset())
     way = placement.canvas_from_centred()
     # What lies between the outermost texels and nothing reaches half a texel further.
     box = around_placed(figure.grown(1), way).intersection(canvas)
-    return box and _Seat(box, moved_uniforms(way @ moved_by(*corner)), MOVED)
+    return None if box is None else _Seat(box, moved_uniforms(way @ moved_by(*corner)), MOVED)
 
 
 def _uploaded(cel: Cel, box: Box) -> Texture:

@@ -99,6 +99,10 @@ def edit_commands() -> tuple[Command, ...]:
         Command("copy_look", translate("Commands", "&Copy Look"), ("Ctrl+Alt+C",)),
         Command("paste_look", translate("Commands", "&Paste Look"), ("Ctrl+Alt+V",)),
         Command("rename_layer", translate("Commands", "Re&name Layer"), ("F2",)),
+        Command("transform_cel", translate("Commands", "&Transform Cel"), ("Ctrl+T",), checkable=True),
+        Command("find_feet", translate("Commands", "Find &Feet")),
+        Command("doubtful_next", translate("Commands", "Next Dou&btful Drawing"), ("Ctrl+Alt+.",)),
+        Command("doubtful_previous", translate("Commands", "Previous Doubtful Drawing"), ("Ctrl+Alt+,",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )
 

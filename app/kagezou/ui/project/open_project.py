@@ -42,6 +42,8 @@ class OpenProject(QObject):
 
     path_changed = Signal()
     noted = Signal(Message)
+    imported = Signal(tuple)
+    """The ids of layers that were brought in, or timed by a sheet, just now."""
     """Something the user should know about what came in, one sentence."""
 
     def __init__(self) -> None:
@@ -214,6 +216,7 @@ class OpenProject(QObject):
         session.edit(step, imported.document)
         self._put(session, None)
         self._say(imported.notes)
+        self.imported.emit(imported.layer_ids)
 
     def _first_seen(self, imported: Imported, progress: Progress) -> Imported:
         _read_first(imported.document, self.cels, self.meshes, progress)
@@ -225,6 +228,7 @@ class OpenProject(QObject):
         if imported.layer_ids:
             session.select(imported.layer_ids[-1])
         self._say(imported.notes)
+        self.imported.emit(imported.layer_ids)
 
     def _put(self, session: Session, path: Path | None) -> None:
         self._path = path

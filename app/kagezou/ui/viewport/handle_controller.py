@@ -5,18 +5,18 @@ from dataclasses import dataclass
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from kagezou.document.model import Document
-from kagezou.errors import Problem
 from kagezou.geometry.vectors import Point2
 from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
-from kagezou.tools.grounding import add_grounding, remove_grounding
+from kagezou.tools.feet import ShownFoot
 from kagezou.tools.handle import Handle, HandleSet, hit
 from kagezou.tools.handles import drag_of
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
-from kagezou.ui.viewport.handle_source import HandleSource
+from kagezou.ui.viewport.contacts import Contacts
+from kagezou.ui.viewport.handle_source import HandleSource, Task
 from kagezou.ui.viewport.nudging import Nudging
 from kagezou.ui.viewport.piece_touch import PieceTouch
 from kagezou.ui.viewport.pointer_report import PointerReport
@@ -75,6 +75,8 @@ class HandleController(QObject):
         self._held: _Held | None = None
         self._nudging = Nudging(bridge, viewpoint)
         self._source = HandleSource(bridge, viewpoint)
+        self.contacts = Contacts(bridge)
+        self.contacts.refused.connect(self.refused)
         self.pieces = PieceTouch(bridge, viewpoint)
         self.hovered_id: str | None = None
         self.selected_id: str | None = None
@@ -98,12 +100,18 @@ class HandleController(QObject):
         """The handles of the frame."""
         return self._source.handles
 
-    def match_camera(self, *, on: bool) -> None:
-        """Take up the lines and the horizon by which the camera is matched, instead of everything else; or lay down."""
-        self._let_go(keep=False)
-        self._source.is_matching = on
-        self.hovered_id = self.selected_id = None
-        self.changed.emit()
+    @property
+    def task(self) -> Task:
+        """What the hand is for now."""
+        return self._source.task
+
+    def take_up(self, task: Task) -> None:
+        """Put the handles of another task in the place of those there are."""
+        if task is not self._source.task:
+            self._let_go(keep=False)
+            self._source.task = task
+            self.hovered_id = self.selected_id = None
+            self.changed.emit()
 
     @property
     def words(self) -> str:
@@ -122,7 +130,7 @@ class HandleController(QObject):
         self.place_px = report.view_px if report else None
         found = _hit(self.handles, self._viewpoint, report) if report else None
         self.hovered_id = found.id if found else None
-        self.pieces.hover(None if found or self._source.is_matching else report)
+        self.pieces.hover(None if found or self.task is not Task.SCENE else report)
         if self._touched != before:
             self.changed.emit()
 
@@ -130,7 +138,9 @@ class HandleController(QObject):
         """Take hold of the handle under the pointer, or of the set piece whose outline it is on; false without any."""
         self.end_nudge()
         handle = _hit(self.handles, self._viewpoint, report)
-        if handle is None and not self._source.is_matching and self.pieces.choose(report):
+        if handle is None:
+            handle = self._source.behind(self._viewpoint.view.canvas_from_view(report.view_px))
+        if handle is None and self.task is Task.SCENE and self.pieces.choose(report):
             handle = self.handles.find(POSITION)
         self.selected_id = handle.id if handle else None
         if handle is not None:
@@ -169,7 +179,7 @@ class HandleController(QObject):
             self.selected_id = None
             self.changed.emit()
             return True
-        if self._source.is_matching:
+        if self.task is not Task.SCENE:
             self.laid_down.emit()
             return True
         return False
@@ -194,34 +204,33 @@ class HandleController(QObject):
         self._nudging.end()
 
     def add_point(self, report: PointerReport) -> bool:
-        """Add a grounding point under the pointer and select it; false without a layer or on a handle."""
+        """Add a contact under the pointer and select it; false without a layer or on a handle."""
         self.pieces.go_back()
-        layer_id = self._bridge.layer_id
-        if layer_id is None or self._source.is_matching or _hit(self.handles, self._viewpoint, report) is not None:
-            return False
-        canvas_px = self._viewpoint.view.canvas_from_view(report.view_px)
-        try:
-            document = add_grounding(self._bridge.document, layer_id, self._bridge.frame, canvas_px)
-        except Problem as problem:
-            self.refused.emit(translated(problem))
+        if self.task is not Task.SCENE or _hit(self.handles, self._viewpoint, report) is not None:
             return False
         self.end_nudge()
-        self._bridge.session.edit(QCoreApplication.translate("HandleController", "Add grounding point"), document)
-        points = [handle.id for handle in self.handles.handles if handle.index is not None]
-        self.selected_id = points[-1] if points else None
+        before = {handle.id for handle in self.handles.handles}
+        if not self.contacts.add(self._viewpoint.view.canvas_from_view(report.view_px)):
+            return False
+        added = [handle.id for handle in self.handles.handles if handle.index is not None and handle.id not in before]
+        self.selected_id = added[-1] if added else None
         self.changed.emit()
         return True
 
+    def foot_under(self, report: PointerReport) -> ShownFoot | None:
+        """Return the foot under the pointer, None where there is none or something is held."""
+        handle = None if self.is_busy else _hit(self.handles, self._viewpoint, report)
+        return None if handle is None else self.contacts.foot_of(handle)
+
     def delete_selected(self) -> bool:
-        """Remove the selected grounding point; false where none is selected."""
+        """Remove the selected contact; false where none is selected."""
         handle = self.handles.find(self.selected_id)
-        if handle is None or handle.index is None or handle.layer_id is None or self._held is not None:
+        if handle is None or self._held is not None:
             return False
-        frame = self._bridge.frame
-        document = remove_grounding(self._bridge.document, handle.layer_id, frame, handle.index)
-        self.selected_id = self.hovered_id = None
         self.end_nudge()
-        self._bridge.session.edit(QCoreApplication.translate("HandleController", "Remove grounding point"), document)
+        if not self.contacts.remove(handle):
+            return False
+        self.selected_id = self.hovered_id = None
         self.changed.emit()
         return True
 

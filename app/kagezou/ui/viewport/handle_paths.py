@@ -50,6 +50,8 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.FLOOR_SECOND: (_OPAQUE, Qt.PenStyle.DashLine),
     GuideKind.FLOOR_RAY: (_FAINT, Qt.PenStyle.DotLine),
     GuideKind.HORIZON: (_STRONG, Qt.PenStyle.DashDotLine),
+    GuideKind.FOOT_HEIGHT: (_STRONG, Qt.PenStyle.DotLine),
+    GuideKind.CEL_FRAME: (_STRONG, Qt.PenStyle.DashLine),
 }
 
 _TONES = {
@@ -114,6 +116,31 @@ def _lever(radius: float, cursor: Cursor) -> QPainterPath:
 
 def _diamond(radius: float, _cursor: Cursor) -> QPainterPath:
     return _closed(QPolygonF([QPointF(x * radius * 1.3, y * radius * 1.3) for x, y in _COMPASS]))
+
+
+def _sole(*, planted: bool) -> _Outline:
+    """Return what draws a wedge that stands on the place: filled over a line where it carries, else hollow."""
+
+    def outline(radius: float, _cursor: Cursor) -> QPainterPath:
+        path = _wedge(radius, 0.0)
+        if not planted:
+            return path.subtracted(_wedge(radius, 0.45))
+        line = QPainterPath()
+        line.addRect(QRectF(-radius * 1.5, radius * 0.1, radius * 3.0, radius * 0.5))
+        return path.united(line)
+
+    return outline
+
+
+def _wedge(radius: float, inset: float) -> QPainterPath:
+    corners = ((-1.1 + inset, -1.9 + inset * 0.5), (1.1 - inset, -1.9 + inset * 0.5), (0.0, -inset * 1.4))
+    return _closed(QPolygonF([QPointF(x * radius, y * radius) for x, y in corners]))
+
+
+def _level_bar(radius: float, _cursor: Cursor) -> QPainterPath:
+    path = QPainterPath()
+    path.addRect(QRectF(-radius * 1.6, -radius * 0.3, radius * 3.2, radius * 0.6))
+    return path
 
 
 def _closed(polygon: QPolygonF) -> QPainterPath:
@@ -232,5 +259,10 @@ _OUTLINES: Final[Mapping[HandleShape, _Outline]] = MappingProxyType({
     HandleShape.PEG: _round(1.0, 1.0),
     HandleShape.GRIP: lambda radius, cursor: _two_arrows(radius, upright=cursor is Cursor.VERTICAL),
     HandleShape.RING: _round(1.2, 1.2, inner=0.55),
+    HandleShape.SOLE: _sole(planted=True),
+    HandleShape.SOLE_LIFTED: _sole(planted=False),
+    HandleShape.GROUND_MARK: _level_bar,
+    HandleShape.TURN: _round(0.85, 0.85, inner=0.4),
+    HandleShape.ANCHOR: _pointed(4, 1.7, 0.55),
 })  # fmt: skip
 assert set(_OUTLINES) == set(HandleShape)

@@ -1,9 +1,20 @@
 """The handles there are now, for whoever paints or takes hold of them."""
 
-from kagezou.tools.handle import HandleSet
-from kagezou.tools.handles import handles_of, matching_handles_of
+from enum import Enum
+
+from kagezou.geometry.vectors import Point2
+from kagezou.tools.handle import Handle, HandleSet
+from kagezou.tools.handles import cel_mover, handles_of, matching_handles_of, placing_handles_of
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.viewpoint import Viewpoint
+
+
+class Task(Enum):
+    """What the hand on the picture is for."""
+
+    SCENE = "light, ground, feet and set"
+    MATCH = "lines by which the camera is matched"
+    TRANSFORM = "a cel that is moved, scaled and turned"
 
 
 class HandleSource:
@@ -22,18 +33,28 @@ class HandleSource:
         self._viewpoint = viewpoint
         self._made_of: tuple[object, ...] = ()
         self._handles = HandleSet()
-        self.is_matching = False
+        self.task = Task.SCENE
 
     @property
     def handles(self) -> HandleSet:
-        """Those of the layer or set piece worked on, or while the camera is matched, its lines instead of all else."""
+        """Those of the task: of the layer or set piece worked on, of the camera's match, or of the cel."""
         bridge, view = self._bridge, self._viewpoint.view
         document, frame = bridge.document, bridge.frame
-        made_of = (document, frame, bridge.layer_id, bridge.piece_id, view, self.is_matching)
+        made_of = (document, frame, bridge.layer_id, bridge.piece_id, view, self.task)
         if not self._made_of or self._made_of[0] is not document or self._made_of[1:] != made_of[1:]:
-            if self.is_matching:
-                self._handles = matching_handles_of(document, frame, view)
-            else:
-                self._handles = handles_of(document, frame, bridge.layer_id, view, bridge.piece_id)
+            match self.task:
+                case Task.MATCH:
+                    self._handles = matching_handles_of(document, frame, view)
+                case Task.TRANSFORM:
+                    self._handles = placing_handles_of(document, frame, bridge.layer_id, view)
+                case Task.SCENE:
+                    self._handles = handles_of(document, frame, bridge.layer_id, view, bridge.piece_id)
             self._made_of = made_of
         return self._handles
+
+    def behind(self, canvas_px: Point2) -> Handle | None:
+        """Return what the hand takes hold of beside all handles: the cel itself while it is transformed."""
+        if self.task is not Task.TRANSFORM:
+            return None
+        bridge = self._bridge
+        return cel_mover(bridge.document, bridge.frame, bridge.layer_id, self._viewpoint.view, canvas_px)

@@ -1,12 +1,14 @@
 """The viewport: the picture, the handles over it, and the events that reach them."""
 
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QTabletEvent, QWheelEvent
+from PySide6.QtWidgets import QMenu
 
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.tools.handle import Cursor
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.viewport.foot_menu import open_foot_menu
 from kagezou.ui.viewport.handle_controller import HandleController
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
@@ -55,6 +57,7 @@ class Viewport(PictureWidget):
         self._space = space
         self._panned_from: QPointF | None = None
         self._taps = PenTaps()
+        self.foot_menu: QMenu | None = None
         self.controller = HandleController(bridge, self.viewpoint)
         self.picking = Picking()
         self.overlay = Overlay(self, self.controller, self.viewpoint, self.picking)
@@ -103,7 +106,7 @@ class Viewport(PictureWidget):
             case Qt.MouseButton.MiddleButton:
                 self._panned_from = event.position()
             case Qt.MouseButton.RightButton:
-                self._cancel()
+                self._ask_or_cancel(report, event.globalPosition().toPoint())
             case Qt.MouseButton.LeftButton if self._space.is_held:
                 self._space.use()
                 self._panned_from = event.position()
@@ -143,7 +146,7 @@ class Viewport(PictureWidget):
         report = report_of(event, Device.PEN)
         match event.type():
             case QEvent.Type.TabletPress if event.button() is Qt.MouseButton.RightButton:
-                self._cancel()
+                self._ask_or_cancel(report, event.globalPosition().toPoint())
             case QEvent.Type.TabletPress if self._space.is_held:
                 self._space.use()
                 self._panned_from = event.position()
@@ -194,6 +197,14 @@ class Viewport(PictureWidget):
             self.controller.end_nudge()
         else:
             super().keyReleaseEvent(event)
+
+    def _ask_or_cancel(self, report: PointerReport, at: QPoint) -> None:
+        """Open the menu of the foot under the pointer; elsewhere the right button cancels."""
+        foot = self.controller.foot_under(report) if self.overlay.shows_handles else None
+        if foot is None:
+            self._cancel()
+        else:
+            self.foot_menu = open_foot_menu(self.controller.contacts, foot, at, self)
 
     def _cancel(self) -> bool:
         return self.picking.give_up() or self.controller.cancel()

@@ -15,6 +15,7 @@ from kagezou.ui.window.docks import Docks
 from kagezou.ui.window.drop_hint import DropHint, drop_words
 from kagezou.ui.window.panel_layout import TabKey
 from kagezou.ui.window.parts import make_parts
+from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
 from kagezou.ui.window.wiring.match import connect_match
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
 from kagezou.ui.window.wiring.set_import import connect_set_import
@@ -189,6 +190,8 @@ class MainWindow(QMainWindow):
         connect_resolution(parts)
         connect_sheets(parts)
         connect_match(parts)
+        connect_transform(parts)
+        connect_feet(parts)
         connect_set_import(parts)
         connect_playback(parts, self)
         connect_jumps(parts)

@@ -162,6 +162,11 @@ class Menus(QObject):
         self._menu(bar, self.tr("&Drawings"), _ON_DRAWINGS)
         self._menu(
             bar,
+            self.tr("Fi&gure"),
+            ["transform_cel", _SEPARATOR, "find_feet", "doubtful_next", "doubtful_previous"],
+        )
+        self._menu(
+            bar,
             self.tr("&Set"),
             [*_ADD_TO_SET, _SEPARATOR, *_DRAW, _SEPARATOR, "rename_piece", "duplicate_piece", "remove_piece"],
         )

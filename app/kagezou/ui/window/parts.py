@@ -17,6 +17,7 @@ from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.project.actions import ProjectActions
 from kagezou.ui.project.demo import DemoOpener, MakeDemo
 from kagezou.ui.project.dialogs import Dialogs
+from kagezou.ui.project.feet_finder import FeetFinder
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.welcome import Welcome
 from kagezou.ui.sets.commands import SetCommands
@@ -107,6 +108,7 @@ class Parts:
     sets: SetParts
     time: TimeParts
     curves: CurvesPanel
+    feet: FeetFinder
 
     @property
     def bridge(self) -> Bridge:
@@ -116,6 +118,7 @@ class Parts:
     def finish(self) -> None:
         """End what works beside the window, and put the project away."""
         self.project.loading.finish()
+        self.feet.finish()
         self.exporting.finish()
         self.project.put_away()
         if self.demo is not None:
@@ -161,6 +164,7 @@ def make_parts(
         time=time,
         status=status,
         sets=_set_parts(open_project, viewport, space, menus),
+        feet=FeetFinder(bridge),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
         keyboard=Keyboard(window, actions, settings, bar),
         search=CommandSearch(window, actions),

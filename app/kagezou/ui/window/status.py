@@ -25,13 +25,24 @@ class Status(QStatusBar):
         self._resolution = QLabel()
         self._resolution.setToolTip(self.tr("Preview resolution; exports are always full"))
         self._device = QLabel()
+        self._work = QLabel()
+        self._work.hide()
         self.setSizeGripEnabled(False)
         self.addWidget(self._hint, 1)
-        for widget in (extra, *self.labels):
+        for widget in (self._work, extra, *self.labels):
             self.addPermanentWidget(widget)
         bridge.document_changed.connect(self._show_document)
         bridge.selection_changed.connect(self._show_document)
         self._show_document()
+
+    def show_work(self, done: int, whole: int) -> None:
+        """Say how far the search for feet beside the window is; 0 of 0 when it is done."""
+        self._work.setVisible(whole > 0)
+        counts = {"%1": done, "%2": whole}
+        words = self.tr("Looking for feet: %1 of %2")
+        for place, count in counts.items():
+            words = words.replace(place, str(count))
+        self._work.setText(words)
 
     @property
     def labels(self) -> tuple[QLabel, ...]:

@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QCoreApplication
 
+from kagezou.ui.viewport.handle_source import Task
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.parts import Parts
 
@@ -13,10 +14,13 @@ def connect_match(parts: Parts) -> None:
     actions, hand, bar = parts.actions, parts.viewport.controller, parts.bar
 
     def switch(on: bool) -> None:
-        hand.match_camera(on=on)
         if not on:
+            if hand.task is Task.MATCH:
+                hand.take_up(Task.SCENE)
             bar.withdraw(_TOPIC)
             return
+        actions["transform_cel"].setChecked(False)
+        hand.take_up(Task.MATCH)
         actions["handles"].setChecked(True)
         words = QCoreApplication.translate(
             "Match",
