@@ -190,3 +190,25 @@ def test_saving_is_told(session: Session, document: Document) -> None:
     assert len(seen) == 1
     session.undo()
     assert not session.is_saved
+
+
+def test_what_was_found_out_is_as_true_of_every_earlier_state(session: Session, document: Document) -> None:
+    session.edit("Field of view", fov(document, 20.0))
+    session.edit("Field of view", fov(document, 30.0))
+    session.undo()
+
+    def renamed(each: Document) -> Document:
+        return edits.rename_layer(each, "layer-1", "found")
+
+    session.mark_saved()
+    steps = session.steps_made
+    session.amend(renamed)
+    assert session.document.layers[0].name == "found"
+    assert not session.is_saved
+    assert (session.steps_made, session.undo_name) == (steps, "Field of view")
+    session.redo()
+    assert session.document == renamed(fov(document, 30.0))
+    session.undo()
+    session.undo()
+    assert session.document == renamed(document)
+    assert session.undo_name is None

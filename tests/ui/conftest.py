@@ -19,6 +19,7 @@ from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.project import loading
+from kagezou.ui.project.feet_finder import FeetFinder
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
@@ -75,6 +76,13 @@ def patient(monkeypatch: pytest.MonkeyPatch) -> None:
 def steady(monkeypatch: pytest.MonkeyPatch) -> None:
     """No picture is late, however busy the machine: what is compared is drawn at full resolution."""
     monkeypatch.setattr(resolution, "DUE_S", 60.0)
+
+
+@pytest.fixture(autouse=True)
+def _on_the_line(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody looks for feet beside the window, so that documents are what a test made; tests marked ``feet`` do."""
+    if request.node.get_closest_marker("feet") is None:
+        monkeypatch.setattr(FeetFinder, "search", lambda _finder, _layer_ids: None)
 
 
 @pytest.fixture(autouse=True)

@@ -29,7 +29,7 @@ class _Told:
 
 
 class FeetFinder(QObject):
-    """Looks for feet and puts them into the document, each layer as one step of history.
+    """Looks for feet and puts them into the document and its history; they belong to the drawings.
 
     Parameters
     ----------
@@ -99,11 +99,16 @@ class FeetFinder(QObject):
     def _put_one(self, session: Session, told: _Told) -> None:
         if told.found is None or told.layer_id not in {layer.id for layer in session.document.layers}:
             return
-        document: Document = with_feet(session.document, told.layer_id, told.found)
-        session.edit(self.tr("Find feet"), document)
-        for note in feet_notes(document, told.layer_id, told.found):
+        layer_id, found = told.layer_id, told.found
+
+        def stands(document: Document) -> Document:
+            has_it = any(layer.id == layer_id for layer in document.layers)
+            return with_feet(document, layer_id, found) if has_it else document
+
+        session.amend(stands)
+        for note in feet_notes(session.document, layer_id, found):
             self.noted.emit(note)
-        self.found.emit(told.layer_id)
+        self.found.emit(layer_id)
 
     def _end(self) -> None:
         if not self._queue.is_busy:
