@@ -1203,13 +1203,6 @@
     </message>
 </context>
 <context>
-    <name>FeetFinder</name>
-    <message>
-        <source>Find feet</source>
-        <translation>足を探す</translation>
-    </message>
-</context>
-<context>
     <name>Figures</name>
     <message>
         <source>Drag the cel to move it, a corner to scale it, outside of a corner to turn it; Shift constrains. Esc ends it.</source>
@@ -1782,6 +1775,14 @@ Drop a folder of cels here.</source>
         <translation>セルを新しいレイヤーとして追加</translation>
     </message>
     <message>
+        <source>Join Figure</source>
+        <translation>キャラクターに結合</translation>
+    </message>
+    <message>
+        <source>Make a Figure of Its Own</source>
+        <translation>独立したキャラクターにする</translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>名前を変更</translation>
     </message>
@@ -1849,6 +1850,18 @@ Drop a folder of cels here.</source>
     <message>
         <source>Reorder layers</source>
         <translation>レイヤーの順序を変更</translation>
+    </message>
+    <message>
+        <source>Split figure</source>
+        <translation>キャラクターを分ける</translation>
+    </message>
+    <message>
+        <source>Join figure</source>
+        <translation>キャラクターに結合</translation>
+    </message>
+    <message>
+        <source>%1, part of %2</source>
+        <translation>%1、%2 の一部</translation>
     </message>
 </context>
 <context>
@@ -4744,6 +4757,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Drag an edge to move the set piece, the arrows to size it, the lever at its front to turn it</source>
         <translation>線をドラッグでセットを移動、矢印で寸法、正面のレバーで回転</translation>
+    </message>
+    <message>
+        <source>Drag the lamp to move the shadow; right-click a foot to say what it does, double-click to add one</source>
+        <translation>ランプをドラッグして影を動かします。足を右クリックで接地を指定、ダブルクリックで足を追加</translation>
     </message>
     <message>
         <source>Drag the lamp to move the shadow; double-click on the character to add a grounding point</source>

@@ -15,6 +15,7 @@ from kagezou.importing.staging import CharacterSource
 from kagezou.io.clips.style_files import loads_style
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
+from kagezou.ui.panels.layer_model import Role
 from kagezou.ui.panels.look_clipboard import LookClipboard
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.clipboard import SystemClipboard
@@ -355,3 +356,23 @@ def test_the_row_of_the_list_that_is_worked_on_stays_current(layers: LayerList, 
     third = trio.bridge.document.layers[-1]
     assert trio.bridge.layer_id == third.id
     assert len(trio.bridge.layer_ids) == 2
+
+
+def test_a_layer_dropped_on_another_is_a_part_of_its_figure(layers: LayerList, trio: OpenProject) -> None:
+    session, model = trio.bridge.session, layers.model
+    below, middle, top = session.document.layers
+    carried = model.mimeData([model.index(0)])
+    assert not model.dropMimeData(carried, Qt.DropAction.MoveAction, -1, -1, model.index(1))
+    assert [layer.joins for layer in session.document.layers] == [None, None, middle.id]
+    assert session.undo_name == "Join figure"
+    assert model.index(0).data(Role.IS_PART)
+    assert str(model.index(0).data(Role.SUMMARY)).endswith(f"part of {middle.name}")
+    # The figure itself goes with its parts.
+    model.dropMimeData(model.mimeData([model.index(1)]), Qt.DropAction.MoveAction, -1, -1, model.index(2))
+    assert [layer.joins for layer in session.document.layers] == [None, below.id, below.id]
+    session.undo()
+    model.join((top.id,), None)
+    assert [layer.joins for layer in session.document.layers] == [None, None, None]
+    before = session.document
+    model.dropMimeData(model.mimeData([model.index(0)]), Qt.DropAction.MoveAction, -1, -1, model.index(0))
+    assert session.document is before

@@ -10,6 +10,7 @@ from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
 
 _THUMBNAIL = 40
 _GAP = 8
+_INDENT = 18
 
 
 class LayerDelegate(EyeDelegate):
@@ -26,7 +27,11 @@ class LayerDelegate(EyeDelegate):
         area = QRect(option.rect)
         painter.save()
         chosen, visible = self.paint_start(painter, option, index)
-        frame = QRect(area.left() + EYE_WIDTH, area.center().y() - _THUMBNAIL // 2, _THUMBNAIL, _THUMBNAIL)
+        frame = QRect(
+            area.left() + EYE_WIDTH + _indent(index), area.center().y() - _THUMBNAIL // 2, _THUMBNAIL, _THUMBNAIL
+        )
+        if _indent(index):
+            _paint_elbow(painter, frame)
         _paint_thumbnail(painter, frame, index.data(Role.THUMBNAIL), faded=not visible)
         self._paint_words(painter, option, index, name_tone=(BRIGHT if chosen else TEXT) if visible else OFF)
         painter.restore()
@@ -37,23 +42,37 @@ class LayerDelegate(EyeDelegate):
         return editor
 
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:
-        area = _words_area(QRect(option.rect))
+        area = _words_area(QRect(option.rect), _indent(index))
         height = editor.sizeHint().height()
         editor.setGeometry(area.left() - 4, area.center().y() - height // 2, area.width() + 2, height)
 
     def _paint_words(self, painter: QPainter, option: QStyleOptionViewItem, index: Index, *, name_tone: object) -> None:
-        area = _words_area(QRect(option.rect))
+        area = _words_area(QRect(option.rect), _indent(index))
         metrics = painter.fontMetrics()
         middle = area.center().y()
         name = metrics.elidedText(str(index.data()), Qt.TextElideMode.ElideRight, area.width())
         painter.setPen(name_tone)
         painter.drawText(area.left(), middle - 2, name)
         painter.setPen(DIM)
-        painter.drawText(area.left(), middle + metrics.ascent() + 2, str(index.data(Role.SUMMARY)))
+        summary = metrics.elidedText(str(index.data(Role.SUMMARY)), Qt.TextElideMode.ElideRight, area.width())
+        painter.drawText(area.left(), middle + metrics.ascent() + 2, summary)
 
 
-def _words_area(area: QRect) -> QRect:
-    return area.adjusted(EYE_WIDTH + _THUMBNAIL + _GAP, 0, -6, 0)
+def _indent(index: Index) -> int:
+    """Return how far a row is set in: a part of a figure stands behind an elbow."""
+    return _INDENT if index.data(Role.IS_PART) else 0
+
+
+def _words_area(area: QRect, indent: int) -> QRect:
+    return area.adjusted(EYE_WIDTH + indent + _THUMBNAIL + _GAP, 0, -6, 0)
+
+
+def _paint_elbow(painter: QPainter, frame: QRect) -> None:
+    """Paint the line that leads from a figure to its part."""
+    painter.setPen(QPen(DIM, 1.5))
+    x, y = frame.left() - _INDENT // 2, frame.center().y()
+    painter.drawLine(x, frame.top(), x, y)
+    painter.drawLine(x, y, frame.left() - 3, y)
 
 
 def _paint_thumbnail(painter: QPainter, frame: QRect, image: QImage | None, *, faded: bool) -> None:

@@ -1,5 +1,7 @@
 """The list of layers: choose, show and hide, rename, reorder by dragging, remove, add."""
 
+from functools import partial
+
 from PySide6.QtCore import (
     QEvent,
     QItemSelection,
@@ -150,6 +152,18 @@ class LayerList(QWidget):
             chosen.setCurrentIndex(self.model.index(rows[0]), flag.NoUpdate)
         self._follows = False
 
+    def _offer_joining(self, menu: QMenu) -> None:
+        """Offer the figures that the chosen layers could be parts of, and to be figures of their own."""
+        ids, document = self._bridge.layer_ids, self._bridge.document
+        figures = [layer for layer in document.layers if layer.joins is None and layer.id not in ids]
+        join = menu.addMenu(self.tr("Join Figure"))
+        for figure in reversed(figures):
+            join.addAction(figure.name, partial(self.model.join, ids, figure.id))
+        join.setEnabled(bool(figures))
+        split = menu.addAction(self.tr("Make a Figure of Its Own"), partial(self.model.join, ids, None))
+        split.setEnabled(any(document.layer(each).joins is not None for each in ids))
+        menu.addSeparator()
+
     def _open_menu(self, at: QPoint) -> None:
         index = self.view.indexAt(at)
         if not index.isValid():
@@ -161,6 +175,7 @@ class LayerList(QWidget):
         menu = QMenu(self.view)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.addAction(self.tr("Rename"), self.rename_current)
+        self._offer_joining(menu)
         hide_or_show = self.tr("Hide") if visible else self.tr("Show")
         menu.addAction(hide_or_show, lambda: self.model.show_layers(self._bridge.layer_ids, shown=not visible))
         menu.addSeparator()

@@ -9,7 +9,7 @@ from PySide6.QtGui import QImage
 from kagezou.document import properties
 from kagezou.document.address import Address
 from kagezou.document.common_edits import set_all
-from kagezou.document.edits import move_layer, rename_layer
+from kagezou.document.edits import join_layer, move_layer, rename_layer
 from kagezou.document.model import Layer
 from kagezou.document.paper import set_paper
 from kagezou.document.values import value_at
@@ -30,6 +30,7 @@ class Role(IntEnum):
     IS_VISIBLE = Qt.ItemDataRole.UserRole + 2
     THUMBNAIL = Qt.ItemDataRole.UserRole + 3
     SUMMARY = Qt.ItemDataRole.UserRole + 4
+    IS_PART = Qt.ItemDataRole.UserRole + 5
 
 
 class LayerModel(QAbstractListModel):
@@ -67,7 +68,9 @@ class LayerModel(QAbstractListModel):
             case Role.THUMBNAIL:
                 return self._thumbnail(layer)
             case Role.SUMMARY:
-                return self.tr("%n drawing(s)", "", len(layer.cels.drawings))
+                return self._summary(layer)
+            case Role.IS_PART:
+                return layer.joins is not None
             case _:
                 return None
 
@@ -102,7 +105,7 @@ class LayerModel(QAbstractListModel):
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
         usual = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEditable
-        return usual | Qt.ItemFlag.ItemIsDragEnabled
+        return usual | Qt.ItemFlag.ItemIsDragEnabled | Qt.ItemFlag.ItemIsDropEnabled
 
     def supportedDropActions(self) -> Qt.DropAction:
         return Qt.DropAction.MoveAction
@@ -120,6 +123,9 @@ class LayerModel(QAbstractListModel):
         if action is not Qt.DropAction.MoveAction or not data.hasFormat(MIME):
             return False
         ids = bytes(data.data(MIME).data()).decode().split("\n")
+        if parent.isValid():
+            self.join(tuple(ids), self.layer(parent.row()).id)
+            return False
         below = [self.layer(each).id for each in range(max(row, 0), self.rowCount()) if row >= 0]
         anchor = next((each for each in below if each not in ids), None)
         with self._bridge.session.gesture(self.tr("Reorder layers")):
@@ -129,6 +135,15 @@ class LayerModel(QAbstractListModel):
         # False: the model has already moved the layer, the view must not remove the row it dragged.
         return False
 
+    def join(self, layer_ids: tuple[str, ...], figure_id: str | None) -> None:
+        """Make layers parts of another one's figure, or with None figures of their own, as one step."""
+        document = self._bridge.document
+        for layer_id in layer_ids:
+            if figure_id is None or (document.layer(figure_id).joins or figure_id) != layer_id:
+                document = join_layer(document, layer_id, figure_id)
+        name = self.tr("Split figure") if figure_id is None else self.tr("Join figure")
+        self._bridge.session.edit(name, document)
+
     def move(self, layer_id: str, before_row: int) -> None:
         """Put a layer above the row that stands at ``before_row`` now."""
         old_row = self.row_of(layer_id)
@@ -137,6 +152,13 @@ class LayerModel(QAbstractListModel):
         row = before_row - 1 if old_row < before_row else before_row
         moved = move_layer(self._bridge.document, layer_id, len(self._layers) - 1 - row)
         self._bridge.session.edit(self.tr("Reorder layers"), moved)
+
+    def _summary(self, layer: Layer) -> str:
+        drawings = self.tr("%n drawing(s)", "", len(layer.cels.drawings))
+        if layer.joins is None:
+            return drawings
+        figure = self._bridge.document.layer(layer.joins).name
+        return self.tr("%1, part of %2").replace("%1", drawings).replace("%2", figure)
 
     def _thumbnail(self, layer: Layer) -> QImage | None:
         drawing = layer.cels.drawings[0] if layer.cels.drawings else None

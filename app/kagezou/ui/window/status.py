@@ -2,6 +2,7 @@
 
 from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
 
+from kagezou.scene.figure_card import feet_at
 from kagezou.ui.system.bridge import Bridge
 
 
@@ -77,5 +78,16 @@ class Status(QStatusBar):
             self._hint.setText("")
         else:
             self._hint.setText(
-                self.tr("Drag the lamp to move the shadow; double-click on the character to add a grounding point")
+                self.tr(
+                    "Drag the lamp to move the shadow; right-click a foot to say what it does, double-click to add one"
+                )
+                if self._stands_on_feet()
+                else self.tr("Drag the lamp to move the shadow; double-click on the character to add a grounding point")
             )
+
+    def _stands_on_feet(self) -> bool:
+        document, layer_id = self._bridge.document, self._bridge.layer_id
+        if layer_id is None:
+            return False
+        figure = document.layer(document.layer(layer_id).joins or layer_id)
+        return feet_at(document, figure, self._bridge.frame) is not None
