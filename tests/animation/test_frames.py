@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kagezou.animation.frames import format_frames, parse_frames
+from kagezou.animation.frames import format_frames, parse_frames, spread_frames
 from kagezou.errors import UsageProblem
 
 
@@ -45,3 +45,11 @@ def test_the_shortest_text() -> None:
 @given(st.sets(st.integers(1, 500), min_size=1))
 def test_round_trip(frames: set[int]) -> None:
     assert parse_frames(format_frames(frames)) == tuple(sorted(frames))
+
+
+@pytest.mark.parametrize(
+    ("length", "most", "frames"),
+    [(1, 5, (1,)), (2, 5, (1, 2)), (9, 5, (1, 3, 5, 7, 9)), (100, 2, (1, 100)), (4, 4, (1, 2, 3, 4))],
+)
+def test_frames_are_spread_over_a_cut(length: int, most: int, frames: tuple[int, ...]) -> None:
+    assert spread_frames(length, most) == frames

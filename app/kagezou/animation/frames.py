@@ -1,4 +1,4 @@
-"""Frame ranges as people type them: ``1-48``, ``3``, ``1-10,20``, ``1-48x2``."""
+"""Frame ranges as people type them: ``1-48``, ``3``, ``1-10,20``, ``1-48x2``; and frames that stand for a cut."""
 
 import re
 from collections.abc import Iterable
@@ -50,3 +50,17 @@ def format_frames(frames: Iterable[int]) -> str:
         if frame is not None:
             run.append(frame)
     return ",".join(parts)
+
+
+def spread_frames(length_frames: int, most: int) -> tuple[int, ...]:
+    """Return at most so many frames, evenly spread over a cut, from its first frame to its last.
+
+    Parameters
+    ----------
+    length_frames
+        The last frame, at least 1.
+    most
+        At least 2.
+    """
+    count = min(length_frames, most)
+    return tuple(1 + round(each * (length_frames - 1) / max(count - 1, 1)) for each in range(count))

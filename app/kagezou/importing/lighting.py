@@ -5,6 +5,7 @@ from typing import Final
 
 import numpy as np
 
+from kagezou.animation.frames import spread_frames
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document, parts_of
@@ -109,7 +110,12 @@ def _shown_ways(document: Document) -> Iterator[tuple[Station, ...]]:
     """Yield the stations of each figure as the cut shows it."""
     for layer in document.layers:
         if layer.joins is None:
-            yield stations([figure_box(document, layer.id, frame) for frame in _frames(document)])
+            yield stations(
+                [
+                    figure_box(document, layer.id, frame)
+                    for frame in spread_frames(document.canvas.length_frames, _MOST_FRAMES)
+                ]
+            )
 
 
 def _moved_outlines(document: Document, looks: Sequence[MeasuredFigure]) -> Iterator[Matrix]:
@@ -118,12 +124,6 @@ def _moved_outlines(document: Document, looks: Sequence[MeasuredFigure]) -> Iter
         if look.figure is None:
             continue
         points = np.column_stack([outline := look.figure.outline(), np.ones(len(outline))])
-        for frame in _frames(document):
+        for frame in spread_frames(document.canvas.length_frames, _MOST_FRAMES):
             moving = canvas_from_centred(placement_at(document, layer, frame))
             yield points @ moving[:2].T
-
-
-def _frames(document: Document) -> list[int]:
-    """Return some frames evenly spread over the cut, the first and the last among them."""
-    length = document.canvas.length_frames
-    return [round(each) for each in np.linspace(1, length, min(length, _MOST_FRAMES))]

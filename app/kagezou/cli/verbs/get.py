@@ -1,13 +1,19 @@
 """``kagezou get``: the value of one property as JSON."""
 
 from argparse import Namespace
+from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, give_json
 
+if TYPE_CHECKING:
+    from kagezou.document.address import Address
+    from kagezou.document.model import Document
+
 DESCRIPTION = """\
-Print the value of a property as JSON: with --frame the value there, else the constant, or the list of its keys."""
+Print the value of a property as JSON: with --frame the value there, else the constant, or the list of its keys.
+The tilt of a layer with two grounding points is measured: what is shown on the frame, or on the first one."""
 EXAMPLES = """\
   kagezou get walk.kage light.position
   kagezou get walk.kage layers.Hero.shadow.opacity --frame 12
@@ -45,16 +51,32 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         value = json_of_value(track.value_at(options.frame))
     else:
         value = keys if track.is_keyed else json_of_value(track.constant)
+    measured = _measured_tilt(document, address, options.frame or 1)
+    if measured is not None:
+        value = measured
     if options.json:
-        give_json(
-            {
-                "path": options.path,
-                "unit": address.property.unit,
-                "frame": options.frame,
-                "value": None if track.is_keyed and options.frame is None else value,
-                "keys": keys,
-            }
-        )
+        is_list = track.is_keyed and options.frame is None and measured is None
+        table = {
+            "path": options.path,
+            "unit": address.property.unit,
+            "frame": options.frame,
+            "value": None if is_list else value,
+            "keys": keys,
+        }
+        give_json({**table, "measured": True} if measured is not None else table)
     else:
         give_json(value)
     return 0
+
+
+def _measured_tilt(document: "Document", address: "Address", frame: int) -> float | None:
+    """Return the angle that is shown where grounding points tell a body's tilt; None for all else."""
+    from kagezou.document.properties import TILT
+    from kagezou.scene.evaluate import camera_at, ground_at
+    from kagezou.scene.figure_card import card_at
+
+    if address.property is not TILT or address.layer_id is None:
+        return None
+    layer = document.layer(address.layer_id)
+    card = card_at(document, layer, frame, camera_at(document, frame), ground_at(document, frame))
+    return card.tilt_deg if card.is_tilt_measured else None

@@ -48,6 +48,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation
     from kagezou.io.project.file import load, save
+    from kagezou.scene.misfits import misfits_of, new_misfits
 
     if options.interp is not None and options.frame is None:
         raise UsageProblem(Message("--interp says how a key goes on and needs --frame"))
@@ -63,6 +64,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         document, said = relit(document)
         for sentence in said:
             note(sentence)
+    for misfit in new_misfits(misfits_of(before), misfits_of(document)):
+        note(misfit.message)
     save(document, options.project)
     return 0
 
