@@ -184,7 +184,7 @@ def test_the_real_set_is_seen_as_it_was_drawn(dungeon: SetImport, samples: Path)
     document = replace(stage(), canvas=Canvas(1920, 1080))
     document = set_constant(document, Address(GROUND_POSITION), (960.0, 900.0))
     imported = import_set(document, replace(dungeon, stand=None), meshes)
-    assert tuple(map(str, imported.notes)) == ()
+    assert tuple(map(str, imported.notes)) == ("A: standing upright now, as the set does",)
     check(imported.document)
     assert value_of(imported.document, Address(lines.GROUND_RECEIVES), 1) is False
     told = read_cel(samples / "bg3d_dungeon_stairs" / "plate_depth_mm.png", white_is_clear=False).rgba[..., 0]

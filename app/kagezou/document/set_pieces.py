@@ -1,6 +1,6 @@
 """Edits of the set: pieces come, go, change their names and their order."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
@@ -8,6 +8,7 @@ from pathlib import Path
 from kagezou.animation.track import Value
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
+from kagezou.document.figure_properties import UPRIGHT
 from kagezou.document.model import Document, Piece
 from kagezou.document.piece_kinds import TRAITS
 from kagezou.document.properties import GROUND_POSITION, OF_PIECE
@@ -68,6 +69,38 @@ def add_piece(
             raise UsageProblem(Message("a set piece has no property {each!r}", each=each))
         document = set_constant(document, Address(OF_PIECE[each], piece_id=piece.id), raw)
     return document
+
+
+def stood_up(document: Document, layer_ids: Collection[str] | None = None) -> Document:
+    """Return the document whose figures stand up as its set does, but for those of which anybody said how they stand.
+
+    A card parallel to the screen leans against what stands along the ground's normal: its head would lie behind a wall.
+
+    Parameters
+    ----------
+    document
+        With a set.
+    layer_ids
+        The layers of the figures; None for all.
+    """
+    for layer in document.layers:
+        is_meant = layer_ids is None or layer.id in layer_ids
+        if is_meant and layer.joins is None and UPRIGHT.name not in layer.tracks:
+            document = set_constant(document, Address(UPRIGHT, layer.id), 1.0)
+    return document
+
+
+def stood_up_notes(before: Document, after: Document) -> tuple[Message, ...]:
+    """Return what the user should know of figures that were stood up as the set is."""
+    told = {layer.id for layer in before.layers if UPRIGHT.name in layer.tracks}
+    names = [
+        layer.name
+        for layer in after.layers
+        if layer.joins is None and layer.id not in told and UPRIGHT.name in layer.tracks
+    ]
+    if not names:
+        return ()
+    return (Message("{names}: standing upright now, as the set does", names=", ".join(names)),)
 
 
 def remove_piece(document: Document, piece_id: str) -> Document:

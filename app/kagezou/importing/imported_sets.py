@@ -18,7 +18,7 @@ from kagezou.document.properties import (
     GROUND_POSITION,
     GROUND_ROLL,
 )
-from kagezou.document.set_pieces import add_piece
+from kagezou.document.set_pieces import add_piece, stood_up, stood_up_notes
 from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.geometry.mesh import Mesh
@@ -79,7 +79,7 @@ class ImportedSet:
 
 
 def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> ImportedSet:
-    """Put the set of a file behind the characters, the flat ground giving way to it.
+    """Put the set of a file behind the characters, who stand up as it does, the flat ground giving way to it.
 
     Raises
     ------
@@ -99,16 +99,19 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
         lines.PIECE_SCALE.name: wanted.scale or _natural_scale(document, mesh, up),
         lines.PIECE_DISPLAY.name: "clay" if document.background is None else "wireframe",
     }
-    document = add_piece(document, wanted.name, PieceKind.MESH, values, wanted.path)
+    added = add_piece(document, wanted.name, PieceKind.MESH, values, wanted.path)
+    document = stood_up(added)
+    notes = stood_up_notes(added, document)
     piece_id = document.pieces[-1].id
     document = set_constant(document, Address(lines.GROUND_RECEIVES), raw=False)
     if camera is None:
-        return ImportedSet(document, piece_id)
+        return ImportedSet(document, piece_id, notes)
     size = (float(document.canvas.width_px), float(document.canvas.height_px))
     met = first_hit(mesh, *_ray_of(camera, stand, size))
     if met is not None:
         document = set_constant(document, Address(lines.PIECE_ANCHOR, piece_id=piece_id), met)
-    return ImportedSet(follow_camera(document, piece_id, camera), piece_id, _notes(document, camera, met))
+    said = (*_notes(document, camera, met), *notes)
+    return ImportedSet(follow_camera(document, piece_id, camera), piece_id, said)
 
 
 def point_under(document: Document, piece_id: str, mesh: Mesh, canvas_px: Point2, frame: int) -> Vector3 | None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from kagezou.document.edits import add_layer, join_layer, set_background, set_canvas
 from kagezou.document.model import Canvas, Document
+from kagezou.document.set_pieces import stood_up, stood_up_notes
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.importing.cel_notes import notes_on
@@ -228,6 +229,9 @@ def put_in(document: Document, read: Brought) -> Imported:
         figures_seen[layer.id] = look
         told = (note for note in look.notes if note not in character.notes)
         notes += [*character.notes, *told, *notes_on(layer.name, character, look.figure, canvas_box)]
+    if document.pieces:
+        drawn, document = document, stood_up(document, figures_seen)
+        notes += stood_up_notes(drawn, document)
     if is_first and read.characters:
         document = _with_length(document, read.characters)
         document = with_ground_and_light(document, figures_seen)

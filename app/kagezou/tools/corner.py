@@ -9,7 +9,7 @@ from math import atan2, cos, degrees, hypot, radians, sin, sqrt
 from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
 from kagezou.document.properties import GROUND_POSITION, GROUND_ROLL
-from kagezou.document.set_pieces import add_piece
+from kagezou.document.set_pieces import add_piece, stood_up
 from kagezou.geometry.ground import place_on
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.sets.shapes import stand_on
@@ -21,6 +21,7 @@ from kagezou.tools.pointer import Pointer
 from kagezou.tools.set_piece import before_horizon
 from kagezou.tools.sight import between, depth_of, moved, part_seen_at, seen
 from kagezou.tools.view import CanvasView
+from kagezou.tools.wall_fitting import FigureSide, reach_on, sides_of
 
 LEAST_VIEW_PX = 12.0
 """A shorter drag draws nothing."""
@@ -29,6 +30,9 @@ _ABOVE_FIGURE = 0.2
 _LEAST_OF_FIGURE = 0.6
 _MOST_OF_CANVAS = 3.0
 """A wall reaches over the figure by a part of its height, and is neither much lower than it nor endless."""
+
+_RIM_OF_FIGURE = 0.1
+"""How much of a wall is left over the highest shadow on it."""
 
 _STEEP_DEG = 60.0
 
@@ -64,7 +68,9 @@ def ground_line(document: Document, frame: int) -> Lay:
 
 
 def wall_line(document: Document, frame: int, layer_id: str | None, name: str) -> Lay:
-    """Return what puts a wall on a line of the ground; the line ends before the horizon.
+    """Return what puts a wall on a line of the ground; the line ends before the horizon, and figures stand up.
+
+    It is as high as it must be to be seen over the figure, and for the shadows on it over the whole cut.
 
     Parameters
     ----------
@@ -77,14 +83,15 @@ def wall_line(document: Document, frame: int, layer_id: str | None, name: str) -
     """
     if layer_id is None and document.layers:
         layer_id = document.layers[-1].id
-    geometry = FrameGeometry.of(document, frame, layer_id, CanvasView())
+    standing = stood_up(document)
+    geometry, sides = FrameGeometry.of(standing, frame, layer_id, CanvasView()), sides_of(standing, frame)
 
     def lay(start: Point2, end: Point2) -> Document:
         end = before_horizon(geometry, kept_near(end), start)
         ends = [place_on(geometry.camera, geometry.ground, point) for point in (start, end)]
         if ends[0] is None or ends[1] is None:
             return document
-        return add_piece(document, name, PieceKind.WALL, _wall_between(geometry, ends[0], ends[1]))
+        return add_piece(standing, name, PieceKind.WALL, _wall_between(geometry, sides, ends[0], ends[1]))
 
     return lay
 
@@ -114,7 +121,9 @@ def straightened(start: Pointer, pointer: Pointer) -> Point2:
     return (start.canvas_px[0] + part * cos(angle), start.canvas_px[1] + part * sin(angle))
 
 
-def _wall_between(geometry: FrameGeometry, start: Vector3, end: Vector3) -> dict[str, object]:
+def _wall_between(
+    geometry: FrameGeometry, sides: tuple[FigureSide, ...], start: Vector3, end: Vector3
+) -> dict[str, object]:
     """Return the properties of a wall whose foot runs between two places of the ground, its front to the viewer."""
     camera, ground, way = geometry.camera, geometry.ground, between(start, end)
     middle = moved(start, (0.5, way))
@@ -122,7 +131,12 @@ def _wall_between(geometry: FrameGeometry, start: Vector3, end: Vector3) -> dict
     if dot(stand_on(ground, middle, angle).v, camera.toward_eye((*middle, 1.0))) < 0:
         angle += 180.0 if angle <= 0 else -180.0
     width = sqrt(dot(way, way)) / depth_of(camera, middle)
-    sizes = {lines.PIECE_WIDTH: width, lines.PIECE_HEIGHT: _height_at(geometry, middle)}
+    high = _height_at(geometry, middle)
+    most = _MOST_OF_CANVAS * geometry.document.canvas.height_px
+    reach = reach_on(sides, stand_on(ground, middle, angle), most * depth_of(camera, middle))
+    if reach is not None:
+        high = min(max(high, reach.top / depth_of(camera, middle) + _RIM_OF_FIGURE * geometry.figure_box.height), most)
+    sizes = {lines.PIECE_WIDTH: width, lines.PIECE_HEIGHT: high}
     x, y = seen(camera, middle)
     return {
         lines.PIECE_POSITION.name: (x, y),
@@ -135,7 +149,7 @@ def _height_at(geometry: FrameGeometry, place: Vector3) -> float:
     """Return how high a wall must be to be seen over the figure, canvas px at its depth."""
     canvas = geometry.document.canvas
     x, y = seen(geometry.camera, place)
-    figure = geometry.layer.figure if geometry.layer is not None else canvas.box
+    figure = geometry.figure_box if geometry.layer is not None else canvas.box
     tall = figure.height * (1.0 if geometry.layer is not None else 0.5)
     top = ((figure.left + figure.right) / 2, figure.bottom - tall)
     up = (-geometry.across[0], -geometry.across[1])

@@ -9,8 +9,10 @@ from tests.cli.projects import Shell
 
 
 def test_pieces_are_added_changed_listed_and_removed(shell: Shell, project: Path) -> None:
-    shell.ok("piece", project, "add", "back", "wall")
-    shell.ok("piece", project, "add", "stairs", "steps", "position=[40,38]", "count=3", "casts=true")
+    assert shell("piece", project, "add", "back", "wall") == 0
+    assert shell.said == "kagezou: note: Hero: standing upright now, as the set does\n"
+    assert shell.json("get", project, "layers.Hero.upright") == 1
+    shell.ok("piece", project, "add", "stairs", "steps", "position=[56,38]", "count=3", "casts=true")
     assert shell.ok("piece", project, "list") == "wall\tback\nsteps\tstairs\n"
     shell.ok("set", project, "set.back.angle=20")
     shell.ok("set", project, "set.back.angle=-20", "--frame", "3")
@@ -42,7 +44,7 @@ def test_pieces_are_added_changed_listed_and_removed(shell: Shell, project: Path
     ],
 )
 def test_what_cannot_be_done_is_told(shell: Shell, project: Path, words: list[str], told: str) -> None:
-    shell.ok("piece", project, "add", "back", "wall")
+    shell("piece", project, "add", "back", "wall")
     before = project.read_bytes()
     assert told in shell.fails(2, "piece", project, *words)
     assert project.read_bytes() == before
@@ -50,7 +52,7 @@ def test_what_cannot_be_done_is_told(shell: Shell, project: Path, words: list[st
 
 def test_a_set_that_casts_is_rendered_beside_the_characters(shell: Shell, project: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    shell.ok("piece", project, "add", "crate", "box", "position=[20,44]", "width=12", "height=12", "depth=10")
+    shell("piece", project, "add", "crate", "box", "position=[20,44]", "width=12", "height=12", "depth=10")
     shell("render", project, "-o", out, "--frames", "1", "--composite")
     assert not (out / "set_shadow").exists()
     shell.ok("set", project, "set.crate.casts=true", "set.shadow.color=#102030")
@@ -84,7 +86,8 @@ def test_a_set_from_a_file_is_followed_and_missed(shell: Shell, project: Path, s
 def test_a_set_without_a_camera_has_the_size_that_is_said(shell: Shell, project: Path, tmp_path: Path) -> None:
     kept = tmp_path / "set.obj"
     kept.write_text("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n")
-    shell.ok("piece", project, "add", "floor", "mesh", "--file", kept, "--scale", "20", "--up", "z")
+    assert shell("piece", project, "add", "floor", "mesh", "--file", kept, "--scale", "20", "--up", "z") == 0
+    assert "standing upright now" in shell.said
     assert shell.json("get", project, "set.floor.scale") == 20
     assert shell.json("get", project, "set.floor.up") == "z"
 

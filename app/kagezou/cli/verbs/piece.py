@@ -15,9 +15,11 @@ if TYPE_CHECKING:
     from kagezou.document.model import Document
 
 DESCRIPTION = """\
-Put a piece into the set, take one out, rename or copy it, or list them. A new piece stands behind the characters in a
-natural size; kagezou set changes everything about it: set.NAME.position, .angle, .lean, .width, .height, .depth,
-.count, .receives, .blocks, .casts, .kind and .present, for the whole cut or by keys.
+Put a piece into the set, take one out, rename or copy it, or list them. A new wall stands behind the characters, and
+their shadows fit on it; any other piece stands beside them or behind; all are sized from the characters, who stand
+upright from then on as the set does (layers.NAME.upright). kagezou set changes everything about it: set.NAME.position,
+.angle, .lean, .width, .height, .depth, .count, .receives, .blocks, .casts, .kind and .present, for the whole cut or by
+keys.
 
 A mesh is a set from a file (glTF, OBJ, PLY, STL; USD where that package is installed). With --camera the canvas camera
 follows one of the file's cameras, and the ground goes through the set where the character stands."""
@@ -61,7 +63,9 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
+    from kagezou.document.set_pieces import stood_up_notes
     from kagezou.io.project.file import load, save
+    from kagezou.scene.misfits import misfits_of, new_misfits
 
     before = load(options.project)
     if options.action == "list":
@@ -76,8 +80,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         raise UsageProblem(Message("--file, --camera, --stand, --up and --scale belong to: add NAME mesh"))
     else:
         after = _changed(before, options.action, options.name, options.words)
-    if after is not before:
-        save(after, options.project)
+    if after is before:
+        return 0
+    if options.action == "add" and options.words[:1] != [PieceKind.MESH]:
+        for sentence in stood_up_notes(before, after):
+            note(sentence)
+    for misfit in new_misfits(misfits_of(before), misfits_of(after)):
+        note(misfit.message)
+    save(after, options.project)
     return 0
 
 
@@ -122,8 +132,8 @@ def _imported(document: "Document", options: Namespace) -> "Document":
 
 
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
-    from kagezou.document.set_pieces import add_piece
     from kagezou.document.set_properties import PIECE_KIND
+    from kagezou.tools.placing import add_placed
 
     kind = words[0] if words else ""
     if kind not in PIECE_KIND.choices:
@@ -138,7 +148,7 @@ def _added(document: "Document", name: str, words: list[str]) -> "Document":
             if kind
             else Message("add what? {known}", known=known)
         )
-    return add_piece(document, name, kind, _values(words[1:]))
+    return add_placed(document, 1, None, PieceKind(kind), name, _values(words[1:]))[0]
 
 
 def _kinds() -> str:

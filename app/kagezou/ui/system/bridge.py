@@ -20,12 +20,15 @@ class Bridge(QObject):
     saved_changed = Signal(bool)
     history_changed = Signal()
     session_replaced = Signal()
+    settled = Signal()
+    """The document is another one than when this was sent last, and no gesture is under way."""
 
     def __init__(self, session: Session) -> None:
         super().__init__()
         self._session = session
         self._history: tuple[str | None, str | None] = (None, None)
         self._was_saved = True
+        self._settled = session.document
         self._listen(session)
 
     @property
@@ -63,6 +66,7 @@ class Bridge(QObject):
     def open(self, session: Session) -> None:
         """Put another session in the place of this one and say that everything changed."""
         self._session = session
+        self._settled = session.document
         self._listen(session)
         self.session_replaced.emit()
         self.document_changed.emit()
@@ -89,6 +93,9 @@ class Bridge(QObject):
         if after.frame != before.frame:
             self.frame_changed.emit(after.frame)
         self._tell_saved()
+        if after.document is not self._settled and not self._session.is_in_gesture:
+            self._settled = after.document
+            self.settled.emit()
 
     def _tell_saved(self) -> None:
         saved = self._session.is_saved

@@ -24,6 +24,7 @@ from kagezou.ui.sets.commands import SetCommands
 from kagezou.ui.sets.import_bar import SetBar
 from kagezou.ui.sets.imports import SetImports
 from kagezou.ui.sets.list import SetList
+from kagezou.ui.sets.standing import StandingNotes
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.settings import Settings
@@ -53,6 +54,7 @@ class SetParts:
     corner_sheet: CornerSheet
     bar: SetBar
     imports: SetImports
+    standing: StandingNotes
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,6 +204,7 @@ def _set_parts(open_project: OpenProject, viewport: Viewport, space: SpaceBar, m
         CornerSheet(viewport, bridge, space),
         bar,
         SetImports(bridge, open_project.meshes, bar, viewport.picking),
+        StandingNotes(bridge),
     )
 
 

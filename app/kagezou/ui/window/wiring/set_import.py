@@ -3,7 +3,7 @@
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.parts import Parts
 
-_FAILED, _NOTED = "set-failed", "set-noted"
+_FAILED = "set-failed"
 
 
 def connect_set_import(parts: Parts) -> None:
@@ -22,7 +22,7 @@ def connect_set_import(parts: Parts) -> None:
 
     parts.project.set_read.connect(sets.bring)
     sets.failed.connect(lambda sentence: say(_FAILED, sentence, Severity.ERROR))
-    sets.noted.connect(lambda sentence: say(_NOTED, sentence, Severity.NOTE))
+    sets.noted.connect(lambda sentence: say(sentence, sentence, Severity.NOTE))
     actions.on("settle_set", sets.settle)
     parts.bridge.document_changed.connect(follow)
     follow()

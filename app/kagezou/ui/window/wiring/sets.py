@@ -3,6 +3,7 @@
 from functools import partial
 
 from kagezou.document.piece_kinds import BUILT_KINDS
+from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.corner_sheet import CornerStroke
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.parts import Parts
@@ -35,6 +36,7 @@ def connect_set(parts: Parts, verbs: WindowVerbs) -> None:
 
     for refusal in (commands.refused, pieces.model.refused, parts.sets.corner_sheet.refused):
         refusal.connect(lambda sentence: parts.bar.say("set", sentence, Severity.NOTE))
+    parts.sets.standing.noted.connect(lambda note: parts.bar.say(translated(note), translated(note), Severity.NOTE))
     bridge.document_changed.connect(follow)
     bridge.selection_changed.connect(follow)
     follow()
