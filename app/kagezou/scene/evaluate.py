@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from kagezou.document import properties, set_properties
+from kagezou.document.figure_properties import LEAST_PART, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
@@ -18,6 +19,7 @@ from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
 from kagezou.scene.placing import drawing_of, shown_parts
 from kagezou.scene.poses import pose_size
 from kagezou.scene.receiving import with_received
+from kagezou.scene.round_shadow import rounded
 from kagezou.scene.scene import (
     Edge,
     Fade,
@@ -108,12 +110,12 @@ def _cast(on: Moment, figure: Layer, moment: int, lift: Lift | None) -> ShadowCa
         return None
     card, light = card_of(on, figure, moment), light_at(on.document, moment, on.ground)
     if lift is not None:
-        lift = replace(lift, size=lift.size * pose_size(on, figure, lift, light))
-        cels = tuple(lowered_cel(lift, cel) for cel in cels)
-        card = card_on_feet(on, figure, moment, lift.lowered_standing)
+        lowered = replace(lift, size=lift.size * pose_size(on, figure, lift, light))
+        cels = tuple(lowered_cel(lowered, cel) for cel in cels)
+        card = card_on_feet(on, figure, moment, lowered.lowered_standing)
     radius = value_at(on.document.tracks, properties.OVERHEAD_RADIUS, moment)
     spread = virtual_lights(light, contact_of(card, on.ground), radius)
-    return ShadowCast(
+    cast = ShadowCast(
         figure=cels,
         translucent=value_at(figure.tracks, properties.MATTE, moment) == "translucent",
         camera=on.camera,
@@ -123,7 +125,10 @@ def _cast(on: Moment, figure: Layer, moment: int, lift: Lift | None) -> ShadowCa
         simplify=_simplify(figure.tracks, moment),
         edge=_edge(figure.tracks, moment, 0.0 if lift is None else lift.wider_px),
         water=_water(figure.tracks, moment),
+        least_part_px2=value_at(figure.tracks, LEAST_PART, moment),
     )
+    is_round = value_at(figure.tracks, SHAPE, moment) == "disc"
+    return rounded(on, figure, moment, lift, cast) if is_round else cast
 
 
 def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...], *, has_ground: bool) -> LayerScene:
