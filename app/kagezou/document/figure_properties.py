@@ -57,7 +57,7 @@ SHAPE = Property(
 LEAST_PART = Property(
     "shadow.least_part", Kind.NUMBER, Scope.LAYER, 0.0,
     Message("Least part"),
-    Message("Islands and holes of a simplified shadow that are smaller than this are left out."),
+    Message("Islands and holes of the shadow that are smaller than this are left out."),
     unit="px²", low=0.0, high=1_000_000.0, slides=(0.0, 2000.0),
 )  # fmt: skip
 LIFT_SHRINK = Property(
@@ -69,7 +69,7 @@ LIFT_SHRINK = Property(
 LIFT_SOFTEN = Property(
     "shadow.lift_soften", Kind.NUMBER, Scope.LAYER, 0.2,
     Message("Soften in a jump"),
-    Message("How much of its edge the shadow loses at a height of one figure over the ground."),
+    Message("How much softer the shadow's edge becomes in a jump; at 1 by a quarter of the height over the ground."),
     low=0.0, high=1.0, slides=(0.0, 1.0),
 )  # fmt: skip
 LIFT_FADE = Property(

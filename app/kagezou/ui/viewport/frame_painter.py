@@ -17,8 +17,9 @@ from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from kagezou.scene.left_out import without_pieces
 from kagezou.scene.receiving import without_drawings
-from kagezou.scene.scene import Scene, without_pieces
+from kagezou.scene.scene import Scene
 from kagezou.ui.viewport.picture_view import PictureView, seen
 from kagezou.ui.viewport.resolution import FULL, PreviewFineness
 
