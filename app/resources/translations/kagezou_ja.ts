@@ -1203,6 +1203,29 @@
     </message>
 </context>
 <context>
+    <name>FeetLane</name>
+    <message>
+        <source>In the air, %1 px high</source>
+        <translation>空中、高さ %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of %2 feet planted</source>
+        <translation>%2 本中 %1 本の足が接地</translation>
+    </message>
+    <message>
+        <source>No foot seen</source>
+        <translation>足が見えません</translation>
+    </message>
+    <message>
+        <source>doubtful: please look whether this is right</source>
+        <translation>疑わしい: 正しいか確認してください</translation>
+    </message>
+    <message>
+        <source>pinned by hand</source>
+        <translation>手で固定</translation>
+    </message>
+</context>
+<context>
     <name>Figures</name>
     <message>
         <source>Drag the cel to move it, a corner to scale it, outside of a corner to turn it; Shift constrains. Esc ends it.</source>
@@ -3253,6 +3276,18 @@ Drop a folder of cels here.</source>
         <translation>ディスクに空きがありません</translation>
     </message>
     <message>
+        <source>Height {value} px</source>
+        <translation>高さ {value} px</translation>
+    </message>
+    <message>
+        <source>How much softer the shadow&apos;s edge becomes in a jump; at 1 by a quarter of the height over the ground.</source>
+        <translation>ジャンプ中に影の縁がどれだけ柔らかくなるか。1 で地面からの高さの 4 分の 1 だけ広がります。</translation>
+    </message>
+    <message>
+        <source>Islands and holes of the shadow that are smaller than this are left out.</source>
+        <translation>これより小さい影の島や穴を省きます。</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>なし</translation>
     </message>
@@ -3537,20 +3572,12 @@ Drop a folder of cels here.</source>
         <translation>作画の大きさ。0 より小さいと反転します。</translation>
     </message>
     <message>
-        <source>How much of its edge the shadow loses at a height of one figure over the ground.</source>
-        <translation>地面からキャラクター 1 体分の高さで影の縁がどれだけぼけるか。</translation>
-    </message>
-    <message>
         <source>How much of its opacity the shadow loses at a height of one figure over the ground.</source>
         <translation>地面からキャラクター 1 体分の高さで影の不透明度がどれだけ下がるか。</translation>
     </message>
     <message>
         <source>How much of its size the shadow loses at a height of one figure over the ground.</source>
         <translation>地面からキャラクター 1 体分の高さで影がどれだけ小さくなるか。</translation>
-    </message>
-    <message>
-        <source>Islands and holes of a simplified shadow that are smaller than this are left out.</source>
-        <translation>簡略化した影の、これより小さい島や穴を省きます。</translation>
     </message>
     <message>
         <source>Layered frames</source>
@@ -4371,6 +4398,10 @@ Drop a folder of cels here.</source>
         <translation>シーン</translation>
     </message>
     <message>
+        <source>Feet</source>
+        <translation>足</translation>
+    </message>
+    <message>
         <source>Remove key</source>
         <translation>キーを削除</translation>
     </message>
@@ -4742,6 +4773,10 @@ Drop a folder of cels here.</source>
 </context>
 <context>
     <name>Status</name>
+    <message>
+        <source>How high the figure is over the ground on this frame</source>
+        <translation>このフレームで人物が地面からどれだけ離れているか</translation>
+    </message>
     <message>
         <source>Preview resolution; exports are always full</source>
         <translation>プレビューの解像度。書き出しは常にフルです</translation>

@@ -220,10 +220,9 @@ class OpenProject(QObject):
         self._tell(imported)
 
     def _edit(self, step: str, imported: Imported) -> None:
-        session = self.bridge.session
-        session.edit(step, imported.document)
+        self.bridge.session.edit(step, imported.document)
         if imported.layer_ids:
-            session.select(imported.layer_ids[-1])
+            self.bridge.session.select(imported.layer_ids[-1])
         self._tell(imported)
 
     def _tell(self, imported: Imported) -> None:
