@@ -11,13 +11,13 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.cli.demo.stage import make_demo
+from kagezou.document.edits import set_background
 from kagezou.document.style import apply_style
 from kagezou.importing.feet import document_with_feet
 from kagezou.io.clips.style_files import bundled_styles
@@ -41,7 +41,7 @@ def main() -> None:
     folder = resource_folder() / "styles" / "pictures"
     folder.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as made, open_headless_context():
-        document = replace(load(make_demo(Path(made), 2, lambda *_: None).project), background=None)
+        document = set_background(load(make_demo(Path(made), 2, lambda *_: None).project), None)
         document = document_with_feet(document, [document.layers[-1].id]).document
         layer = document.layers[-1]
         renderer = Renderer(CelCache())

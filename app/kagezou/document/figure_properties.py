@@ -11,6 +11,13 @@ SHADOWS_UNITE = Property(
     Message("Whether shadows of like look unite where they meet; else each darkens what the others left."),
 )  # fmt: skip
 
+BACKGROUND_POSITION = Property(
+    "background.position", Kind.POINT, Scope.DOCUMENT, (0.0, 0.0),
+    Message("Background position"),
+    Message("Where the middle of the background lies on the canvas: keyed, it pans."),
+    unit="px", usual=Usual.CANVAS_MIDDLE,
+)  # fmt: skip
+
 POSITION = Property(
     "position", Kind.POINT, Scope.LAYER, (0.0, 0.0),
     Message("Position"),

@@ -16,7 +16,7 @@ from kagezou.geometry.waves import Wave
 from kagezou.scene.figure_card import Moment, card_of, card_on_feet
 from kagezou.scene.lift import Lift, faded, lift_at, lowered_cel
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
-from kagezou.scene.placing import drawing_of, shown_parts
+from kagezou.scene.placing import background_at, drawing_of, shown_parts
 from kagezou.scene.poses import pose_size
 from kagezou.scene.receiving import with_received
 from kagezou.scene.round_shadow import rounded
@@ -55,7 +55,7 @@ def evaluate(document: Document, frame: int) -> Scene:
     layers = with_received(layers, receiving)
     set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))
     unite = value_at(document.tracks, SHADOWS_UNITE, frame)
-    return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow, unite)
+    return Scene(document.canvas.box, camera, ground, background_at(document, frame), layers, pieces, set_shadow, unite)
 
 
 def camera_at(document: Document, frame: int) -> Camera:

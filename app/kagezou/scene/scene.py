@@ -284,7 +284,7 @@ class Scene:
     canvas: Box
     camera: Camera
     ground: Plane
-    background: PictureSource | None
+    background: PlacedDrawing | None
     layers: tuple[LayerScene, ...]
     pieces: tuple[PieceScene, ...] = ()
     set_shadow: SetShadow | None = None

@@ -156,7 +156,9 @@ class FramePainter:
     def _is_ready(self, document: Document, scene: Scene) -> bool:
         drawings = [layer.drawing.source for layer in scene.layers if layer.drawing is not None]
         try:
-            return self._smaller_for(document.canvas.box).cels.is_ready(drawings, scene.background)
+            return self._smaller_for(document.canvas.box).cels.is_ready(
+                drawings, None if scene.background is None else scene.background.source
+            )
         except Problem:
             return False
 
@@ -192,7 +194,7 @@ class FramePainter:
         }
         scene = without_pieces(scene, lost) if lost else scene
         behind = scene.background
-        background = behind if behind and can_be_read(behind, self._cels.background) else None
+        background = behind if behind and can_be_read(behind.source, self._cels.background) else None
         unread = {each.source for each in broken}
         layers = tuple(without_drawings(layer, unread) for layer in scene.layers)
         self.broken = tuple(broken)
