@@ -262,8 +262,6 @@ class CompositeContent(Content):
         cels = tuple(drawing.source for drawing, *_ in self.layers if drawing is not None)
         behind = None if self.background is None else self.background.source
         return Sources(cels=cels, background=behind, sets=_sets_in(self.scene))
-            cels=cels, background=None if self.background is None else self.background.source, sets=_sets_in(self.scene)
-        )
 
     @property
     def is_filled(self) -> bool:
