@@ -3536,6 +3536,10 @@ Drop a folder of cels here.</source>
         <translation>After Effects</translation>
     </message>
     <message>
+        <source>Background position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cast</source>
         <translation>投影</translation>
     </message>
@@ -3658,6 +3662,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Where the anchor of the layer&apos;s drawings lies on the canvas.</source>
         <translation>レイヤーの作画のアンカーポイントがキャンバスのどこに置かれるか。</translation>
+    </message>
+    <message>
+        <source>Where the middle of the background lies on the canvas: keyed, it pans.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether shadows of like look unite where they meet; else each darkens what the others left.</source>
