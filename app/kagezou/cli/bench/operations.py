@@ -10,25 +10,23 @@ from typing import Final
 from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address
-from kagezou.document.edits import set_constant
-from kagezou.document.model import Document
+from kagezou.document.edits import add_layer, join_layer, set_constant, set_drawings
+from kagezou.document.figure_properties import POSITION
+from kagezou.document.model import Document, Drawing, drawing_size
 from kagezou.document.set_pieces import add_piece
 from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.document.values import value_at
-from kagezou.geometry.relief import Foothold, relief_card
+from kagezou.geometry.box import centred_offset
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.scene import Scene
+from kagezou.standing.foot import Foot, FootPin, Verdict
 
 ROUNDS: Final = 60
 _WARM_UP: Final = 4
 
 Change = Callable[[Document, int], tuple[Document, int]]
 """Returns the document and the frame of a round; no two rounds of one change show the same."""
-
-Dressing = Callable[[Document, Scene], Scene]
-"""Returns what is drawn of a document's scene."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,24 +62,21 @@ def measured(document: Document, renderer: Renderer, hills: Path, rounds: int = 
         The file of a large set.
     """
     changes = dict(_changes(document, hills))
-    shown = {"relief": _on_two_feet}
     copies: list[float] = []
     times: dict[str, float] = {}
     for name, change in changes.items():
         count = min(rounds, document.canvas.length_frames - _WARM_UP) if name == "frame step" else rounds
-        dressed = shown.get(name, _as_it_is)
-        each = [_timed(document, (change, dressed), renderer, number) for number in range(max(count, 1) + _WARM_UP)]
+        each = [_timed(document, change, renderer, number) for number in range(max(count, 1) + _WARM_UP)]
         times[name] = median(each[_WARM_UP:])
         copies += [_copy_timed(renderer) for _ in range(max(rounds // 4, 1))]
     copy_ms = median(copies)
     return Measured(copy_ms, tuple(Operation(name, ms, ms / copy_ms) for name, ms in times.items()))
 
 
-def _timed(document: Document, way: tuple[Change, Dressing], renderer: Renderer, number: int) -> float:
-    change, dressed = way
+def _timed(document: Document, change: Change, renderer: Renderer, number: int) -> float:
     started = time.perf_counter()
     changed, frame = change(document, number)
-    renderer.draw_picture(dressed(changed, evaluate(changed, frame)))
+    renderer.draw_picture(evaluate(changed, frame))
     renderer.finish()
     return (time.perf_counter() - started) * 1000
 
@@ -112,7 +107,9 @@ def _changes_of_place(document: Document) -> Iterator[tuple[str, Change]]:
     ground, grounding = Address(properties.GROUND_POSITION), Address(properties.GROUNDING, layer.id)
     place = value_at(document.tracks, properties.GROUND_POSITION, 1)
     yield "light", _moved_light(document)
-    yield "relief", _moved_light(document)
+    yield "relief", _upon(_on_two_feet(document), _moved_light(document))
+    yield "moved cel", _setting(Address(POSITION, layer.id), lambda n: _beside(document, _sweep(n, 0.2 * height)))
+    yield "joined cels", _upon(_in_two_cels(document), _moved_light(document))
     yield "ground position", _setting(ground, lambda n: (place[0], place[1] + _sweep(n, 0.05 * height)))
     yield "declination", _setting(Address(properties.GROUND_DECLINATION), lambda n: 60.0 + _sweep(n, 12.0))
     yield "roll", _setting(Address(properties.GROUND_ROLL), lambda n: _sweep(n, 6.0))
@@ -142,21 +139,30 @@ def _changes_on_sets(document: Document, hills: Path) -> Iterator[tuple[str, Cha
     yield "light on a mesh set", _upon(_on_hills(document, foot, hills), light)
 
 
-def _as_it_is(_document: Document, scene: Scene) -> Scene:
-    return scene
-
-
-def _on_two_feet(document: Document, scene: Scene) -> Scene:
-    """Return the scene with its uppermost character on a relief card of two feet, one behind the other."""
-    figure, layer = document.layers[-1].figure, scene.layers[-1]
-    if layer.cast is None:
-        return scene
-    (x, y), height = _foot(document), figure.height
+def _on_two_feet(document: Document) -> Document:
+    """Return the document with its uppermost character on two feet that carry, one behind the other."""
+    layer, height = document.layers[-1], document.layers[-1].figure.height
+    x, y = _foot(document)
     places = ((x - 0.09 * height, y), (x + 0.09 * height, y - 0.04 * height))
-    feet = [Foothold(place, place[1], is_planted=True) for place in places]
-    card = relief_card(scene.camera, scene.ground, feet, height)
-    layer = replace(layer, cast=replace(layer.cast, card=card))
-    return replace(scene, layers=(*scene.layers[:-1], layer))
+
+    def standing(drawing: Drawing) -> Drawing:
+        left, top = centred_offset(document.canvas.box, *drawing_size(document.canvas, drawing))
+        feet = tuple(Foot(track, (at[0] - left, at[1] - top)) for track, at in enumerate(places))
+        return replace(drawing, feet=feet, pins=tuple(FootPin(foot.track, Verdict.PLANTED) for foot in feet))
+
+    return set_drawings(document, layer.id, tuple(map(standing, layer.cels.drawings)))
+
+
+def _in_two_cels(document: Document) -> Document:
+    """Return the document with the drawings of its uppermost character twice, as two cels of one figure."""
+    layer = document.layers[-1]
+    document = add_layer(document, f"{layer.name} part", layer.cels, layer.figure)
+    return join_layer(document, document.layers[-1].id, layer.id)
+
+
+def _beside(document: Document, away: float) -> tuple[float, float]:
+    x, y = document.canvas.box.middle
+    return (x + away, y)
 
 
 def _foot(document: Document) -> tuple[float, float]:
