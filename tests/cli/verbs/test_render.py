@@ -181,6 +181,8 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
     assert names == [
         "light",
         "relief",
+        "moved cel",
+        "joined cels",
         *places,
         "opacity",
         *simplifying,
