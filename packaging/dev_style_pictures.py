@@ -11,14 +11,15 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.cli.demo.stage import make_demo
+from kagezou.document.edits import set_background
 from kagezou.document.style import apply_style
+from kagezou.importing.feet import document_with_feet
 from kagezou.io.clips.style_files import bundled_styles
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.writing import write_rgba
@@ -31,7 +32,7 @@ from kagezou.scene.evaluate import evaluate
 
 FRAME = 40
 SIZE_PX = (264, 176)
-LEFT_PX, TOP_PX, WIDE_PX = 130, 290, 870
+LEFT_PX, TOP_PX, WIDE_PX = 10, 295, 990
 """The part of the demo's canvas around the character and its shadows."""
 
 
@@ -40,7 +41,8 @@ def main() -> None:
     folder = resource_folder() / "styles" / "pictures"
     folder.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as made, open_headless_context():
-        document = replace(load(make_demo(Path(made), 2, lambda *_: None).project), background=None)
+        document = set_background(load(make_demo(Path(made), 2, lambda *_: None).project), None)
+        document = document_with_feet(document, [document.layers[-1].id]).document
         layer = document.layers[-1]
         renderer = Renderer(CelCache())
         for each in bundled_styles():

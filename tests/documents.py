@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
+from kagezou.document.edits import still
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece, Tracks
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
@@ -100,6 +101,14 @@ def layers(draw: st.DrawFn, number: int, name: str) -> Layer:
 
 
 @st.composite
+def backgrounds(draw: st.DrawFn) -> Cels:
+    """Several pictures over time, which have no paper of their own."""
+    drawn = draw(cels())
+    plain = tuple(Drawing(each.name, each.path, each.part) for each in drawn.drawings)
+    return replace(drawn, drawings=plain) if plain else Cels()
+
+
+@st.composite
 def work_areas(draw: st.DrawFn) -> tuple[int, int] | None:
     ends = sorted((draw(st.integers(1, 1000)), draw(st.integers(1, 1000))))
     return draw(st.sampled_from([None, (ends[0], ends[1])]))
@@ -135,7 +144,7 @@ def documents(draw: st.DrawFn) -> Document:
         drawn = tuple(replace(each, tracks=MappingProxyType({**each.tracks, name: shared})) for each in drawn)
     return Document(
         canvas,
-        draw(st.one_of(st.none(), paths)),
+        draw(st.one_of(st.just(Cels()), paths.map(still), backgrounds())),
         drawn,
         draw(track_tables(dict(OF_DOCUMENT))),
         draw(work_areas()),

@@ -6,6 +6,8 @@
 //   SQUEEZED      somewhere more texels fall on a pixel than cells can hold
 //   AT_A_LIMIT    the card's contact line or an edge of the piece may cross these pixels
 //   LIMITS        how many edges the piece has
+//   PIECES        several pieces are drawn at once, with passes/cast_pieces.vert
+//   ONE_LIMIT     ... of which only one end runs through these pixels
 //   LAMP_IS_LOW   see common/grazing.glsl
 
 #include "common/edge.glsl"
@@ -13,12 +15,26 @@
 
 uniform sampler2D u_matte;             // alpha of the drawing: texels and their neighbours, with a rim of empty ones
 uniform vec2 u_origin_px;              // canvas px around which the forms below are given, for precision
+#ifdef PIECES
+flat in mat3 v_texel_from_pixel;
+#else
 uniform mat3 u_texel_from_pixel;       // canvas px - origin -> matte texels, texel centres at +0.5
+#endif
 
 out float o_coverage;
 
 #ifdef AT_A_LIMIT
+#if defined(ONE_LIMIT)
+flat in vec4 v_end;                    // as below, and whether it is an edge rather than the side
+#elif defined(PIECES)
+flat in vec3 v_side;
+flat in vec3 v_edge_1;
+flat in vec3 v_edge_2;
+flat in vec3 v_edge_3;
+flat in vec3 v_edge_4;
+#else
 uniform vec3 u_side;                   // signed distances in px, >= 0 on the shadow's side of the card ...
+#endif
 #if LIMITS > 0
 uniform vec4 u_limits[LIMITS];         // ... and within the edges of the piece (x, y, 1)
 #endif
@@ -53,11 +69,16 @@ vec3 alpha_and_slope(vec2 texel) {
 }
 
 float matte_coverage(vec2 pixel) {
-    vec3 h = u_texel_from_pixel * vec3(pixel, 1.0);
+#ifdef PIECES
+    mat3 texel_from_pixel = v_texel_from_pixel;
+#else
+    mat3 texel_from_pixel = u_texel_from_pixel;
+#endif
+    vec3 h = texel_from_pixel * vec3(pixel, 1.0);
     vec2 texel = h.xy / h.z;
     // Columns: how far one canvas px in x and in y goes over the matte.
-    mat2 step_texel = mat2(u_texel_from_pixel[0].xy - texel * u_texel_from_pixel[0].z,
-                           u_texel_from_pixel[1].xy - texel * u_texel_from_pixel[1].z) / h.z;
+    mat2 step_texel = mat2(texel_from_pixel[0].xy - texel * texel_from_pixel[0].z,
+                           texel_from_pixel[1].xy - texel * texel_from_pixel[1].z) / h.z;
     const ivec2 cells = ivec2(CELLS_X, CELLS_Y);
     const vec2 cell = 1.0 / vec2(cells);
 #ifdef SQUEEZED
@@ -68,7 +89,7 @@ float matte_coverage(vec2 pixel) {
     for (int y = 0; y < cells.y; ++y) {
         for (int x = 0; x < cells.x; ++x) {
             vec2 inside = (vec2(float(x), float(y)) + 0.5) * cell - 0.5;
-            vec3 place = h + u_texel_from_pixel[0] * inside.x + u_texel_from_pixel[1] * inside.y;
+            vec3 place = h + texel_from_pixel[0] * inside.x + texel_from_pixel[1] * inside.y;
             vec2 at = place.xy / place.z;
             vec3 alpha = alpha_and_slope(at);
 #ifdef TRANSLUCENT
@@ -84,7 +105,16 @@ float matte_coverage(vec2 pixel) {
 #endif
 #ifdef AT_A_LIMIT
             vec2 here = pixel + inside;
+#if defined(ONE_LIMIT)
+            float part = within(v_end.xyz, here, cell);
+            covered = v_end.w == 0.0 ? min(covered, part) : covered * part;
+#elif defined(PIECES)
+            covered = min(covered, within(v_side, here, cell));
+            covered *= within(v_edge_1, here, cell) * within(v_edge_2, here, cell);
+            covered *= within(v_edge_3, here, cell) * within(v_edge_4, here, cell);
+#else
             covered = min(covered, within(u_side, here, cell));
+#endif
 #if LIMITS > 0
             for (int index = 0; index < LIMITS; ++index) {
                 covered *= within(u_limits[index].xyz, here, cell);

@@ -138,7 +138,7 @@ def test_info_lists_every_property(shell: Shell, project: Path) -> None:
     from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 
     table = [*OF_DOCUMENT.values(), *OF_LAYER.values(), *OF_PIECE.values()]
-    shell.ok("piece", project, "add", "back", "wall")
+    shell("piece", project, "add", "back", "wall")
     text = shell.ok("info", project, "--properties")
     rows = shell.json("info", project, "--properties", "--json")["properties"]
     assert len(rows) == len(table)

@@ -10,7 +10,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import MAX_SLOPE_DEG, CardPiece, card_for, receiver_of, vertical_piece
 from kagezou.geometry.ground import ground_plane, place_on
 from kagezou.geometry.relief import Foothold, relief_card
-from kagezou.geometry.vectors import Point2, coincide, dot, height_over
+from kagezou.geometry.vectors import Point2, coinciding, dot, height_over
 
 CAMERA = Camera(1000, 1000)
 GROUND = ground_plane((500.0, 800.0), 0.0, 60.0)
@@ -131,7 +131,7 @@ def test_a_piece_receives_on_the_side_that_is_seen(
 ) -> None:
     camera, piece = Camera(1000, 1000, fov), CardPiece(place, (-slopes[0], -slopes[1], 1.0))
     plane = receiver_of(camera, piece)
-    assert coincide(plane.equation, piece.plane)
+    assert coinciding(plane.equation, [piece.plane]).all()
     assert height_over(plane.equation, camera.eye) >= 0
     assert abs(height_over(piece.plane, (*plane.point(120.0, -70.0), 1.0))) < 1e-6
     for axis in (plane.u, plane.v, plane.normal):
@@ -150,9 +150,8 @@ def test_a_piece_seen_from_behind_is_lit_from_behind() -> None:
 
 def test_planes_coincide_whichever_way_they_face() -> None:
     plane = (0.6, 0.0, 0.8, -120.0)
-    assert coincide(plane, (-1.2, 0.0, -1.6, 240.0))
-    assert not coincide(plane, (0.6, 0.0, 0.8, -120.001))
-    assert not coincide(plane, (0.6, 0.0, -0.8, -120.0))
+    others = [(-1.2, 0.0, -1.6, 240.0), (0.6, 0.0, 0.8, -120.001), (0.6, 0.0, -0.8, -120.0)]
+    assert coinciding(plane, others).tolist() == [True, False, False]
 
 
 def test_a_tilt_is_measured_by_points_and_turns_about_the_one_there_is() -> None:

@@ -9,8 +9,8 @@ from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
 from kagezou.geometry.camera import project
 from kagezou.scene.evaluate import evaluate
+from kagezou.scene.left_out import without_pieces
 from kagezou.scene.pieces import MeshPlacement
-from kagezou.scene.scene import without_pieces
 from tests.scene.test_pieces import a_room, with_values
 
 SOURCE = Path("/sets/a.glb")

@@ -2,7 +2,8 @@ from kagezou.document import properties
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.tools.handle import Handle
-from kagezou.tools.readout import readout
+from kagezou.tools.readout import height_words, readout
+from tests.scene.jumps import jumping
 from tests.tools.tool_scenes import Hand, address, document_with, handle
 
 
@@ -41,3 +42,9 @@ def test_a_grounding_point_reads_its_own_place() -> None:
     assert read(handle(document, "grounding.1"), document, after, 1) == "X 552 (+2)  Y 883 (+3)"
     gone = set_constant(document, address(properties.GROUNDING), ((450, 900),))
     assert read(handle(document, "grounding.1"), document, gone, 1) == ""
+
+
+def test_the_height_of_a_jump_is_said_in_the_air_only() -> None:
+    document = jumping()
+    words = [height_words(document, "layer-1", frame) for frame in (4, 5, 7, 10)]
+    assert [word and str(word) for word in words] == [None, "Height 40 px", "Height 120 px", None]

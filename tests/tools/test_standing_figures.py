@@ -12,13 +12,11 @@ from kagezou.document.address import Address, resolve
 from kagezou.document.edits import add_layer, join_layer, set_constant, set_drawings, set_key
 from kagezou.document.invariants import check
 from kagezou.document.model import Cels, Document, Drawing, Exposure
-from kagezou.document.values import value_at
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import project
-from kagezou.geometry.light import lamp
 from kagezou.geometry.shadow import cast_on
 from kagezou.geometry.vectors import Point2
-from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.scene.evaluate import camera_at, evaluate, ground_at
 from kagezou.scene.figure_card import card_at
 from kagezou.standing.foot import Foot
 from kagezou.tools.handle import GuideKind
@@ -65,24 +63,25 @@ def on_feet() -> Document:
 
 
 def in_the_air() -> Document:
-    """A figure that stands, is 200 px up, and stands again."""
+    """A figure that stands, is 200 px up and stretched, and stands again."""
     feet = (Foot(0, (450.0, 900.0)), Foot(1, (550.0, 900.0)))
     up = tuple(Foot(foot.track, (foot.place[0], 700.0)) for foot in feet)
     drawings = (
         Drawing("1", Path("1.png"), size_px=(1000, 1000), figure=FIGURE, feet=feet),
-        Drawing("2", Path("2.png"), size_px=(1000, 1000), figure=FIGURE.moved(0, -200), feet=up),
+        Drawing("2", Path("2.png"), size_px=(1000, 1000), figure=Box(360, -60, 640, 700), feet=up),
     )
     document = document_with(LAMP)
     layer = replace(document.layer(LAYER), cels=Cels(drawings, (Exposure(1, 0), Exposure(9, 1), Exposure(13, 0))))
     return replace(document, layers=(layer,))
 
 
+# The head in the drawing, before it is moved.
 SCENES = {
-    "moved": (moved(), 11, (700.0, 150.0)),
-    "mirrored": (mirrored(), 1, (420.0, 200.0)),
+    "moved": (moved(), 11, (500.0, 200.0)),
+    "mirrored": (mirrored(), 1, (500.0, 200.0)),
     "of two cels": (of_two_cels(), 1, (550.0, 120.0)),
     "on feet": (on_feet(), 1, (500.0, 200.0)),
-    "in the air": (in_the_air(), 11, (500.0, 0.0)),
+    "in the air": (in_the_air(), 11, (500.0, -60.0)),
 }
 
 
@@ -93,13 +92,16 @@ def tip(document: Document, frame: int) -> Point2:
 
 
 def cast_head(document: Document, frame: int, head: Point2) -> Point2:
-    """Return where the shadow of a canvas point of the figure is drawn."""
-    camera, ground = camera_at(document, frame), ground_at(document, frame)
-    card = card_at(document, document.layer(LAYER), frame, camera, ground)
-    (piece,) = (piece for piece in card.pieces if piece.holds(head))
-    cast = cast_on(camera, ground, piece, lamp(value_at(document.tracks, p.LIGHT_POSITION, frame)))
+    """Return where the shadow of a point of the drawing is drawn, as the scene has it."""
+    scene = evaluate(document, frame)
+    shadow = scene.layers[0].cast
+    assert shadow is not None
+    placement = shadow.figure[0].placement
+    place = head if placement is None else placement.placed(head)
+    (piece,) = (piece for piece in shadow.card.pieces if piece.holds(place))
+    cast = cast_on(scene.camera, scene.ground, piece, shadow.lights[0])
     assert cast is not None
-    return project(np.asarray(np.linalg.inv(cast.art_from_canvas), np.float64), head)
+    return project(np.asarray(np.linalg.inv(cast.art_from_canvas), np.float64), place)
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -129,6 +131,11 @@ def test_the_tip_is_that_of_the_figure_also_while_a_part_is_worked_on() -> None:
     part = handles_of(document, 1, document.layers[-1].id, VIEW).find("shadow.tip")
     assert part is not None
     assert part.canvas_px == tip(document, 1)
+
+
+def test_a_round_shadow_has_no_tip() -> None:
+    document = put(document_with(LAMP), "layers.A.shadow.shape", "disc")
+    assert handles_of(document, 1, LAYER, VIEW).find("shadow.tip") is None
 
 
 def test_a_cel_that_is_not_seen_has_no_tip() -> None:

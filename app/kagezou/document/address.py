@@ -82,10 +82,10 @@ def track_of(document: Document, address: Address) -> Track:
 
 def usual_value(document: Document, address: Address) -> Value:
     """Return what a property is while nobody has set it."""
-    if address.property.usual is Usual.DEFAULT or address.layer_id is None:
+    if address.property.usual is Usual.DEFAULT:
         return address.property.default
     middle = document.canvas.box.middle
-    if address.property.usual is Usual.CANVAS_MIDDLE:
+    if address.property.usual is Usual.CANVAS_MIDDLE or address.layer_id is None:
         return middle
     left, top = drawing_offset(document.canvas, document.layer(address.layer_id))
     return (middle[0] - left, middle[1] - top)

@@ -15,7 +15,7 @@ from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, La
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.message import Message
-from kagezou.picture_source import PictureSource
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 
 def set_track(document: Document, address: Address, track: Track) -> Document:
@@ -172,8 +172,19 @@ def set_canvas(document: Document, canvas: Canvas) -> Document:
 
 
 def set_background(document: Document, source: PictureSource | None) -> Document:
-    """Put a picture under everything, or take it away."""
-    return document if source == document.background else replace(document, background=source)
+    """Put one picture under everything for the whole cut, or take away what is there."""
+    return set_background_cels(document, Cels() if source is None else still(source))
+
+
+def set_background_cels(document: Document, cels: Cels) -> Document:
+    """Put pictures under everything, each when it is exposed."""
+    return document if cels == document.behind else replace(document, behind=cels)
+
+
+def still(source: PictureSource) -> Cels:
+    """Return one picture that is seen for the whole cut."""
+    path, part = file_of(source), source.address if isinstance(source, PicturePart) else None
+    return Cels((Drawing(path.stem, path, part),), (Exposure(1, 0),))
 
 
 def free_name(document: Document, name: str) -> str:

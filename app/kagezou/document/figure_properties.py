@@ -11,6 +11,13 @@ SHADOWS_UNITE = Property(
     Message("Whether shadows of like look unite where they meet; else each darkens what the others left."),
 )  # fmt: skip
 
+BACKGROUND_POSITION = Property(
+    "background.position", Kind.POINT, Scope.DOCUMENT, (0.0, 0.0),
+    Message("Background position"),
+    Message("Where the middle of the background lies on the canvas: keyed, it pans."),
+    unit="px", usual=Usual.CANVAS_MIDDLE,
+)  # fmt: skip
+
 POSITION = Property(
     "position", Kind.POINT, Scope.LAYER, (0.0, 0.0),
     Message("Position"),
@@ -57,7 +64,7 @@ SHAPE = Property(
 LEAST_PART = Property(
     "shadow.least_part", Kind.NUMBER, Scope.LAYER, 0.0,
     Message("Least part"),
-    Message("Islands and holes of a simplified shadow that are smaller than this are left out."),
+    Message("Islands and holes of the shadow that are smaller than this are left out."),
     unit="px²", low=0.0, high=1_000_000.0, slides=(0.0, 2000.0),
 )  # fmt: skip
 LIFT_SHRINK = Property(
@@ -69,7 +76,7 @@ LIFT_SHRINK = Property(
 LIFT_SOFTEN = Property(
     "shadow.lift_soften", Kind.NUMBER, Scope.LAYER, 0.2,
     Message("Soften in a jump"),
-    Message("How much of its edge the shadow loses at a height of one figure over the ground."),
+    Message("How much softer the shadow's edge becomes in a jump; at 1 by a quarter of the height over the ground."),
     low=0.0, high=1.0, slides=(0.0, 1.0),
 )  # fmt: skip
 LIFT_FADE = Property(

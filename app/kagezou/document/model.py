@@ -205,10 +205,12 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    """A cut: canvas, background picture, character layers from bottom to top, the scene's properties and its set.
+    """A cut: canvas, background, character layers from bottom to top, the scene's properties and its set.
 
     Parameters
     ----------
+    behind
+        The background's pictures and when each is seen; without any there is none.
     work_area
         First and last frame that are played and worked on; None for the whole cut.
     markers
@@ -222,7 +224,7 @@ class Document:
     """
 
     canvas: Canvas
-    background: PictureSource | None = None
+    behind: Cels = field(default_factory=Cels)
     layers: tuple[Layer, ...] = ()
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
     work_area: tuple[int, int] | None = None
@@ -231,6 +233,11 @@ class Document:
     pieces: tuple[Piece, ...] = ()
     vanishing: VanishingLines | None = None
     linked: frozenset[str] = frozenset()
+
+    @property
+    def background(self) -> PictureSource | None:
+        """The first picture of the background; None where there is none."""
+        return self.behind.drawings[0].source if self.behind.drawings else None
 
     @property
     def is_blank(self) -> bool:

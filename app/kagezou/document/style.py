@@ -20,6 +20,9 @@ LINES = tuple(
 )
 """What a style may hold of a layer."""
 
+_POWERS = MappingProxyType({"px": 1, "px²": 2})
+"""Units of what grows with a character, and how often."""
+
 Values = Mapping[str, Value]
 
 
@@ -64,6 +67,6 @@ def style_of(document: Document, layer_id: str, frame: int, name: str) -> Style:
 
 
 def _scaled(prop: AnyProperty, value: Value, scale: float) -> Value:
-    if prop.kind is not Kind.NUMBER or prop.unit != "px" or not isinstance(value, float):
+    if prop.kind is not Kind.NUMBER or prop.unit not in _POWERS or not isinstance(value, float):
         return value
-    return min(max(value * scale, prop.low), prop.high)
+    return min(max(value * scale ** _POWERS[prop.unit], prop.low), prop.high)

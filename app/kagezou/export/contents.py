@@ -237,7 +237,7 @@ class CompositeContent(Content):
     ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any.
     """
 
-    background: PictureSource | None
+    background: PlacedDrawing | None
     layers: tuple[tuple[PlacedDrawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
@@ -260,7 +260,8 @@ class CompositeContent(Content):
     def sources(self) -> Sources:
         """The drawings in colour, which serve their alphas too, the background and the sets."""
         cels = tuple(drawing.source for drawing, *_ in self.layers if drawing is not None)
-        return Sources(cels=cels, background=self.background, sets=_sets_in(self.scene))
+        behind = None if self.background is None else self.background.source
+        return Sources(cels=cels, background=behind, sets=_sets_in(self.scene))
 
     @property
     def is_filled(self) -> bool:

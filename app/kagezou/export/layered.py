@@ -17,7 +17,7 @@ from kagezou.io.images.stored_pixels import box_of
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.pixels.layers import LayeredImage, LayerPart
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.scene.scene import LayerScene, SetShadow, ShadowLook
+from kagezou.scene.scene import LayerScene, PlacedDrawing, Scene, SetShadow, ShadowLook
 
 _BACKGROUND: Final = "background"
 _SET_SHADOW: Final = "set_shadow"
@@ -130,7 +130,7 @@ class _Parts:
         scene, characters = self.content.scene, self.content.layers
         seen = {layer.id: layer for layer in scene.layers}
         if scene.background is not None:
-            yield _cel_part(self.painter.background(scene.background), scene.canvas)
+            yield self._background_part(scene.background)
         if self.content.has_set:
             yield self._set_part()
         for group in _groups(characters):
@@ -140,6 +140,11 @@ class _Parts:
             yield self._character_part(layer)
             if character.receives:
                 yield self._received_part(layer)
+
+    def _background_part(self, behind: PlacedDrawing) -> LayerPart:
+        if behind.placement is None:
+            return _cel_part(self.painter.background(behind.source), self.content.scene.canvas)
+        return self._as_seen(replace(self.content.scene, layers=(), pieces=(), set_shadow=None), Backdrop.BACKGROUND)
 
     def _set_part(self) -> LayerPart:
         shadow = self.content.scene.set_shadow
@@ -169,7 +174,11 @@ class _Parts:
         scene = self.content.scene
         alone = replace(layer, cast=None, received=None)
         bare = replace(scene, background=None, layers=(alone,), pieces=(), set_shadow=None)
-        self.painter.renderer.draw_picture(bare, Backdrop.TRANSPARENT, self.painter.depth)
+        return self._as_seen(bare, Backdrop.TRANSPARENT)
+
+    def _as_seen(self, scene: Scene, backdrop: Backdrop) -> LayerPart:
+        """Return a whole picture as a layer, cut to what is seen of it."""
+        self.painter.renderer.draw_picture(scene, backdrop, self.painter.depth)
         seen = self.painter.renderer.read_picture()
         box = box_of(seen[..., 3])
         return (

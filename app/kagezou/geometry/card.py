@@ -55,7 +55,10 @@ class CardPiece:
 
     def part_of(self, box: Box) -> Matrix:
         """Return the convex polygon (N, 2) of a canvas box that lies on the piece; N may be 0."""
-        polygon = box_polygon(box)
+        return self.part_of_polygon(box_polygon(box))
+
+    def part_of_polygon(self, polygon: Matrix) -> Matrix:
+        """Return the same of a convex polygon (N, 2), canvas px."""
         for limit in self.limits:
             polygon = clipped(polygon, np.array(limit))
         return polygon

@@ -12,13 +12,10 @@ being turned and being stood up, is a slope that is taken off the feet's depths 
 stay where they are.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import atan2, cos, degrees, sin
 from typing import Final
-
-import numpy as np
 
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import (
@@ -32,9 +29,10 @@ from kagezou.geometry.card import (
     standing_piece,
     turned_form,
 )
+from kagezou.geometry.contact import contact_line, risen
 from kagezou.geometry.ground import Plane, place_on
 from kagezou.geometry.lean import Lean, line_through
-from kagezou.geometry.vectors import Point2, Vector3, dot
+from kagezou.geometry.vectors import Point2, Vector3
 
 FOOT: Final = 0.06
 HIP: Final = 0.42
@@ -42,11 +40,6 @@ HIP: Final = 0.42
 
 _BESIDE: Final = 0.1
 """A lifted foot nearer than this part of the height, in x, goes over to the depth of the foot that it passes."""
-
-_FAR_APART: Final = (0.1, 0.2)
-_SLANTED_DEG: Final = (20.0, 40.0)
-"""Over which part of the height between the outermost feet the contact line comes to run through them, and at which
-slope on the ground it no longer does."""
 
 _SAME_COLUMN_PX: Final = 1e-3
 _FLAT_PX: Final = 1e-6
@@ -146,7 +139,9 @@ def relief_card(
         tilt_deg=tilt_deg,
         merged=_are_close([foot for foot in feet if foot.is_planted], height),
         upright=lean.upright,
-        contact_line=_contact_line(ground, lean, feet, height),
+        contact_line=contact_line(
+            ground, lean, [foot.place for foot in feet], (feet[-1].at[0] - feet[0].at[0]) / height
+        ),
     )
 
 
@@ -156,35 +151,54 @@ def _pieces(camera: Camera, lean: Lean, feet: Sequence[_Foot], height: float) ->
     legs = [_leg(camera, lean, foot, body, height) for foot in _in_columns(settled)]
     if len(legs) < 2 or max(abs(foot.depth - body) for foot in settled) < _FLAT_PX:
         return (standing_piece(legs[0].hip, lean),)
-    pieces = _outside(camera, lean, legs[0], turned_form(legs[0].column))
+    # All hips lie on the body's plane, so that none is seen above the row of the one highest in the world.
+    highest = min(legs, key=lambda leg: leg.hip[1])
+    above = lean.row(camera, highest.hip)
+    pieces: tuple[CardPiece, ...] = (replace(standing_piece(highest.hip, lean), limits=(above,)),)
+    pieces += _outside(camera, lean, legs[0], (turned_form(legs[0].column), above))
     for left, right in pairwise(legs):
-        pieces += _between(lean, left, right)
-    return pieces + _outside(camera, lean, legs[-1], legs[-1].column)
+        pieces += _between(lean, left, right, above)
+    return pieces + _outside(camera, lean, legs[-1], (legs[-1].column, above))
 
 
-def _outside(camera: Camera, lean: Lean, leg: _Leg, side: Vector3) -> tuple[CardPiece, ...]:
-    """Return the pieces beyond an outermost foot: body, leg and foot, that go on across as they are over the foot."""
+def _outside(camera: Camera, lean: Lean, leg: _Leg, bounds: tuple[Vector3, Vector3]) -> tuple[CardPiece, ...]:
+    """Return the pieces beyond an outermost foot, which go on across as they are over the foot.
+
+    ``bounds`` are the column, positive there, and the line above which all is the body's main piece. Below that lie
+    what is left of the body, the leg and the foot.
+    """
+    side, above = bounds
     over_hip, over_foot = lean.row(camera, leg.hip), lean.row(camera, leg.foot)
     x, y, z = leg.foot
     across = (x + 1.0, y, z + lean.across)
     return (
-        replace(standing_piece(leg.hip, lean), limits=(side, over_hip)),
+        *_rest_of_body(lean, (leg,), above, (side, over_hip)),
         piece_through(leg.foot, across, leg.hip, (side, turned_form(over_hip), over_foot)),
         replace(standing_piece(leg.foot, lean), limits=(side, turned_form(over_foot))),
     )
 
 
-def _between(lean: Lean, a: _Leg, b: _Leg) -> tuple[CardPiece, ...]:
-    """Return the pieces between neighbouring feet: body, two triangles, foot."""
+def _between(lean: Lean, a: _Leg, b: _Leg, above: Vector3) -> tuple[CardPiece, ...]:
+    """Return the pieces between neighbouring feet: what is left of the body, two triangles, and the feet's."""
     sides = (a.column, turned_form(b.column))
     over_hip, over_foot = line_through(a.hip_px, b.hip_px), line_through(a.foot_px, b.foot_px)
     over_diagonal = line_through(a.hip_px, b.foot_px)
     return (
-        replace(standing_piece(a.hip, lean), limits=(*sides, over_hip)),
+        *_rest_of_body(lean, (a, b), above, (*sides, over_hip)),
         piece_through(a.hip, b.hip, b.foot, (*sides, turned_form(over_hip), over_diagonal)),
         piece_through(a.foot, b.foot, a.hip, (*sides, turned_form(over_diagonal), over_foot)),
         rising_piece(a.foot, b.foot, lean, (*sides, turned_form(over_foot))),
     )
+
+
+def _rest_of_body(
+    lean: Lean, legs: Sequence[_Leg], above: Vector3, limits: tuple[Vector3, ...]
+) -> tuple[CardPiece, ...]:
+    """Return the piece of the body below its main one, none where the legs' hips are on that line."""
+    a, b, c = above
+    if all(a * leg.hip_px[0] + b * leg.hip_px[1] + c > -_FLAT_PX for leg in legs):
+        return ()
+    return (replace(standing_piece(legs[0].hip, lean), limits=(*limits, turned_form(above))),)
 
 
 def _leg(camera: Camera, lean: Lean, foot: _Foot, body: float, height: float) -> _Leg:
@@ -227,7 +241,7 @@ def _drawn_to(foot: _Foot, others: Sequence[tuple[_Foot, float]], near: tuple[fl
     """
     total, row, depth = 1.0, foot.row, foot.depth
     for other, share in others:
-        apart = _risen((abs(other.at[0] - foot.at[0]) / height - near[0]) / (near[1] - near[0]))
+        apart = risen((abs(other.at[0] - foot.at[0]) / height - near[0]) / (near[1] - near[0]))
         weight = 1 / max(apart, 1e-9) - 1
         total += weight
         row += weight * (foot.row + share * (other.row - foot.row))
@@ -244,40 +258,3 @@ def _in_columns(feet: Sequence[_Foot]) -> list[_Foot]:
 
 def _are_close(feet: Sequence[_Foot], height: float) -> bool:
     return any(b.at[0] - a.at[0] < MIN_SPACING_OF_FIGURE * height for a, b in pairwise(feet))
-
-
-def _contact_line(ground: Plane, lean: Lean, feet: Sequence[_Foot], height: float) -> tuple[Vector3, Vector3]:
-    """Return a point and the direction of the line from which distances on the ground are measured.
-
-    It runs through the middle of all feet's places, lifted ones included, where the body's own plane would meet the
-    ground, and turns to run through the outermost feet where those are far apart and stand side by side rather than
-    one behind the other. All of that changes smoothly with the feet, planted or not, so that nothing jumps when a foot
-    is set down.
-    """
-    middle = (sum(axis) / len(feet) for axis in zip(*(foot.place for foot in feet), strict=True))
-    body = _vector(float(each) for each in np.cross(ground.normal, lean.normal))
-    first, last = feet[0].place, feet[-1].place
-    run = (last[0] - first[0], last[1] - first[1], last[2] - first[2])
-    own, through = _angle(ground, body), _angle(ground, run)
-    far = _risen(((feet[-1].at[0] - feet[0].at[0]) / height - _FAR_APART[0]) / (_FAR_APART[1] - _FAR_APART[0]))
-    slanted = _risen((abs(degrees(through)) - _SLANTED_DEG[0]) / (_SLANTED_DEG[1] - _SLANTED_DEG[0]))
-    angle = own + far * (1 - slanted) * (through - own)
-    ahead = (cos(angle) * u + sin(angle) * v for u, v in zip(ground.u, ground.v, strict=True))
-    return _vector(middle), _vector(ahead)
-
-
-def _angle(ground: Plane, way: Vector3) -> float:
-    """Return the angle on the ground, ±90°, between its u axis and the line along a way."""
-    along, away = dot(way, ground.u), dot(way, ground.v)
-    return atan2(away, along) if along >= 0 else atan2(-away, -along)
-
-
-def _vector(numbers: Iterable[float]) -> Vector3:
-    x, y, z = numbers
-    return (x, y, z)
-
-
-def _risen(part: float) -> float:
-    """Return a smooth step from 0 at 0 to 1 at 1."""
-    t = min(max(part, 0.0), 1.0)
-    return t * t * (3 - 2 * t)

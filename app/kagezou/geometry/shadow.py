@@ -6,27 +6,22 @@ canvas → receiver → card → drawing is one homography, with no texel grid b
 where a foot meets its shadow.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import combinations
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.placement import Placement
-from kagezou.geometry.polygon import (
-    box_polygon,
-    clipped,
-    distance_form,
-    rectangle_edges,
-    shifted,
-)
-from kagezou.geometry.vectors import Matrix, Vector4, coincide, height_over
+from kagezou.geometry.polygon import box_polygon, clipped, distance_form, distance_forms, rectangle_edges, shifted
+from kagezou.geometry.vectors import Matrix, Vector4, coinciding, height_over
 
 _CASTS_KEPT: Final = 256
 """Enough for all lights and receivers of a scene, whose drawings change from frame to frame while they stay."""
@@ -47,6 +42,8 @@ class Cast:
         in front of the eye.
     limits
         Distance forms (K, 3) of the piece's edges. The shadow lies where all forms are positive.
+    number
+        That of the piece on its card.
     sheet
         A number that all have whose shadows continue one another: those add up, of others the greater one counts.
     """
@@ -56,6 +53,7 @@ class Cast:
     side: Matrix
     horizon: Matrix
     limits: Matrix
+    number: int = 0
     sheet: int = 0
 
     def seen_through(self, canvas_from_target: Matrix) -> "Cast":
@@ -70,7 +68,7 @@ class Cast:
             receiver_from_canvas=self.receiver_from_canvas @ canvas_from_target,
             side=distance_form(self.side @ canvas_from_target),
             horizon=distance_form(canvas_from_target[2]),
-            limits=_distances(form @ canvas_from_target for form in self.limits),
+            limits=distance_forms(self.limits @ canvas_from_target),
         )
 
     def of_moved(self, placement: Placement) -> "Cast":
@@ -120,18 +118,10 @@ class SpaceCast:
 
 def cast_in_space(camera: Camera, piece: CardPiece, light: Vector4) -> SpaceCast | None:
     """Return what a piece casts, or None where the light stands within its plane."""
-    plane = np.asarray(piece.plane)
-    facing = float(plane @ np.asarray(light))
-    scale = float(np.linalg.norm(plane[:3])) * max(1.0, float(np.linalg.norm(light[:3])))
-    if abs(facing) < 1e-9 * scale:
+    found = _cast_in_space(camera, (piece,), light)
+    if not found.casts[0]:
         return None
-    # Projection from the light L onto the plane π: X ↦ (π·L) X − (π·X) L; the sign makes w > 0 where L, π and X
-    # lie in that order, which is the shadow-map depth test.
-    front = 1.0 if facing > 0 else -1.0
-    card_from_world = front * (facing * np.eye(4) - np.outer(light, plane))
-    art = camera.canvas_from_world() @ card_from_world
-    limits = [a * art[0] + b * art[1] + c * art[2] for a, b, c in piece.limits]
-    return SpaceCast(art, -front * plane, np.array(limits).reshape(-1, 4))
+    return SpaceCast(found.art_from_world[0], found.sides[0], found.limits)
 
 
 def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -> Cast | None:
@@ -140,20 +130,7 @@ def cast_on(camera: Camera, receiver: Plane, piece: CardPiece, light: Vector4) -
     Nothing is cast by a light on the dark side of the receiver or within the card's own plane, nothing by a card on
     itself, and nothing is seen of a receiver edge-on.
     """
-    if coincide(receiver.equation, piece.plane):
-        return None
-    lift = world_from_canvas_on(camera, receiver)
-    space = cast_in_space(camera, piece, light)
-    if lift is None or space is None or height_over(receiver.equation, light) <= 0:
-        return None
-    art = space.art_from_world @ lift
-    return Cast(
-        art_from_canvas=art / np.abs(art).max(),
-        receiver_from_canvas=plane_coordinates(receiver) @ lift,
-        side=distance_form(space.side @ lift),
-        horizon=distance_form(lift[3]),
-        limits=_distances(form @ lift for form in space.limits),
-    )
+    return next(iter(_cast_on(camera, receiver, (piece,), light)), None)
 
 
 @lru_cache(_CASTS_KEPT)
@@ -163,11 +140,57 @@ def cast_card(camera: Camera, receiver: Plane, card: Card, light: Vector4) -> tu
     A pixel on the edge between two neighbours holds a part of each. Where their shadows lie on either side of the
     edge those parts add up: they are of one sheet. A shadow that is folded back over itself is of several.
     """
-    found = [(piece, cast_on(camera, receiver, piece, light)) for piece in card.pieces]
-    casts = [(piece, cast) for piece, cast in found if cast is not None]
-    return tuple(
-        replace(cast, sheet=sheet) if sheet else cast for (_, cast), sheet in zip(casts, _sheets(casts), strict=True)
-    )
+    casts = _cast_on(camera, receiver, card.pieces, light)
+    sheets = _sheets([(card.pieces[cast.number], cast) for cast in casts])
+    return tuple(replace(cast, sheet=sheet) if sheet else cast for cast, sheet in zip(casts, sheets, strict=True))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _SpaceCasts:
+    """What P pieces cast in space: (P, 3, 4), (P, 4), and limits (K, 4) of all pieces, each with its owner (K,).
+
+    ``casts`` (P,) says for which pieces the light does not stand within their plane.
+    """
+
+    art_from_world: Matrix
+    sides: Matrix
+    limits: Matrix
+    owners: NDArray[np.intp]
+    casts: NDArray[np.bool_]
+
+
+def _cast_in_space(camera: Camera, pieces: Sequence[CardPiece], light: Vector4) -> _SpaceCasts:
+    planes, toward = np.array([piece.plane for piece in pieces]), np.asarray(light)
+    facing = planes @ toward
+    scale = np.linalg.norm(planes[:, :3], axis=1) * max(1.0, float(np.linalg.norm(toward[:3])))
+    # Projection from the light L onto the plane π: X ↦ (π·L) X − (π·X) L; the sign makes w > 0 where L, π and X
+    # lie in that order, which is the shadow-map depth test.
+    front = np.where(facing > 0, 1.0, -1.0)[:, np.newaxis]
+    onto = facing[:, np.newaxis, np.newaxis] * np.eye(4) - planes[:, np.newaxis, :] * toward[:, np.newaxis]
+    art = camera.canvas_from_world() @ (front[..., np.newaxis] * onto)
+    forms = np.array([form for piece in pieces for form in piece.limits]).reshape(-1, 3, 1)
+    owners = np.repeat(np.arange(len(pieces)), [len(piece.limits) for piece in pieces])
+    own = art[owners]
+    limits = forms[:, 0] * own[:, 0] + forms[:, 1] * own[:, 1] + forms[:, 2] * own[:, 2]
+    return _SpaceCasts(art, -front * planes, limits, owners, np.abs(facing) >= 1e-9 * scale)
+
+
+def _cast_on(camera: Camera, receiver: Plane, pieces: Sequence[CardPiece], light: Vector4) -> list[Cast]:
+    """Return the casts of pieces as :func:`cast_on` does those of one; their numbers say which they are of."""
+    lift = world_from_canvas_on(camera, receiver)
+    if lift is None or height_over(receiver.equation, light) <= 0:
+        return []
+    space = _cast_in_space(camera, pieces, light)
+    is_same = coinciding(receiver.equation, [piece.plane for piece in pieces])
+    arts = space.art_from_world @ lift
+    arts = arts / np.abs(arts).max(axis=(1, 2), keepdims=True)
+    sides, limits = distance_forms(space.sides @ lift), distance_forms(space.limits @ lift)
+    receiver_from_canvas, horizon = plane_coordinates(receiver) @ lift, distance_form(lift[3])
+    return [
+        Cast(arts[number], receiver_from_canvas, sides[number], horizon, limits[space.owners == number], number)
+        for number in range(len(pieces))
+        if space.casts[number] and not is_same[number]
+    ]
 
 
 def _sheets(casts: Sequence[tuple[CardPiece, Cast]]) -> list[int]:
@@ -175,17 +198,14 @@ def _sheets(casts: Sequence[tuple[CardPiece, Cast]]) -> list[int]:
     if len(casts) < 2:
         return [0] * len(casts)
     turns = np.linalg.det([cast.art_from_canvas for _, cast in casts]) > 0
+    if turns.all() or not turns.any():
+        return [0] * len(casts)
     numbers = list(range(len(casts)))
     for one, other in combinations(range(len(casts)), 2):
         if turns[one] == turns[other] and numbers[one] != numbers[other] and casts[one][0].adjoins(casts[other][0]):
             low, high = sorted((numbers[one], numbers[other]))
             numbers = [low if each == high else each for each in numbers]
     return numbers
-
-
-def _distances(forms: Iterable[Matrix]) -> Matrix:
-    """Return distance forms (K, 3) of forms (3,); K may be 0."""
-    return np.array([distance_form(form) for form in forms]).reshape(-1, 3)
 
 
 def plane_coordinates(receiver: Plane) -> Matrix:

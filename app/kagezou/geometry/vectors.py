@@ -1,5 +1,6 @@
 """The few vector types the geometry is written in."""
 
+from collections.abc import Sequence
 from typing import TypeAlias
 
 import numpy as np
@@ -32,11 +33,14 @@ def plane_through(point: Vector3, normal: Vector3) -> Vector4:
     return (*normal, -dot(normal, point))
 
 
-def coincide(a: Vector4, b: Vector4) -> bool:
-    """Return whether two planes (n, d) are one and the same, whichever way their normals point."""
-    first, second = (np.asarray(each) / np.linalg.norm(each[:3]) for each in (a, b))
-    second = second if first[:3] @ second[:3] > 0 else -second
-    return bool(np.abs(first[:3] - second[:3]).max() < _SAME_DIRECTION and abs(first[3] - second[3]) < _SAME_PLACE_PX)
+def coinciding(plane: Vector4, others: Sequence[Vector4]) -> NDArray[np.bool_]:
+    """Return which planes (n, d) of ``others`` are one and the same as ``plane``, whichever way their normals point."""
+    first, second = (
+        each / np.linalg.norm(each[:, :3], axis=1, keepdims=True) for each in (np.array([plane]), np.array(others))
+    )
+    second = np.where(second[:, :3] @ first[0, :3] > 0, 1.0, -1.0)[:, np.newaxis] * second
+    apart = np.abs(first - second)
+    return np.asarray((apart[:, :3].max(axis=1) < _SAME_DIRECTION) & (apart[:, 3] < _SAME_PLACE_PX))
 
 
 def height_over(plane: Vector4, point: Vector4) -> float:

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from kagezou.geometry.box import Box
 from kagezou.geometry.mesh import Mesh
 from kagezou.io.images.cel_cache import CelSource
@@ -16,6 +18,7 @@ from kagezou.render.passes.cast import CastPass
 from kagezou.render.passes.figure_mattes import FigureMattes
 from kagezou.render.passes.filter import ShapePass
 from kagezou.render.passes.received import ReceivedCoverage, ReceivedLayers
+from kagezou.render.prepare.least_parts import without_least_parts
 from kagezou.render.sets.distance import DistancePass
 from kagezou.render.sets.set_pass import SetPass
 from kagezou.scene.pieces import PieceScene, SetCast
@@ -91,6 +94,8 @@ class CoverageCache:
             plain = self._shape.draw if layer.cast.is_filtered else self._cast.draw
             draw = self._set.draw if layer.cast.pieces else plain
             kept.box = draw(layer.cast, placed, kept.target, old)
+            if layer.cast.least_part_px2 > 0 and kept.box is not None:
+                _leave_out_least_parts(kept.target, kept.box, layer.cast.least_part_px2)
             kept.cast, kept.mattes, kept.meshes = layer.cast, mattes, meshes
             self.casts_drawn += 1
             self.filters_drawn += layer.cast.is_filtered
@@ -167,6 +172,20 @@ class CoverageCache:
     def _kept(self, canvas: Box, layer_id: str) -> Coverage:
         kept = self._by_layer[layer_id] = _fitting(self._by_layer.get(layer_id), canvas)
         return kept
+
+
+def _leave_out_least_parts(target: Target, box: Box, least_px2: float) -> None:
+    """Take islands and holes out of what has been drawn into a box, looking one px beyond it where there is any."""
+    seen = box.grown(1).intersection(target.box)
+    if seen is None:
+        return
+    rows = Box(0, seen.top, target.box.right, seen.bottom)
+    covered = target.read(rows).astype(np.uint16, copy=False)
+    part = covered[:, seen.left : seen.right]
+    kept = without_least_parts(part, least_px2)
+    if kept is not part:
+        part[:] = kept
+        target.texture.upload(covered, rows.top)
 
 
 def _fitting(kept: Coverage | None, canvas: Box) -> Coverage:

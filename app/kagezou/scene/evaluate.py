@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from kagezou.document import properties, set_properties
-from kagezou.document.figure_properties import SHADOWS_UNITE
+from kagezou.document.figure_properties import LEAST_PART, SHADOWS_UNITE, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
@@ -14,14 +14,16 @@ from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
 from kagezou.scene.figure_card import Moment, card_of
+from kagezou.scene.lift import Lift, faded, lift_at, lowered_cel
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
-from kagezou.scene.placing import drawing_of, shown_parts
+from kagezou.scene.placing import background_at, drawing_of, shown_parts
+from kagezou.scene.poses import casting_of
 from kagezou.scene.receiving import with_received
+from kagezou.scene.round_shadow import rounded
 from kagezou.scene.scene import (
     Edge,
     Fade,
     LayerScene,
-    PlacedDrawing,
     Scene,
     SetShadow,
     ShadowCast,
@@ -53,7 +55,7 @@ def evaluate(document: Document, frame: int) -> Scene:
     layers = with_received(layers, receiving)
     set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))
     unite = value_at(document.tracks, SHADOWS_UNITE, frame)
-    return Scene(document.canvas.box, camera, ground, document.background, layers, pieces, set_shadow, unite)
+    return Scene(document.canvas.box, camera, ground, background_at(document, frame), layers, pieces, set_shadow, unite)
 
 
 def camera_at(document: Document, frame: int) -> Camera:
@@ -94,33 +96,39 @@ def _layer_scene(on: Moment, layer: Layer) -> LayerScene:
     # Everything about the shadow but the camera, the ground under it and where cels lie may wait for the next drawing.
     waits = value_at(figure.tracks, properties.TIMING, on.frame) == "exposures"
     moment = max(part.cels.exposed_since(on.frame) for part in parts) if waits else on.frame
-    card = card_of(on, figure, moment)
-    cast = None
+    card, lift = card_of(on, figure, moment), lift_at(on.document, figure, on.frame, moment)
+    cast, look = None, _look(figure.tracks, moment)
     if layer is figure:
-        cels = (drawing_of(on.document, part, on.frame) for part in shown_parts(on.document, figure.id, on.frame))
-        cast = _cast(on, figure, tuple(cel for cel in cels if cel is not None), (card, moment))
-    return LayerScene(layer.id, layer.name, drawing, cast, _look(figure.tracks, moment), card, figure.id)
+        cast = _cast(on, figure, moment, lift)
+    return LayerScene(layer.id, layer.name, drawing, cast, look if lift is None else faded(lift, look), card, figure.id)
 
 
-def _cast(on: Moment, layer: Layer, cels: tuple[PlacedDrawing, ...], standing: tuple[Card, int]) -> ShadowCast | None:
+def _cast(on: Moment, figure: Layer, moment: int, lift: Lift | None) -> ShadowCast | None:
     """Return what the cels of a figure cast together, None where all are empty."""
+    parts = shown_parts(on.document, figure.id, on.frame)
+    cels = tuple(cel for part in parts if (cel := drawing_of(on.document, part, on.frame)) is not None)
     if not cels:
         return None
-    card, moment = standing
     light = light_at(on.document, moment, on.ground)
+    card, lowered = casting_of(on, figure, moment, light)
+    if lowered is not None:
+        cels = tuple(lowered_cel(lowered, cel) for cel in cels)
     radius = value_at(on.document.tracks, properties.OVERHEAD_RADIUS, moment)
     spread = virtual_lights(light, contact_of(card, on.ground), radius)
-    return ShadowCast(
+    cast = ShadowCast(
         figure=cels,
-        translucent=value_at(layer.tracks, properties.MATTE, moment) == "translucent",
+        translucent=value_at(figure.tracks, properties.MATTE, moment) == "translucent",
         camera=on.camera,
         receivers=(on.ground,),
         card=card,
         lights=tuple(each for each in spread if is_over(on.ground, each)),
-        simplify=_simplify(layer.tracks, moment),
-        edge=_edge(layer.tracks, moment),
-        water=_water(layer.tracks, moment),
+        simplify=_simplify(figure.tracks, moment),
+        edge=_edge(figure.tracks, moment, 0.0 if lift is None else lift.wider_px),
+        water=_water(figure.tracks, moment),
+        least_part_px2=value_at(figure.tracks, LEAST_PART, moment),
     )
+    is_round = value_at(figure.tracks, SHAPE, moment) == "disc"
+    return rounded(on, figure, moment, lift, cast) if is_round else cast
 
 
 def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...], *, has_ground: bool) -> LayerScene:
@@ -152,10 +160,12 @@ def _simplify(tracks: Tracks, frame: int) -> Simplify | None:
     return Simplify(amount, distance, value_at(tracks, properties.ELONGATION, frame))
 
 
-def _edge(tracks: Tracks, frame: int) -> Edge | None:
+def _edge(tracks: Tracks, frame: int, wider_px: float) -> Edge | None:
+    """Return what becomes of an outline that a jump makes so much wider."""
     grow, softness, penumbra = (
         value_at(tracks, prop, frame) for prop in (properties.GROW, properties.SOFTNESS, properties.PENUMBRA)
     )
+    softness += wider_px
     if max(abs(grow), softness, penumbra * _FARTHEST_PX) < LEAST_PX:
         return None
     return Edge(grow, softness, penumbra)

@@ -42,13 +42,19 @@ def card_of(on: Moment, figure: Layer, since: int) -> Card:
     since
         The frame whose grounding points, tilt and the like count: they may wait for the next drawing.
     """
-    tilt, upright = (value_at(figure.tracks, prop, since) for prop in (TILT, UPRIGHT))
     standing = feet_at(on.document, figure, on.frame, since)
     if standing is not None:
-        return relief_card(on.camera, on.ground, standing[0], standing[1], tilt, upright)
+        return card_on_feet(on, figure, since, standing)
+    tilt, upright = (value_at(figure.tracks, prop, since) for prop in (TILT, UPRIGHT))
     is_on_line = value_at(figure.tracks, STANCE, since) == "line"
     points = () if is_on_line else value_at(figure.tracks, GROUNDING, since)
     return card_for(on.camera, on.ground, points, tilt, figure.figure.height, upright)
+
+
+def card_on_feet(on: Moment, figure: Layer, since: int, standing: tuple[Sequence[Foothold], float]) -> Card:
+    """Return the card of a figure as :func:`card_of` does, on given feet; ``standing`` are they and its height, px."""
+    tilt, upright = (value_at(figure.tracks, prop, since) for prop in (TILT, UPRIGHT))
+    return relief_card(on.camera, on.ground, *standing, tilt, upright)
 
 
 def feet_at(

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from kagezou.document.figure_properties import ANCHOR, PLACEMENT_LINES, POSITION, ROTATION, SCALE
+from kagezou.document.figure_properties import ANCHOR, BACKGROUND_POSITION, PLACEMENT_LINES, POSITION, ROTATION, SCALE
 from kagezou.document.model import Document, Layer, drawing_offset, parts_of
 from kagezou.document.properties import VISIBLE
 from kagezou.document.values import value_at
@@ -40,6 +40,17 @@ def drawing_of(document: Document, layer: Layer, frame: int) -> PlacedDrawing | 
     if drawing is None or (placement is not None and not placement.is_seen):
         return None
     return PlacedDrawing(drawing.source, placement)
+
+
+def background_at(document: Document, frame: int) -> PlacedDrawing | None:
+    """Return what is seen of the background on a frame and how it lies on the canvas; None for nothing."""
+    drawing = document.behind.drawing_at(frame)
+    if drawing is None:
+        return None
+    if BACKGROUND_POSITION.name not in document.tracks:
+        return PlacedDrawing(drawing.source)
+    placement = Placement(value_at(document.tracks, BACKGROUND_POSITION, frame), document.canvas.box.middle)
+    return PlacedDrawing(drawing.source, placement if placement.moves else None)
 
 
 def shown_parts(document: Document, figure_id: str, frame: int) -> tuple[Layer, ...]:

@@ -4,6 +4,7 @@ from collections.abc import Set
 from dataclasses import replace
 
 from kagezou.picture_source import PictureSource
+from kagezou.scene.disc import Disc
 from kagezou.scene.scene import LayerScene, Received, Shade, ShadowCast, ShadowLook
 
 
@@ -11,7 +12,7 @@ def with_received(layers: tuple[LayerScene, ...], receiving: Set[str]) -> tuple[
     """Return the visible layers with what the others cast on those of them whose ids are in ``receiving``.
 
     On a character shadows fall as they are: simplification, waves, edges, fading and a second colour are measured on
-    the ground, from the feet of the one who casts.
+    the ground, from the feet of the one who casts. Round shadows lie on the ground alone.
     """
     return tuple(_receiving(layer, layers) if layer.id in receiving else layer for layer in layers)
 
@@ -33,7 +34,7 @@ def without_drawings(layer: LayerScene, lost: Set[PictureSource]) -> LayerScene:
 
 
 def _without(cast: ShadowCast, lost: Set[PictureSource]) -> ShadowCast | None:
-    figure = tuple(part for part in cast.figure if part.source not in lost)
+    figure = tuple(part for part in cast.figure if isinstance(part, Disc) or part.source not in lost)
     return replace(cast, figure=figure) if figure else None
 
 
@@ -42,9 +43,11 @@ def _receiving(layer: LayerScene, layers: tuple[LayerScene, ...]) -> LayerScene:
         return layer
     by_look: dict[ShadowLook, tuple[ShadowCast, ...]] = {}
     for other in layers:
-        if other.id != layer.figure_id and other.cast is not None and other.cast.lights:
+        if other.id != layer.figure_id and other.cast is not None and other.cast.lights and not other.cast.is_round:
             look = replace(other.look, fade=None, tip=None)
-            cast = replace(other.cast, receivers=(), simplify=None, edge=None, water=None, pieces=())
+            cast = replace(
+                other.cast, receivers=(), simplify=None, edge=None, water=None, pieces=(), least_part_px2=0.0
+            )
             by_look[look] = (*by_look.get(look, ()), cast)
     shades = tuple(Shade(casts, look) for look, casts in by_look.items())
     return replace(layer, received=Received(layer.drawing, layer.card, shades))

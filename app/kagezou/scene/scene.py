@@ -1,7 +1,6 @@
 """The frozen record of one frame."""
 
-from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
@@ -12,6 +11,7 @@ from kagezou.geometry.shadow import Cast, SpaceCast, cast_card, cast_in_space
 from kagezou.geometry.vectors import Vector4
 from kagezou.geometry.waves import Ripple
 from kagezou.picture_source import PictureSource
+from kagezou.scene.disc import Disc
 from kagezou.scene.pieces import PieceScene, SetCast
 
 
@@ -84,7 +84,7 @@ class ShadowCast:
     Parameters
     ----------
     figure
-        The cels that block the light together, at least one; they are one silhouette.
+        The cels that block the light together, at least one, or the disc of a round shadow; they are one silhouette.
     translucent
         Whether its alpha casts as it is; else alpha of 0.5 and more casts fully.
     camera, receivers
@@ -99,9 +99,11 @@ class ShadowCast:
         The set that stands on the ground.
     ground_receives
         Whether the flat ground is there at all, or only the pieces are.
+    least_part_px2
+        Islands and holes smaller than this, canvas px², are left out.
     """
 
-    figure: tuple[PlacedDrawing, ...]
+    figure: tuple[PlacedDrawing | Disc, ...]
     translucent: bool
     camera: Camera
     receivers: tuple[Plane, ...]
@@ -112,6 +114,7 @@ class ShadowCast:
     water: Water | None = None
     pieces: tuple[PieceScene, ...] = ()
     ground_receives: bool = True
+    least_part_px2: float = 0.0
 
     @property
     def is_filtered(self) -> bool:
@@ -121,7 +124,12 @@ class ShadowCast:
     @property
     def sources(self) -> tuple[PictureSource, ...]:
         """What its silhouette is read from."""
-        return tuple(dict.fromkeys(part.source for part in self.figure))
+        return tuple(dict.fromkeys(part.source for part in self.figure if isinstance(part, PlacedDrawing)))
+
+    @property
+    def is_round(self) -> bool:
+        """Whether it is a disc on the ground instead of what the light casts."""
+        return any(isinstance(part, Disc) for part in self.figure)
 
     @property
     def placement(self) -> Placement | None:
@@ -276,23 +284,8 @@ class Scene:
     canvas: Box
     camera: Camera
     ground: Plane
-    background: PictureSource | None
+    background: PlacedDrawing | None
     layers: tuple[LayerScene, ...]
     pieces: tuple[PieceScene, ...] = ()
     set_shadow: SetShadow | None = None
     shadows_unite: bool = True
-
-
-def without_pieces(scene: Scene, ids: Collection[str]) -> Scene:
-    """Return a scene in which some set pieces are not there; where none is left shadows fall on the flat ground."""
-    pieces = tuple(piece for piece in scene.pieces if piece.id not in ids)
-
-    def without(cast: ShadowCast) -> ShadowCast:
-        return replace(cast, pieces=pieces, ground_receives=cast.ground_receives or not pieces)
-
-    layers = tuple(layer if layer.cast is None else replace(layer, cast=without(layer.cast)) for layer in scene.layers)
-    dark = scene.set_shadow
-    if dark is not None:
-        casts = any(piece.casts for piece in pieces)
-        dark = replace(dark, cast=replace(dark.cast, pieces=pieces)) if casts else None
-    return replace(scene, layers=layers, pieces=pieces, set_shadow=dark)

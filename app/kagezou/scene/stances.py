@@ -46,6 +46,31 @@ class FigureStances:
         """Return how it stands on a frame."""
         return self.stances[max(bisect_right(self.frames, frame) - 1, 0)]
 
+    def around(self, frame: int, frames: float) -> tuple[Stance, ...]:
+        """Return the stance of a frame in the middle of as many before as after it, with feet all.
+
+        They begin at most so many frames before or after it; it stands alone beside one without feet.
+        """
+        index = max(bisect_right(self.frames, frame) - 1, 0)
+        start, beside = self.frames[index], 0
+        for steps in range(1, min(index, len(self.frames) - 1 - index) + 1):
+            ends = (index - steps, index + steps)
+            if not all(self.stances[end].feet and abs(self.frames[end] - start) <= frames for end in ends):
+                break
+            beside = steps
+        return self.stances[index - beside : index + beside + 1]
+
+    def around_jump(self, frame: int) -> tuple[int, int | None, int | None]:
+        """Return where the run of a frame begins, and the last frame before it and the first after it on the ground.
+
+        None where it is in the air, or unseen, from the first frame on or to the last.
+        """
+        index = max(bisect_right(self.frames, frame) - 1, 0)
+        stands = [bool(stance.feet) and stance.lift_px <= 0 for stance in self.stances]
+        before = next((self.frames[each + 1] - 1 for each in reversed(range(index)) if stands[each]), None)
+        after = next((self.frames[each] for each in range(index + 1, len(stands)) if stands[each]), None)
+        return self.frames[index], before, after
+
     @property
     def doubtful(self) -> tuple[int, ...]:
         """The frames on which drawings begin that a person should look at."""

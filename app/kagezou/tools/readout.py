@@ -1,9 +1,10 @@
-"""What a drag says beside the pointer."""
+"""What a drag says beside the pointer, and what a frame says about the figure looked at."""
 
 from kagezou.document.address import value_of
 from kagezou.document.model import Document
 from kagezou.document.property import AnyProperty, Kind
 from kagezou.message import Message
+from kagezou.scene.lift import lift_at
 from kagezou.tools.handle import Handle
 
 
@@ -36,6 +37,18 @@ def readout(handle: Handle, before: Document, after: Document, frame: int) -> tu
             for name, a, b in zip(names, old, new, strict=False)
         )
     return tuple(parts)
+
+
+def height_words(document: Document, layer_id: str, frame: int) -> Message | None:
+    """Return how high over the ground the figure of a layer is at a frame, such as ``Height 52 px``.
+
+    None on the ground, and where the figure does not stand on feet.
+    """
+    layer = document.layer(layer_id)
+    figure = layer if layer.joins is None else document.layer(layer.joins)
+    lift = lift_at(document, figure, frame)
+    height = 0 if lift is None else round(lift.height_px)
+    return Message("Height {value} px", value=height) if height > 0 else None
 
 
 def _names(prop: AnyProperty) -> tuple[Message | str, ...]:

@@ -4,14 +4,20 @@ The light must lie on the line from the tip through the head. That settles the s
 ground. Feet and what is hardly above them say too little about the light, so such a head has no handle.
 """
 
+from dataclasses import replace
 from math import asin, atan2, degrees, radians, sin, sqrt
 
 from kagezou.document import properties
+from kagezou.document.figure_properties import SHAPE
 from kagezou.document.model import Document
+from kagezou.document.values import value_at
 from kagezou.geometry.card import Card
 from kagezou.geometry.light import GRAZING_DARK_DEG
 from kagezou.geometry.vectors import Point2, Vector3, dot, height_over
 from kagezou.message import Message
+from kagezou.scene.evaluate import light_at
+from kagezou.scene.figure_card import Moment
+from kagezou.scene.poses import casting_of
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
@@ -30,6 +36,9 @@ from kagezou.tools.sight import (
 from kagezou.tools.sun import unwound
 
 TIP = "shadow.tip"
+
+_ROUNDS = 12
+_SETTLED_PX = 1e-3
 
 MIN_HEIGHT_OF_FIGURE = 0.1
 """A head less high over the ground than this part of the figure has no handle."""
@@ -60,14 +69,28 @@ def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
 
 def move_tip(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the light so that the head's shadow falls where it is wanted."""
-    ground, head, tip = geometry.ground, _head(geometry), tip_of(geometry)
+    head, tip = _head(geometry), tip_of(geometry)
     if head is None or tip is None:
         return geometry.document
-    wanted = place_seen_at(geometry.camera, tip, ground.normal, aim.straightened(geometry.along).target)
+    wanted = place_seen_at(geometry.camera, tip, geometry.ground.normal, aim.straightened(geometry.along).target)
     if wanted is None:
         return geometry.document
+    document = geometry.document
+    for _ in range(_ROUNDS):
+        document = _lit_through(geometry, head, within_reach(tip, wanted) if geometry.is_sun else wanted, aim)
+        # In the air the size of the shadow, and so the head, depends on the light.
+        found = _head(replace(geometry, light=light_at(document, geometry.frame, geometry.ground)))
+        if found is None or max(map(abs, between(head, found))) < _SETTLED_PX:
+            break
+        head = found
+    return document
+
+
+def _lit_through(geometry: FrameGeometry, head: Vector3, wanted: Vector3, aim: Aim) -> Document:
+    """Move the light onto the line from a place of the ground through the head."""
+    ground = geometry.ground
     if geometry.is_sun:
-        return _sun_through(geometry, between(within_reach(tip, wanted), head), aim)
+        return _sun_through(geometry, between(wanted, head), aim)
     toward_head = between(wanted, head)
     gain = height_over(ground.equation, geometry.light) / height_over(ground.equation, (*head, 1.0))
     place = within_reach(geometry.light[:3], moved(wanted, (gain, toward_head)))
@@ -86,11 +109,16 @@ def _sun_through(geometry: FrameGeometry, direction: Vector3, aim: Aim) -> Docum
 
 
 def _head(geometry: FrameGeometry) -> Vector3 | None:
-    """Return the middle of the figure's top on its card, world px, or None if it says too little."""
-    card, figure = geometry.card, geometry.figure_box
-    if card is None or figure.is_empty or not geometry.is_figure_shown:
+    """Return the middle of the figure's top on the card it casts from, world px, or None if it says too little."""
+    layer, figure = geometry.figure, geometry.figure_box
+    if layer is None or figure.is_empty or not geometry.is_figure_shown:
         return None
-    head = _on_card(geometry, card, ((figure.left + figure.right) / 2, float(figure.top)))
+    if value_at(layer.tracks, SHAPE, geometry.frame) == "disc":
+        return None
+    moment = Moment(geometry.document, geometry.frame, geometry.camera, geometry.ground)
+    card, lowered = casting_of(moment, layer, geometry.frame, geometry.light)
+    top = ((figure.left + figure.right) / 2, float(figure.top))
+    head = _on_card(geometry, card, top if lowered is None else lowered.lowered(top))
     if head is None:
         return None
     height = height_over(geometry.ground.equation, (*head, 1.0))

@@ -1203,6 +1203,29 @@
     </message>
 </context>
 <context>
+    <name>FeetLane</name>
+    <message>
+        <source>In the air, %1 px high</source>
+        <translation>空中、高さ %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of %2 feet planted</source>
+        <translation>%2 本中 %1 本の足が接地</translation>
+    </message>
+    <message>
+        <source>No foot seen</source>
+        <translation>足が見えません</translation>
+    </message>
+    <message>
+        <source>doubtful: please look whether this is right</source>
+        <translation>疑わしい: 正しいか確認してください</translation>
+    </message>
+    <message>
+        <source>pinned by hand</source>
+        <translation>手で固定</translation>
+    </message>
+</context>
+<context>
     <name>Figures</name>
     <message>
         <source>Drag the cel to move it, a corner to scale it, outside of a corner to turn it; Shift constrains. Esc ends it.</source>
@@ -1475,6 +1498,10 @@
     <message>
         <source>Camera</source>
         <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -3253,6 +3280,18 @@ Drop a folder of cels here.</source>
         <translation>ディスクに空きがありません</translation>
     </message>
     <message>
+        <source>Height {value} px</source>
+        <translation>高さ {value} px</translation>
+    </message>
+    <message>
+        <source>How much softer the shadow&apos;s edge becomes in a jump; at 1 by a quarter of the height over the ground.</source>
+        <translation>ジャンプ中に影の縁がどれだけ柔らかくなるか。1 で地面からの高さの 4 分の 1 だけ広がります。</translation>
+    </message>
+    <message>
+        <source>Islands and holes of the shadow that are smaller than this are left out.</source>
+        <translation>これより小さい影の島や穴を省きます。</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>なし</translation>
     </message>
@@ -3501,6 +3540,10 @@ Drop a folder of cels here.</source>
         <translation>After Effects</translation>
     </message>
     <message>
+        <source>Background position</source>
+        <translation>背景の位置</translation>
+    </message>
+    <message>
         <source>Cast</source>
         <translation>投影</translation>
     </message>
@@ -3537,20 +3580,12 @@ Drop a folder of cels here.</source>
         <translation>作画の大きさ。0 より小さいと反転します。</translation>
     </message>
     <message>
-        <source>How much of its edge the shadow loses at a height of one figure over the ground.</source>
-        <translation>地面からキャラクター 1 体分の高さで影の縁がどれだけぼけるか。</translation>
-    </message>
-    <message>
         <source>How much of its opacity the shadow loses at a height of one figure over the ground.</source>
         <translation>地面からキャラクター 1 体分の高さで影の不透明度がどれだけ下がるか。</translation>
     </message>
     <message>
         <source>How much of its size the shadow loses at a height of one figure over the ground.</source>
         <translation>地面からキャラクター 1 体分の高さで影がどれだけ小さくなるか。</translation>
-    </message>
-    <message>
-        <source>Islands and holes of a simplified shadow that are smaller than this are left out.</source>
-        <translation>簡略化した影の、これより小さい島や穴を省きます。</translation>
     </message>
     <message>
         <source>Layered frames</source>
@@ -3633,6 +3668,10 @@ Drop a folder of cels here.</source>
         <translation>レイヤーの作画のアンカーポイントがキャンバスのどこに置かれるか。</translation>
     </message>
     <message>
+        <source>Where the middle of the background lies on the canvas: keyed, it pans.</source>
+        <translation>背景の中心がキャンバスのどこに置かれるか。キーを打つとパンします。</translation>
+    </message>
+    <message>
         <source>Whether shadows of like look unite where they meet; else each darkens what the others left.</source>
         <translation>同じ見た目の影が重なる所で一つになるか。オフでは重なるほど濃くなります。</translation>
     </message>
@@ -3671,6 +3710,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the figure rests on a broad base: a hem, or it sits or lies</source>
         <translation>人物が広い面で接地しています（裾、座り、寝そべりなど）</translation>
+    </message>
+    <message>
+        <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
+        <translation>光源を太陽にしました：ランプの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
     </message>
     <message>
         <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
@@ -4371,6 +4414,10 @@ Drop a folder of cels here.</source>
         <translation>シーン</translation>
     </message>
     <message>
+        <source>Feet</source>
+        <translation>足</translation>
+    </message>
+    <message>
         <source>Remove key</source>
         <translation>キーを削除</translation>
     </message>
@@ -4742,6 +4789,10 @@ Drop a folder of cels here.</source>
 </context>
 <context>
     <name>Status</name>
+    <message>
+        <source>How high the figure is over the ground on this frame</source>
+        <translation>このフレームで人物が地面からどれだけ離れているか</translation>
+    </message>
     <message>
         <source>Preview resolution; exports are always full</source>
         <translation>プレビューの解像度。書き出しは常にフルです</translation>

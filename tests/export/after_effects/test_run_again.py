@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from kagezou.document import review
-from kagezou.document.edits import add_layer, remove_layer, rename_layer, set_exposures
+from kagezou.document.edits import add_layer, remove_layer, rename_layer, set_exposures, still
 from kagezou.document.model import Cels, Document, Exposure, Marker
 from kagezou.export.after_effects.export import HandOffRequest, export_to_after_effects
 from kagezou.geometry.box import Box
@@ -91,7 +91,7 @@ def test_a_layer_that_comes_later_lies_where_it_belongs(tmp_path: Path) -> None:
     document = cut(tmp_path / "cut", count=2)
     first = script_in(document, tmp_path / "1")
     write_rgba(tmp_path / "bg.png", np.full((HEIGHT, WIDTH, 4), 255, np.uint8))
-    more = replace(with_second(document, tmp_path / "more"), background=tmp_path / "bg.png")
+    more = replace(with_second(document, tmp_path / "more"), behind=still(tmp_path / "bg.png"))
     run = run_edited(first, tmp_path / "ae.json", ("", script_in(more, tmp_path / "2")))
     names = order(run.item("cut", "CompItem")["layers"])
     assert names == ["Background", "A shadow", "B shadow", "A", "B", "Ground line", "Light"]

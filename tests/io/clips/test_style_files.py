@@ -50,6 +50,10 @@ class TestApplying:
         huge = apply_style(document(100_000), "layer-1", style, 1)
         assert value(huge, "shadow.simplify") == 500.0
 
+    def test_areas_grow_with_it_twice(self) -> None:
+        style = Style(LocalName("a"), 500.0, MappingProxyType({"shadow.least_part": 30.0}))
+        assert value(apply_style(document(1000), "layer-1", style, 1), "shadow.least_part") == 120.0
+
     def test_what_is_keyed_gets_a_key(self) -> None:
         keyed = set_key(document(), Address(OF_LAYER["shadow.simplify"], "layer-1"), 1, 5.0)
         style = Style(LocalName("a"), 500.0, MappingProxyType({"shadow.simplify": 30.0}))

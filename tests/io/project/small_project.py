@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from kagezou.animation.track import Track
+from kagezou.document.edits import still
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer
 from kagezou.errors import ProjectProblem
 from kagezou.geometry.box import Box
@@ -21,7 +22,7 @@ Tree = dict[str, Any]
 def small_document(folder: Path = FOLDER) -> Document:
     cels = Cels((Drawing("1", folder / "A/A_0001.png"),), (Exposure(1, 0), Exposure(3, None)))
     layer = Layer("layer-1", "A", cels, Box(1, 2, 30, 40), MappingProxyType({"tilt": Track(12.5)}))
-    return Document(Canvas(64, 48, Fraction(24000, 1001), 24), folder / "bg.png", (layer,))
+    return Document(Canvas(64, 48, Fraction(24000, 1001), 24), still(folder / "bg.png"), (layer,))
 
 
 def small_tree() -> Tree:

@@ -180,8 +180,12 @@ def test_the_eye_is_clicked_in_the_list(qtbot: QtBot, layers: LayerList) -> None
 def test_white_inside_outlines_is_switched_in_the_menu(layers: LayerList, filled: OpenProject) -> None:
     def switch() -> QAction:
         layers.view.customContextMenuRequested.emit(layers.view.visualRect(layers.model.index(0)).center())
-        menu = layers.view.findChildren(QMenu)[-1]
-        (found,) = (each for each in menu.actions() if each.text() == "White inside Outlines Stays")
+        *_, (menu, found) = (
+            (menu, each)
+            for menu in layers.view.findChildren(QMenu)
+            for each in menu.actions()
+            if each.text() == "White inside Outlines Stays"
+        )
         menu.close()
         return found
 

@@ -16,7 +16,7 @@ from kagezou.document.edits import set_constant
 from kagezou.document.properties import GROUND_ROLL
 from kagezou.document.review import set_work_area
 from kagezou.errors import InputProblem
-from kagezou.importing import cels_of_files
+from kagezou.importing import cel_sizes
 from kagezou.importing.progress import Cancelled, LoadPhase, Progress
 from kagezou.importing.staging import CharacterSource, new_document
 from kagezou.io.images import cel_cache as cels_room
@@ -44,7 +44,7 @@ def slow_down(monkeypatch: pytest.MonkeyPatch, wait: Callable[[Path], None]) -> 
         wait(path)
         return probe(path)
 
-    monkeypatch.setattr(cels_of_files, "probe", slow)
+    monkeypatch.setattr(cel_sizes, "probe", slow)
 
 
 class Gate:

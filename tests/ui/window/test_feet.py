@@ -8,11 +8,13 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAction
 from pytestqt.qtbot import QtBot
 
-from kagezou.document.feet_edits import pin_of
+from kagezou.document.feet_edits import judge_foot, pin_of
 from kagezou.io.images.writing import write_rgba
 from kagezou.scene.stances import stances_of
 from kagezou.standing.foot import Verdict
 from kagezou.tools.handle import Handle
+from kagezou.ui.timeline.feet_lane import feet_over_time, words_at
+from kagezou.ui.timeline.rows import RowKind
 from kagezou.ui.viewport.handle_source import Task
 from kagezou.ui.window.main_window import MainWindow
 from kagezou.ui.window.parts import Parts
@@ -148,3 +150,24 @@ def test_a_cel_is_transformed_by_hand(qtbot: QtBot, stepping: MainWindow) -> Non
     qtbot.keyClick(parts.viewport, Qt.Key.Key_Escape)
     assert is_for(parts, Task.SCENE)
     assert not parts.actions["transform_cel"].isChecked()
+
+
+def test_the_timeline_has_a_row_of_feet(stepping: MainWindow) -> None:
+    document = stepping.parts.bridge.document
+    figure = document.layers[0]
+    found = stances_of(document, figure.id)
+    assert found is not None
+    shown = feet_over_time(document, figure.id, found)
+    lifted = [span for span in shown.spans if not span.is_planted]
+    assert [(span.frame, span.end) for span in lifted] == [(3, 6)]
+    assert all(span.end > span.frame for span in shown.spans)
+    assert (shown.flights, shown.pinned) == ((), ())
+    assert words_at(shown, found, 4).startswith("1 of 2")
+    rows = stepping.parts.time.timeline.rows.rows
+    assert [row.kind for row in rows][1:3] == [RowKind.LAYER, RowKind.FEET]
+    pinned = judge_foot(document, figure.id, 2, 0, Verdict.LIFTED)
+    again = stances_of(pinned, figure.id)
+    assert again is not None
+    shown = feet_over_time(pinned, figure.id, again)
+    assert shown.pinned == (3,)
+    assert "pinned" in words_at(shown, again, 3)

@@ -9,6 +9,7 @@ from kagezou.animation.track import Track, Value
 from kagezou.document import properties
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
+from kagezou.document.figure_properties import LIFT_FADE
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import AnyProperty
 from kagezou.document.set_properties import SET_COLOR, SET_OPACITY
@@ -50,6 +51,7 @@ def _plain(_layer: Layer) -> dict[AnyProperty, Value]:
         properties.COLOR: _WHITE,
         properties.TIP_COLOR: _WHITE,
         properties.OPACITY: 1.0,
+        LIFT_FADE: 0.0,
         properties.FADE: 0.0,
         properties.TIP_DISTANCE: 0.0,
     }

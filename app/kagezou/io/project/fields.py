@@ -39,7 +39,8 @@ PROJECT: Final[Fields] = MappingProxyType({
     "version": Field("whole number", "The format version; a program refuses a newer one than it knows."),
     "app_version": Field("text", "The program that wrote the file; only ever shown."),
     "canvas": Field("object", "Size and time of the cut."),
-    "background": Field("path, [path, part] or null", "The picture under everything."),
+    "background": Field("path, [path, part], object or null",
+                        "The picture under everything, or pictures and when each is seen."),
     "tracks": Field("object", "Property name → track, for the properties of the scene."),
     "layers": Field(f"list of at most {MAX_LAYERS} objects", "The character layers from bottom to top."),
     "work_area": Field("[first, last]", "The frames that are played and worked on, both included.", optional=True),
@@ -52,6 +53,11 @@ PROJECT: Final[Fields] = MappingProxyType({
                        "that run one way, and two square to them.", optional=True),
     "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
                     "none. Every layer has them in its own tracks too.", optional=True),
+})  # fmt: skip
+
+BACKGROUND: Final[Fields] = MappingProxyType({
+    "drawings": Field("list of [name, path] and [name, path, part]", "The pictures."),
+    "exposures": Field("list of [frame, index]", "As a layer's."),
 })  # fmt: skip
 
 CANVAS: Final[Fields] = MappingProxyType({

@@ -10,6 +10,7 @@ from typing import Final
 
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
+from kagezou.document.edits import still
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Kind, Usual
@@ -72,6 +73,7 @@ _OBJECTS: Final = MappingProxyType({
     "A layer": fields.LAYER,
     "A set piece": fields.PIECE,
     "A track with keys": fields.TRACK,
+    "A background over time": fields.BACKGROUND,
     "A key": fields.KEY,
     "A note": fields.NOTE,
 })  # fmt: skip
@@ -123,7 +125,7 @@ def _example_text() -> str:
     )
     document = Document(
         canvas=Canvas(640, 360, Fraction(24), 24),
-        background=folder.parent / "bg/street.png",
+        behind=still(folder.parent / "bg/street.png"),
         layers=(layer,),
         tracks=MappingProxyType({"light.position": Track(moving[0].value, moving)}),
         work_area=(1, 12),

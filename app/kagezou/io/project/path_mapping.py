@@ -3,12 +3,11 @@
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
 
-from kagezou.document.model import Document, Drawing
+from kagezou.document.model import Cels, Document, Drawing
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.faults import input_problem, shown
 from kagezou.io.files.json_text import Reader, parse
 from kagezou.message import Message
-from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 _MOST_RULES = 10_000
 _MOST_CHARACTERS = 32_768
@@ -53,21 +52,15 @@ def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:
     def moved(drawing: Drawing) -> Drawing:
         return replace(drawing, path=mapped(drawing.path, rules))
 
-    layers = tuple(
-        replace(layer, cels=replace(layer.cels, drawings=tuple(moved(each) for each in layer.cels.drawings)))
-        for layer in document.layers
-    )
+    def moved_cels(cels: Cels) -> Cels:
+        return replace(cels, drawings=tuple(moved(each) for each in cels.drawings))
+
+    layers = tuple(replace(layer, cels=moved_cels(layer.cels)) for layer in document.layers)
     pieces = tuple(
         piece if piece.source is None else replace(piece, source=mapped(piece.source, rules))
         for piece in document.pieces
     )
-    return replace(document, layers=layers, background=_mapped_source(document.background, rules), pieces=pieces)
-
-
-def _mapped_source(source: PictureSource | None, rules: tuple[Rule, ...]) -> PictureSource | None:
-    if isinstance(source, PicturePart):
-        return replace(source, path=mapped(source.path, rules))
-    return None if source is None else mapped(file_of(source), rules)
+    return replace(document, layers=layers, behind=moved_cels(document.behind), pieces=pieces)
 
 
 def mapped(path: Path, rules: tuple[Rule, ...]) -> Path:

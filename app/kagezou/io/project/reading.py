@@ -10,6 +10,7 @@ from typing import Final
 
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
+from kagezou.document.edits import still
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.paper import on_paper
@@ -25,7 +26,7 @@ from kagezou.io.project.feet import read_feet
 from kagezou.io.project.paths import MAX_PATH_CHARACTERS, local_path
 from kagezou.io.project.review import read_review
 from kagezou.message import Message
-from kagezou.picture_source import Paper, PicturePart, PictureSource
+from kagezou.picture_source import Paper, PicturePart
 
 _FRAME_RATE: Final = re.compile(r"[0-9]{1,18}(/[0-9]{1,18})?")
 _MAX_FRAME: Final = 1_000_000
@@ -47,7 +48,7 @@ def document_of(project: Reader, folder: Path) -> Document:
     review = read_review(found, {layer.id for layer in layers})
     document = Document(
         canvas=_canvas(found["canvas"]),
-        background=_background(found["background"], folder),
+        behind=_background(found["background"], folder),
         layers=layers,
         tracks=_tracks(found["tracks"], OF_DOCUMENT),
         work_area=review.work_area,
@@ -157,11 +158,16 @@ def _drawing(reader: Reader, folder: Path) -> Drawing:
     return Drawing(name.text(MAX_PATH_CHARACTERS), _path(path, folder), address)
 
 
-def _background(reader: Reader, folder: Path) -> PictureSource | None:
+def _background(reader: Reader, folder: Path) -> Cels:
+    if reader.value is None:
+        return Cels()
+    if isinstance(reader.value, dict):
+        found = _record(reader, fields.BACKGROUND)
+        return _cels(found["drawings"], found["exposures"], folder)
     if isinstance(reader.value, list):
         path, part = reader.items(2, least=2)
-        return PicturePart(_path(path, folder), part.text(MAX_PATH_CHARACTERS))
-    return None if reader.value is None else _path(reader, folder)
+        return still(PicturePart(_path(path, folder), part.text(MAX_PATH_CHARACTERS)))
+    return still(_path(reader, folder))
 
 
 def _path(reader: Reader, folder: Path) -> Path:

@@ -6,7 +6,7 @@ from pathlib import Path
 from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
-from kagezou.document.model import Document, Drawing, Layer, Piece, Tracks
+from kagezou.document.model import Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.paper import paper_of
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
@@ -15,12 +15,12 @@ from kagezou.io.project.feet import feet_tree
 from kagezou.io.project.paths import stored_path
 from kagezou.io.project.review import review_tree
 from kagezou.io.project.versions import CURRENT, FORMAT_NAME, Tree
-from kagezou.picture_source import Paper, PicturePart, PictureSource, file_of
+from kagezou.picture_source import Paper
 
 
 def tree_of(document: Document, folder: Path) -> Tree:
     """Return the project, for a file in ``folder``, as JSON values and rows in the order in which people read them."""
-    canvas, background = document.canvas, document.background
+    canvas = document.canvas
     return {
         "format": FORMAT_NAME,
         "version": int(CURRENT),
@@ -31,7 +31,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
             "frame_rate": str(canvas.frame_rate),
             "length_frames": canvas.length_frames,
         },
-        "background": None if background is None else _background(background, folder),
+        "background": _background(document.behind, folder),
         "tracks": _tracks(document.tracks, OF_DOCUMENT),
         "layers": [_layer(layer, folder) for layer in document.layers],
         **review_tree(document),
@@ -42,10 +42,18 @@ def tree_of(document: Document, folder: Path) -> Tree:
     }
 
 
-def _background(source: PictureSource, folder: Path) -> object:
-    if isinstance(source, PicturePart):
-        return JsonRow([stored_path(source.path, folder), source.address])
-    return stored_path(file_of(source), folder)
+def _background(behind: Cels, folder: Path) -> object:
+    """Return one picture for the whole cut as it always read, and pictures over time as a layer's are."""
+    if not behind.drawings:
+        return None
+    first = behind.drawings[0]
+    if len(behind.drawings) == 1 and behind.exposures == (Exposure(1, 0),):
+        path = stored_path(first.path, folder)
+        return path if first.part is None else JsonRow([path, first.part])
+    return {
+        "drawings": [JsonRow(_drawing(drawing, folder)) for drawing in behind.drawings],
+        "exposures": [JsonRow([exposure.frame, exposure.drawing]) for exposure in behind.exposures],
+    }
 
 
 def _drawing(drawing: Drawing, folder: Path) -> list[str]:

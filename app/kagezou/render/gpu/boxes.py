@@ -18,15 +18,28 @@ class Boxes:
     def __init__(self) -> None:
         self._array = made(GL.glGenVertexArrays)
         self._buffer = made(GL.glGenBuffers)
-        GL.glBindVertexArray(self._array)
-        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
-        GL.glEnableVertexAttribArray(0)
-        GL.glVertexAttribPointer(0, 2, GL.GL_FLOAT, False, 8, c_void_p(0))  # noqa: FBT003 - the call's own order
+        self._numbered = made(GL.glGenVertexArrays)
+        for array, components in ((self._numbered, 3), (self._array, 2)):
+            GL.glBindVertexArray(array)
+            GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
+            GL.glEnableVertexAttribArray(0)
+            GL.glVertexAttribPointer(0, components, GL.GL_FLOAT, False, 4 * components, c_void_p(0))  # noqa: FBT003 - the call's own order
 
     def draw(self, boxes: NDArray[np.float64]) -> None:
         """Draw boxes (N, 4): left, top, right, bottom in canvas px, with the program in use."""
         points = np.ascontiguousarray(boxes[:, _CORNERS], dtype=np.float32)
         GL.glBindVertexArray(self._array)
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
+        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
+        GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
+
+    def draw_numbered(self, boxes: NDArray[np.float64], numbers: NDArray[np.int64]) -> None:
+        """Draw boxes as :meth:`draw` does, each with a number as a third coordinate."""
+        corners = boxes[:, _CORNERS].reshape(len(boxes), 6, 2)
+        points = np.empty((len(boxes), 6, 3), np.float32)
+        points[..., :2] = corners
+        points[..., 2] = numbers[:, np.newaxis]
+        GL.glBindVertexArray(self._numbered)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
         GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
         GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
@@ -39,3 +52,4 @@ class Boxes:
         """Give the memory back."""
         deleted(GL.glDeleteBuffers, self._buffer)
         deleted(GL.glDeleteVertexArrays, self._array)
+        deleted(GL.glDeleteVertexArrays, self._numbered)

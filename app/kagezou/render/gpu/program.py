@@ -132,9 +132,9 @@ class Program:
             GL.glUniform1f(place, value)
         else:
             numbers = np.ascontiguousarray(value, dtype=np.float32)
-            if numbers.shape == (3, 3):
+            if numbers.shape[-2:] == (3, 3):
                 # Rows first, as numpy keeps them.
-                GL.glUniformMatrix3fv(place, 1, 1, numbers.ctypes.data_as(_FLOATS))
+                GL.glUniformMatrix3fv(place, numbers.size // 9, 1, numbers.ctypes.data_as(_FLOATS))
             elif numbers.ndim == 2:
                 GL.glUniform4fv(place, len(numbers), numbers.ctypes.data_as(_FLOATS))
             else:

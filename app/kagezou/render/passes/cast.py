@@ -1,9 +1,10 @@
 """The pass that casts: a drawing's alpha through the light onto the receivers, as covered parts of canvas pixels."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from itertools import product
+from typing import Final
 
 from kagezou.geometry.box import Box, around
 from kagezou.geometry.ground import Plane
@@ -16,10 +17,14 @@ from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Target
+from kagezou.render.passes.joined import MOST_PIECES, Joined, JoinedPass
 from kagezou.render.prepare.cast_uniforms import FULL_STRENGTH, TRANSLUCENT, Edges, Frame, Grazing
 from kagezou.render.prepare.shadow_tiles import CELLS, Fineness, TileGrid, Tiling, tile_grid
 from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast
+
+_FEW: Final = 3
+"""Pieces that are drawn one by one."""
 
 CELLS_A_TEXEL = 1.25
 """An edge is integrated over its cell as if it were straight there, so little more than one cell a texel does."""
@@ -84,19 +89,43 @@ class Stroke:
     is_translucent: bool
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Drawing:
+    """What is drawn of a cast: its shadow from one light on one receiver, in a window."""
+
+    cast: ShadowCast
+    pair: tuple[Plane, Vector4]
+    matte: PlacedMatte
+    window: Window
+
+    @property
+    def grazing(self) -> Grazing:
+        """How strong it is."""
+        return FULL_STRENGTH if self.window.is_shape_only else Grazing.of(*self.pair)
+
+    @property
+    def fineness(self) -> Fineness:
+        """Into how many cells a pixel is split."""
+        return Fineness(CELLS_A_TEXEL_SAMPLED if self.cast.translucent else CELLS_A_TEXEL, self.window.max_cells)
+
+    def strokes(self, casts: Iterable[Cast]) -> Iterator[Stroke]:
+        """Yield the strokes of pieces, their casts as the window shows them."""
+        grazing, fineness = self.grazing, self.fineness
+        for each in casts:
+            frame = Frame(each.region(self.window.box, self.matte.box))
+            around = bounding_box(frame.region)
+            if around is not None:
+                grid = tile_grid(each, around, self.matte, fineness)
+                yield Stroke(each, frame, grid, grazing, self.matte, self.cast.translucent)
+
+    def joined(self, casts: Sequence[Cast]) -> Joined:
+        """Return many pieces to be drawn together."""
+        return Joined(casts, self.cast, self.matte, self.grazing, self.fineness)
+
+
 def strokes(cast: ShadowCast, pair: tuple[Plane, Vector4], matte: PlacedMatte, window: Window) -> Iterator[Stroke]:
-    """Yield the strokes of all pieces of a card from one light on one receiver."""
-    receiver, light = pair
-    grazing = FULL_STRENGTH if window.is_shape_only else Grazing.of(receiver, light)
-    cells_a_texel = CELLS_A_TEXEL_SAMPLED if cast.translucent else CELLS_A_TEXEL
-    fineness = Fineness(cells_a_texel, window.max_cells)
-    for on_canvas in cast.on(receiver, light):
-        each = window.cast(on_canvas)
-        frame = Frame(each.region(window.box, matte.box))
-        around = bounding_box(frame.region)
-        if around is not None:
-            grid = tile_grid(each, around, matte, fineness)
-            yield Stroke(each, frame, grid, grazing, matte, cast.translucent)
+    """Return the strokes of all pieces of a card from one light on one receiver."""
+    return Drawing(cast, pair, matte, window).strokes(window.cast(each) for each in cast.on(*pair))
 
 
 class CastPass:
@@ -108,6 +137,7 @@ class CastPass:
         self._full = Variants("common/box.vert", "common/full.frag")
         self._copy = Program("common/box.vert", "common/shade.frag")
         self._threshold = Program("common/box.vert", "passes/threshold.frag")
+        self._joined = JoinedPass(boxes)
         self._scratches = Scratches()
 
     def draw(self, cast: ShadowCast, matte: PlacedMatte | None, target: Target, old: Box | None) -> Box | None:
@@ -150,6 +180,7 @@ class CastPass:
         self._full.close()
         self._copy.close()
         self._threshold.close()
+        self._joined.close()
         self._scratches.close()
 
     def _draw_light(
@@ -159,24 +190,30 @@ class CastPass:
 
         A sheet of a card that is folded back over itself has to be whole, aside, before it may unite with the others.
         """
-        sheets: dict[int, list[Stroke]] = {}
-        for stroke in strokes(cast, pair, matte, window):
-            sheets.setdefault(stroke.cast.sheet, []).append(stroke)
+        sheets: dict[int, list[Cast]] = {}
+        for on_canvas in cast.on(*pair):
+            sheets.setdefault(on_canvas.sheet, []).append(window.cast(on_canvas))
         drawn: Box | None = None
-        for each in sheets.values():
-            own = target if drawn is None or len(each) == 1 else self._scratches.like("sheet", target)
-            box = self._draw_sheet(each, own, window)
+        for casts in sheets.values():
+            drawing = Drawing(cast, pair, matte, window)
+            own = target if drawn is None or len(casts) == 1 else self._scratches.like("sheet", target)
+            box = self._draw_sheet(casts, drawing, own)
             if box is not None and own is not target:
                 self.merge(own, target, box)
             drawn = around(drawn, box)
         return drawn
 
-    def _draw_sheet(self, strokes: Sequence[Stroke], target: Target, window: Window) -> Box | None:
-        """Draw strokes that continue one another; a single one unites with what is there."""
-        how = Laying.UNITED if len(strokes) == 1 else Laying.ADDED
+    def _draw_sheet(self, casts: Sequence[Cast], drawing: "Drawing", target: Target) -> Box | None:
+        """Draw shadows that continue one another; a single one unites with what is there."""
         drawn: Box | None = None
-        for stroke in strokes:
-            tiling = stroke.grid.tiling(window.box)
+        if len(casts) > _FEW:
+            for first in range(0, len(casts), MOST_PIECES):
+                joined = drawing.joined(casts[first : first + MOST_PIECES])
+                drawn = around(drawn, self._joined.add(joined, target, drawing.window.box))
+            return drawn
+        how = Laying.UNITED if len(casts) == 1 else Laying.ADDED
+        for stroke in drawing.strokes(casts):
+            tiling = stroke.grid.tiling(drawing.window.box)
             self.paint(stroke, tiling, target, how)
             drawn = around(drawn, tiling.box)
         return drawn

@@ -15,9 +15,11 @@ from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.mattes import Mattes, MatteTexture, PlacedMatte, drawn_from
 from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Format, Target
+from kagezou.render.prepare.disc_matte import disc_matte
 from kagezou.render.prepare.moved import MOVED_ALPHA, moved_by, moved_uniforms
 from kagezou.render.prepare.occupancy import Occupancy
 from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
+from kagezou.scene.disc import Disc
 from kagezou.scene.scene import ShadowCast
 
 _KEPT: Final = 4
@@ -52,14 +54,14 @@ class FigureMattes:
         self._joined: OrderedDict[tuple[object, ...], PlacedMatte] = OrderedDict()
 
     def mattes_of(self, cast: ShadowCast) -> tuple[Matte, ...]:
-        """Return the mattes of the figure's cels; they are equal only to themselves, so a changed file shows.
+        """Return the mattes of what casts; they are equal only to themselves, so a changed file shows.
 
         Raises
         ------
         InputProblem
             One cannot be read.
         """
-        return tuple(self._cels.matte(part.source) for part in cast.figure)
+        return tuple(disc_matte() if isinstance(part, Disc) else self._cels.matte(part.source) for part in cast.figure)
 
     def placed(self, cast: ShadowCast, canvas: Box) -> PlacedMatte | None:
         """Return the silhouette, None where all cels are empty.

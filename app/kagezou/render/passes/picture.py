@@ -7,7 +7,6 @@ from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.placement import Placement, around_placed
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Cel
-from kagezou.picture_source import PictureSource
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.made_of_cache import MadeOfCache
@@ -19,7 +18,7 @@ from kagezou.render.passes.unite import MOST_TAKEN
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.moved import MOVED, moved_by, moved_uniforms
 from kagezou.render.prepare.uniforms import Uniform
-from kagezou.scene.scene import ShadowCast, ShadowLook
+from kagezou.scene.scene import PlacedDrawing, ShadowCast, ShadowLook
 
 COLOR_BUDGET_BYTES = 256 << 20
 
@@ -36,7 +35,7 @@ class _Base:
     """What the lowest layer of the picture was made of."""
 
     backdrop: Backdrop
-    background: PictureSource | None
+    background: PlacedDrawing | None
     sets: tuple[SetPicture, ...]
 
 
@@ -62,7 +61,7 @@ class PicturePass:
         """Where the picture is."""
         return self._target
 
-    def begin(self, backdrop: Backdrop, background: PictureSource | None, sets: tuple[SetPicture, ...] = ()) -> None:
+    def begin(self, backdrop: Backdrop, background: PlacedDrawing | None, sets: tuple[SetPicture, ...] = ()) -> None:
         """Start over from the base: the backdrop, the background picture where it is asked for, and sets."""
         base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None, sets)
         if base != self._base:
@@ -159,7 +158,8 @@ class PicturePass:
             if picture.is_under:
                 self._lay_set(picture)
         if base.background is not None:
-            self._lay_cel(self._base_target, self._cels.background(base.background))
+            behind = base.background
+            self._lay_cel(self._base_target, self._cels.background(behind.source), behind.placement)
         for picture in base.sets:
             if not picture.is_under:
                 self._lay_set(picture)

@@ -13,6 +13,7 @@ from kagezou.geometry.polygon import distance_forms
 from kagezou.geometry.shadow import Cast, SpaceCast
 from kagezou.geometry.vectors import Matrix, Point2, Vector4, dot, height_over
 from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
+from kagezou.render.prepare.piece_tiles import limits_of
 from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 
 NO_SWITCHES: frozenset[str] = frozenset()
@@ -117,6 +118,40 @@ class Edges:
     def limit_switches(self) -> frozenset[str]:
         """Return the switches of the variants at a limit."""
         return frozenset({f"LIMITS {len(self.cast.limits)}"})
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class JoinedEdges:
+    """What ``passes/cast.frag`` wants to know of several casts on one receiver, and a matte."""
+
+    casts: tuple[Cast, ...]
+    matte: MatteOnCanvas
+    frame: Frame
+
+    def uniforms(self) -> dict[str, Uniform]:
+        """Return the uniforms that every variant has, for a matte on unit 0."""
+        texel_from_canvas = np.array(
+            [[1.0, 0.0, -self.matte.box.left], [0.0, 1.0, -self.matte.box.top], [0.0, 0.0, 1.0]]
+        )
+        homographies = np.array([cast.art_from_canvas for cast in self.casts])
+        texels = texel_from_canvas @ homographies @ self.frame.canvas_from_pixel
+        least = 1e-12 * np.abs(texels).max(axis=(1, 2))
+        balanced = texels / np.maximum(np.abs(texels[:, 2, 2]), least)[:, np.newaxis, np.newaxis]
+        return {
+            "u_matte": 0,
+            "u_means": 1,
+            "u_texels_from_pixel": balanced.astype(np.float32),
+            "u_last_level": LAST_LEVEL,
+        }
+
+    def limits(self) -> dict[str, Uniform]:
+        """Return the uniforms of the variants at a limit."""
+        canvas_from_pixel = self.frame.canvas_from_pixel
+        forms = np.concatenate([limits_of(cast) for cast in self.casts]) @ canvas_from_pixel
+        return {
+            "u_all_limits": np.pad(forms, ((0, 0), (0, 1))).astype(np.float32),
+            "u_horizon": self.casts[0].horizon @ canvas_from_pixel,
+        }
 
 
 def piece_limits(piece: CardPiece, corner: Point2 = (0.0, 0.0)) -> tuple[frozenset[str], dict[str, Uniform]]:

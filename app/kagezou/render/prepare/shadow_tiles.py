@@ -14,14 +14,14 @@ from kagezou.render.prepare.occupancy import Flags
 
 TILE_PX = 8
 
-_MARGIN_PX = 0.25
+MARGIN_PX = 0.25
 """How far beyond a tile its pixels look: squares of texels that stand for a cell are wider than it, but no more than
 twice, and there are only such where a px has 16 cells or more each way."""
 
 CELLS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
 """The numbers of cells, each way, that a pixel may be split into."""
 
-_UNTOUCHED, _FULL, _FIRST_EDGE = 0, 1, 2
+UNTOUCHED, FULL, FIRST_EDGE = 0, 1, 2
 _SECOND = 1 << 16
 
 Boxes = NDArray[np.float64]
@@ -99,7 +99,7 @@ class TileGrid:
     @property
     def touched(self) -> Flags:
         """Which tiles, row by row, hold any shadow."""
-        return np.asarray(self.codes.ravel() != _UNTOUCHED)
+        return np.asarray(self.codes.ravel() != UNTOUCHED)
 
     def corners(self) -> Matrix:
         """Return the corners of all tiles (4, 3, N), row by row."""
@@ -108,20 +108,20 @@ class TileGrid:
     def tilings(self, canvas: Box, first: Flags, second: Flags) -> tuple[Tiling, Tiling]:
         """Return the boxes of two sets of tiles that have none in common, as :meth:`tiling` does those of one."""
         either = (first | second).reshape(self.codes.shape)
-        codes = np.where(either, self.codes + np.where(second, _SECOND, 0).reshape(self.codes.shape), _UNTOUCHED)
+        codes = np.where(either, self.codes + np.where(second, _SECOND, 0).reshape(self.codes.shape), UNTOUCHED)
         boxes, kinds = runs_of(codes, (int(self.columns[0]), int(self.rows[0])), canvas)
         is_second = kinds >= _SECOND
         return _tiling(boxes[~is_second], kinds[~is_second]), _tiling(boxes[is_second], kinds[is_second] - _SECOND)
 
     def tiling(self, canvas: Box, kept: Flags | None = None) -> Tiling:
         """Return the boxes of the tiles, or of those kept (one flag a tile, row by row), cut to the canvas."""
-        codes = self.codes if kept is None else np.where(kept.reshape(self.codes.shape), self.codes, _UNTOUCHED)
+        codes = self.codes if kept is None else np.where(kept.reshape(self.codes.shape), self.codes, UNTOUCHED)
         return _tiling(*runs_of(codes, (int(self.columns[0]), int(self.rows[0])), canvas))
 
 
 def _tiling(boxes: Boxes, kinds: Codes) -> Tiling:
-    edges = {_kind(code): boxes[kinds == code] for code in sorted(set(kinds.tolist())) if code >= _FIRST_EDGE}
-    return Tiling(boxes[kinds == _FULL], edges, around_boxes(boxes))
+    edges = {kind_of(code): boxes[kinds == code] for code in sorted(set(kinds.tolist())) if code >= FIRST_EDGE}
+    return Tiling(boxes[kinds == FULL], edges, around_boxes(boxes))
 
 
 def tile_grid(cast: Cast, region: Box, matte: MatteOnCanvas, fineness: Fineness) -> TileGrid:
@@ -140,19 +140,19 @@ def tile_grid(cast: Cast, region: Box, matte: MatteOnCanvas, fineness: Fineness)
     """
     columns = np.arange(region.left // TILE_PX, -(-region.right // TILE_PX))
     rows = np.arange(region.top // TILE_PX, -(-region.bottom // TILE_PX))
-    corners = tile_corners(columns, rows, _MARGIN_PX)
+    corners = tile_corners(columns, rows, MARGIN_PX)
     outside, inside = _limits(cast, columns, rows)
     texels, w = _seen(cast, corners, matte.box)
     empty, full = matte.occupancy.states(texels.min(axis=0), texels.max(axis=0))
     # A tile across the horizon or the eye has no bounded picture on the drawing: it may be anything.
     bounded = w.min(axis=0) > 1e-9 * np.abs(cast.art_from_canvas[2]).max()
-    codes = np.full(len(outside), _UNTOUCHED)
+    codes = np.full(len(outside), UNTOUCHED)
     is_full = full & inside & bounded
-    codes[is_full] = _FULL
+    codes[is_full] = FULL
     is_edge = ~((empty & bounded) | outside | is_full)
     stretch = _stretch(cast, texels[..., is_edge] + _corner_of(matte.box), w[:, is_edge]) * fineness.cells_a_texel
     stretch[:, ~bounded[is_edge]] = np.inf
-    codes[is_edge] = _FIRST_EDGE + _edge_codes(stretch, ~inside[is_edge], fineness.max_cells)
+    codes[is_edge] = edge_codes(stretch, ~inside[is_edge], fineness.max_cells)
     return TileGrid(codes.reshape(len(rows), len(columns)), columns, rows)
 
 
@@ -178,7 +178,7 @@ def _limits(cast: Cast, columns: Codes, rows: Codes) -> tuple[Flags, Flags]:
     middles = (columns + 0.5) * TILE_PX, (rows + 0.5) * TILE_PX
     across, down = (forms[:, axis, np.newaxis] * middles[axis] for axis in (0, 1))
     # The farthest corner of a tile is as far from each line through its middle as the line's slopes say.
-    reach = np.abs(forms[:, :2]).sum(axis=1) * (TILE_PX / 2 + _MARGIN_PX)
+    reach = np.abs(forms[:, :2]).sum(axis=1) * (TILE_PX / 2 + MARGIN_PX)
     distances = across[:, np.newaxis] + (down + forms[:, 2:])[..., np.newaxis]
     is_beyond = (distances < -reach[:, np.newaxis, np.newaxis]).any(axis=0)
     is_within = (distances >= reach[:, np.newaxis, np.newaxis]).all(axis=0)
@@ -204,15 +204,16 @@ def _stretch(cast: Cast, art: Matrix, w: Matrix) -> Matrix:
     return np.sqrt([each.max(axis=0) for each in squares])
 
 
-def _edge_codes(cells: Matrix, at_limit: Flags, most: int) -> Codes:
-    """Return a number for each tile's kind of edge; :func:`_kind` is its inverse."""
+def edge_codes(cells: Matrix, at_limit: Flags, most: int) -> Codes:
+    """Return a number for each tile's kind of edge, from FIRST_EDGE on; :func:`kind_of` is its inverse."""
     steps = np.searchsorted(CELLS, np.minimum(cells, most))
     squeezed = (cells > most).any(axis=0)
-    return np.asarray(((steps[0] * len(CELLS) + steps[1]) * 2 + at_limit) * 2 + squeezed)
+    return np.asarray(FIRST_EDGE + ((steps[0] * len(CELLS) + steps[1]) * 2 + at_limit) * 2 + squeezed)
 
 
-def _kind(code: int) -> EdgeKind:
-    rest, squeezed = divmod(code - _FIRST_EDGE, 2)
+def kind_of(code: int) -> EdgeKind:
+    """Return the kind of edge that a tile's number stands for."""
+    rest, squeezed = divmod(code - FIRST_EDGE, 2)
     rest, at_limit = divmod(rest, 2)
     across, down = divmod(rest, len(CELLS))
     return EdgeKind(CELLS[across], CELLS[down], bool(at_limit), bool(squeezed))
@@ -220,13 +221,13 @@ def _kind(code: int) -> EdgeKind:
 
 def runs_of(codes: Codes, origin: tuple[int, int], canvas: Box) -> tuple[Boxes, Codes]:
     """Return the boxes of neighbouring tiles in a row that have one code, cut to the canvas, and their codes."""
-    framed = np.full((codes.shape[0], codes.shape[1] + 2), _UNTOUCHED)
+    framed = np.full((codes.shape[0], codes.shape[1] + 2), UNTOUCHED)
     framed[:, 1:-1] = codes
     row, start = np.nonzero(framed[:, 1:] != framed[:, :-1])
     # Each change begins a run that ends at the next; the one that begins a row's empty end is dropped as untouched.
     kinds = framed[row, start + 1]
     stop = np.roll(start, -1)
-    touched = kinds != _UNTOUCHED
+    touched = kinds != UNTOUCHED
     row, start, stop = row[touched], start[touched], stop[touched]
     tiles = np.stack([start + origin[0], row + origin[1], stop + origin[0], row + origin[1] + 1], axis=1) * TILE_PX
     low, high = [canvas.left, canvas.top] * 2, [canvas.right, canvas.bottom] * 2
@@ -237,7 +238,7 @@ def whole_grid(box: Box) -> TileGrid:
     """Return the tiles of a box as if a shadow held all of each."""
     columns = np.arange(box.left // TILE_PX, -(-box.right // TILE_PX))
     rows = np.arange(box.top // TILE_PX, -(-box.bottom // TILE_PX))
-    return TileGrid(np.full((len(rows), len(columns)), _FULL), columns, rows)
+    return TileGrid(np.full((len(rows), len(columns)), FULL), columns, rows)
 
 
 def around_boxes(boxes: Boxes) -> Box | None:

@@ -159,6 +159,7 @@ class Inspector(QScrollArea):
     def _title(self, prop: AnyProperty) -> str:
         titles: dict[str, Callable[[], str]] = {
             "camera": lambda: self.tr("Camera"),
+            "background": lambda: self.tr("Background"),
             "ground": lambda: self.tr("Ground"),
             "light": lambda: self.tr("Light"),
             "shadow": lambda: self.tr("Shadow"),

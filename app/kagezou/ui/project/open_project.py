@@ -77,7 +77,7 @@ class OpenProject(QObject):
         """Begin a project with characters; it has no file yet and counts as unsaved."""
 
         def read(progress: Progress) -> Imported:
-            return self._first_seen(timed_from_beside(new_document(sources, progress=progress), sources), progress)
+            return _first_seen(self, timed_from_beside(new_document(sources, progress=progress), sources), progress)
 
         return Load(
             _names(sources), read, lambda imported: self._begin(self.tr("New from cels"), imported), replaces=True
@@ -126,7 +126,7 @@ class OpenProject(QObject):
         def read(progress: Progress) -> Imported | Brought:
             over = self.bridge.document
             if over.is_blank:
-                return self._first_seen(timed_from_beside(new_document(sources, progress=progress), sources), progress)
+                return _first_seen(self, timed_from_beside(new_document(sources, progress=progress), sources), progress)
             return brought(sources, over.canvas.box, progress)
 
         def put(found: Imported | Brought) -> None:
@@ -154,7 +154,9 @@ class OpenProject(QObject):
 
         def read(progress: Progress) -> Imported | Timesheet:
             return (
-                self._first_seen(document_of_sheet(path, progress), progress) if self.is_blank else read_timesheet(path)
+                _first_seen(self, document_of_sheet(path, progress), progress)
+                if self.is_blank
+                else read_timesheet(path)
             )
 
         def put(found: Imported | Timesheet) -> None:
@@ -176,7 +178,7 @@ class OpenProject(QObject):
         """Begin a project of the drawings beside a timesheet; it has no file yet and counts as unsaved."""
 
         def read(progress: Progress) -> Imported:
-            return self._first_seen(document_of_sheet(sheet, progress), progress)
+            return _first_seen(self, document_of_sheet(sheet, progress), progress)
 
         return Load(
             sheet.name, read, lambda imported: self._begin(self.tr("New from timesheet"), imported), replaces=True
@@ -215,19 +217,17 @@ class OpenProject(QObject):
         session = Session(blank_document())
         session.edit(step, imported.document)
         self._put(session, None)
-        self._say(imported.notes)
-        self.imported.emit(imported.layer_ids)
-
-    def _first_seen(self, imported: Imported, progress: Progress) -> Imported:
-        _read_first(imported.document, self.cels, self.meshes, progress)
-        return imported
+        self._tell(imported)
 
     def _edit(self, step: str, imported: Imported) -> None:
-        session = self.bridge.session
-        session.edit(step, imported.document)
+        self.bridge.session.edit(step, imported.document)
         if imported.layer_ids:
-            session.select(imported.layer_ids[-1])
-        self._say(imported.notes)
+            self.bridge.session.select(imported.layer_ids[-1])
+        self._tell(imported)
+
+    def _tell(self, imported: Imported) -> None:
+        for note in imported.notes:
+            self.noted.emit(note)
         self.imported.emit(imported.layer_ids)
 
     def _put(self, session: Session, path: Path | None) -> None:
@@ -235,9 +235,10 @@ class OpenProject(QObject):
         self.bridge.open(session)
         self.path_changed.emit()
 
-    def _say(self, notes: tuple[Message, ...]) -> None:
-        for note in notes:
-            self.noted.emit(note)
+
+def _first_seen(project: OpenProject, imported: Imported, progress: Progress) -> Imported:
+    _read_first(imported.document, project.cels, project.meshes, progress)
+    return imported
 
 
 def _read_first(document: Document, cels: CelCache, meshes: MeshCache, progress: Progress) -> None:

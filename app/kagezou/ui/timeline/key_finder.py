@@ -4,8 +4,10 @@ from PySide6.QtCore import QPointF, QRectF
 
 from kagezou.animation.timecode import sheet_text
 from kagezou.document.key_edits import Refs
+from kagezou.scene.stances import stances_of
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX
+from kagezou.ui.timeline.feet_lane import feet_over_time, words_at
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of, keys_on
 from kagezou.ui.timeline.time_scale import TimeScale
@@ -55,12 +57,21 @@ class KeyFinder:
         return keys_on(self._bridge.document, row, near)
 
     def words_at(self, place: QPointF) -> str:
-        """Return what a tool tip says about the key at a point: its frame."""
+        """Return what a tool tip says about the key at a point, its frame, or about the feet on it."""
+        row = self.row_at(place)
+        if row is not None and row.kind is RowKind.FEET and row.layer_id is not None:
+            return self._words_of_feet(row.layer_id, int(self._scale.position_at(place.x())))
         rate = self._bridge.document.canvas.frame_rate
         if hit := self.keys_at(place):
             frame = min(ref.frame for ref in hit)
             return f"{frame}  ({sheet_text(frame, rate)})"
         return ""
+
+    def _words_of_feet(self, figure_id: str, frame: int) -> str:
+        document = self._bridge.document
+        found = stances_of(document, figure_id)
+        inside = 1 <= frame <= document.canvas.length_frames
+        return words_at(feet_over_time(document, figure_id, found), found, frame) if found and inside else ""
 
     def keys_in(self, box: QRectF) -> Refs:
         """Return the keys in a box; those of an open group only where they lie themselves."""

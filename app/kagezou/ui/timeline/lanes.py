@@ -7,10 +7,12 @@ from PySide6.QtWidgets import QWidget
 from kagezou.animation.timecode import frames_per_second
 from kagezou.document.address import track_of
 from kagezou.document.key_edits import KeyRef
+from kagezou.scene.stances import stances_of
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, bars_of, paint_bars
 from kagezou.ui.timeline.drawing_controller import DrawingController
+from kagezou.ui.timeline.feet_lane import feet_over_time, paint_feet
 from kagezou.ui.timeline.key_controller import KeyController
 from kagezou.ui.timeline.key_shapes import half_path, halves_of
 from kagezou.ui.timeline.row_list import RowList
@@ -139,10 +141,18 @@ class Lanes(QWidget):
             layer = self._bridge.document.layer(row.layer_id)
             bars = bars_of(layer, self._scale, self.width())
             paint_bars(painter, layer, bars, QRectF(0, top, 0, height), self.drawings.choice)
-        if row.is_group:
+        if row.kind is RowKind.FEET:
+            self._paint_feet(painter, row, top)
+        elif row.is_group:
             self._paint_summary(painter, row, top)
         else:
             self._paint_keys(painter, row, top + height / 2)
+
+    def _paint_feet(self, painter: QPainter, row: TimelineRow, top: int) -> None:
+        found = None if row.layer_id is None else stances_of(self._bridge.document, row.layer_id)
+        if found is not None and row.layer_id is not None:
+            shown = feet_over_time(self._bridge.document, row.layer_id, found)
+            paint_feet(painter, shown, self._scale, QRectF(0, top, self.width(), self._rows.row_px))
 
     def _paint_summary(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         # Under the bars, where both can be read.

@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from kagezou.animation.track import Track
 from kagezou.document.address import track_of
 from kagezou.document.model import Document
+from kagezou.scene.stances import stances_of
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.timeline.rows import Reveal, RowKind, TimelineRow, rows_of
 
@@ -134,6 +135,8 @@ def _drawings_of(document: Document, rows: tuple[TimelineRow, ...]) -> Iterator[
             layer = document.layer(row.layer_id)
             yield layer.cels
             yield layer.name
+        elif row.kind is RowKind.FEET and row.layer_id is not None:
+            yield stances_of(document, row.layer_id)
 
 
 def _have_like_keys(now: tuple[Track, ...], before: tuple[Track, ...]) -> bool:

@@ -115,7 +115,7 @@ class RowNames(QWidget):
             return self._bridge.document.layer(row.layer_id).name
         if row.piece_id is not None and row.kind is RowKind.PIECE:
             return self._bridge.document.piece(row.piece_id).name
-        return translated(row.addresses[0].property.label)
+        return self.tr("Feet") if row.kind is RowKind.FEET else translated(row.addresses[0].property.label)
 
     def _paint_row(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         height = self._rows.row_px
@@ -128,7 +128,7 @@ class RowNames(QWidget):
         room: float = self.width() - left - 3 * _BUTTON_PX - 8
         if row.is_group:
             self._paint_fold(painter, row, QPointF(_INDENT_PX, top + height / 2))
-        else:
+        elif row.addresses:
             if is_linked(self._bridge.document, row.addresses[0]):
                 room -= _CHAIN_PX
                 paint_link_sign(painter, QPointF(left + room + _CHAIN_PX / 2, top + (height - 1) / 2), linked=True)

@@ -8,6 +8,7 @@ from kagezou.document.address import Address, track_of, usual_value
 from kagezou.document.key_edits import KeyRef, Refs
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
+from kagezou.scene.stances import stances_of
 
 
 class RowKind(StrEnum):
@@ -15,6 +16,7 @@ class RowKind(StrEnum):
 
     SCENE = "scene"
     LAYER = "layer"
+    FEET = "feet"
     PIECE = "piece"
     PROPERTY = "property"
 
@@ -47,7 +49,7 @@ class TimelineRow:
     @property
     def is_group(self) -> bool:
         """Whether the row sums up others."""
-        return self.kind is not RowKind.PROPERTY
+        return self.kind not in (RowKind.PROPERTY, RowKind.FEET)
 
     def is_about(self, layer_ids: Collection[str], piece_id: str | None) -> bool:
         """Whether it stands for a layer that is chosen or the set piece worked on."""
@@ -124,8 +126,14 @@ def _group(document: Document, group: TimelineRow, closed: frozenset[str | None]
     keyed = tuple(address for address in known if track_of(document, address).is_keyed)
     is_open = group.group not in closed
     rows = [replace(group, addresses=keyed, is_open=is_open)]
+    if is_open and group.layer_id is not None and _has_feet(document, group.layer_id):
+        rows.append(TimelineRow(RowKind.FEET, group.layer_id, ()))
     if is_open:
         rows += [
             TimelineRow(RowKind.PROPERTY, group.layer_id, (address,), piece_id=group.piece_id) for address in shown
         ]
     return rows
+
+
+def _has_feet(document: Document, layer_id: str) -> bool:
+    return document.layer(layer_id).joins is None and stances_of(document, layer_id) is not None

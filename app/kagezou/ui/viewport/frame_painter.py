@@ -17,8 +17,9 @@ from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from kagezou.scene.left_out import without_pieces
 from kagezou.scene.receiving import without_drawings
-from kagezou.scene.scene import Scene, without_pieces
+from kagezou.scene.scene import Scene
 from kagezou.ui.viewport.picture_view import PictureView, seen
 from kagezou.ui.viewport.resolution import FULL, PreviewFineness
 
@@ -155,7 +156,9 @@ class FramePainter:
     def _is_ready(self, document: Document, scene: Scene) -> bool:
         drawings = [layer.drawing.source for layer in scene.layers if layer.drawing is not None]
         try:
-            return self._smaller_for(document.canvas.box).cels.is_ready(drawings, scene.background)
+            return self._smaller_for(document.canvas.box).cels.is_ready(
+                drawings, None if scene.background is None else scene.background.source
+            )
         except Problem:
             return False
 
@@ -191,7 +194,7 @@ class FramePainter:
         }
         scene = without_pieces(scene, lost) if lost else scene
         behind = scene.background
-        background = behind if behind and can_be_read(behind, self._cels.background) else None
+        background = behind if behind and can_be_read(behind.source, self._cels.background) else None
         unread = {each.source for each in broken}
         layers = tuple(without_drawings(layer, unread) for layer in scene.layers)
         self.broken = tuple(broken)

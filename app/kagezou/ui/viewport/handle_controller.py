@@ -31,8 +31,10 @@ class _Held:
     gesture: Gesture
     frame: int
 
-    def words(self, document: Document) -> str:
-        """Return what is said of the values while it is dragged."""
+    def words(self, document: Document, typed: str) -> str:
+        """Return what is said of the values while it is dragged, or of what is typed."""
+        if typed:
+            return f"{translated(self.handle.label)}  {typed}"
         parts = readout(self.handle, self.gesture.start, document, self.frame)
         return "  ".join(map(translated, parts))
 
@@ -117,21 +119,19 @@ class HandleController(QObject):
     def words(self) -> str:
         """What stands beside the pointer: the values while dragging, else the name of the handle under it."""
         if self._held is not None:
-            if self.typed:
-                return f"{translated(self._held.handle.label)}  {self.typed}"
             note = self.handles.note
-            return self._held.words(self._bridge.document) if note is None else translated(note)
+            return self._held.words(self._bridge.document, self.typed) if note is None else translated(note)
         hovered = self.handles.find(self.hovered_id)
         return self.pieces.name if hovered is None else translated(hovered.label)
 
     def hover(self, report: PointerReport | None) -> None:
         """Look what is under the pointer; None where it has left."""
-        before = self._touched
+        before = _touched(self)
         self.place_px = report.view_px if report else None
         found = _hit(self.handles, self._viewpoint, report) if report else None
         self.hovered_id = found.id if found else None
         self.pieces.hover(None if found or self.task is not Task.SCENE else report)
-        if self._touched != before:
+        if _touched(self) != before:
             self.changed.emit()
 
     def press(self, report: PointerReport) -> bool:
@@ -234,12 +234,6 @@ class HandleController(QObject):
         self.changed.emit()
         return True
 
-    @property
-    def _touched(self) -> tuple[object, ...]:
-        """What is under the pointer, and if there is something, where the pointer is."""
-        touched = (self.hovered_id, self.pieces.hovered_id)
-        return (*touched, self.place_px if any(touched) else None)
-
     def _let_go(self, *, keep: bool) -> None:
         held, self._held = self._held, None
         self.typed = ""
@@ -259,6 +253,12 @@ class HandleController(QObject):
         if self.handles.find(self.selected_id) is None:
             self.selected_id = None
         self.changed.emit()
+
+
+def _touched(hand: HandleController) -> tuple[object, ...]:
+    """Return what is under the pointer, and if there is something, where the pointer is."""
+    touched = (hand.hovered_id, hand.pieces.hovered_id)
+    return (*touched, hand.place_px if any(touched) else None)
 
 
 def _taken(handle: Handle, bridge: Bridge, viewpoint: Viewpoint, report: PointerReport) -> _Held:

@@ -66,8 +66,9 @@ class Reading(QObject):
         turn.tell(None)
 
     def _needed(self, document: Document, frame: int) -> Iterable[tuple[PictureSource, Read]]:
-        if document.background is not None:
-            yield document.background, self._cels.background
+        behind = document.behind.drawing_at(frame)
+        if behind is not None:
+            yield behind.source, self._cels.background
         for layer in document.layers:
             if (drawing := layer.cels.drawing_at(frame)) is not None:
                 yield drawing.source, self._cels.cel

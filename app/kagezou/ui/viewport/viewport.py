@@ -183,7 +183,7 @@ class Viewport(PictureWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self.controller.is_busy and _is_typing(event):
-            self._type(event)
+            _type(self.controller, event)
         elif event.key() == Qt.Key.Key_Escape:
             if not self._cancel():
                 self.clearFocus()
@@ -201,10 +201,9 @@ class Viewport(PictureWidget):
     def _ask_or_cancel(self, report: PointerReport, at: QPoint) -> None:
         """Open the menu of the foot under the pointer; elsewhere the right button cancels."""
         foot = self.controller.foot_under(report) if self.overlay.shows_handles else None
+        self.foot_menu = None if foot is None else open_foot_menu(self.controller.contacts, foot, at, self)
         if foot is None:
             self._cancel()
-        else:
-            self.foot_menu = open_foot_menu(self.controller.contacts, foot, at, self)
 
     def _cancel(self) -> bool:
         return self.picking.give_up() or self.controller.cancel()
@@ -225,14 +224,6 @@ class Viewport(PictureWidget):
         if not self.controller.nudge(dx * length, dy * length) and dx:
             self.step_asked.emit(round(dx * length))
 
-    def _type(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self.controller.release()
-        elif event.key() == Qt.Key.Key_Backspace:
-            self.controller.type(self.controller.typed[:-1])
-        else:
-            self.controller.type(self.controller.typed + event.text())
-
     def _show_cursor(self) -> None:
         over = self.controller.held or self.controller.handles.find(self.controller.hovered_id)
         if self._panned_from is not None:
@@ -244,6 +235,15 @@ class Viewport(PictureWidget):
         else:
             on_piece = Qt.CursorShape.SizeAllCursor if self.controller.pieces.hovered_id else Qt.CursorShape.ArrowCursor
             self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
+
+
+def _type(hand: HandleController, event: QKeyEvent) -> None:
+    if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        hand.release()
+    elif event.key() == Qt.Key.Key_Backspace:
+        hand.type(hand.typed[:-1])
+    else:
+        hand.type(hand.typed + event.text())
 
 
 def _is_typing(event: QKeyEvent) -> bool:

@@ -3,7 +3,9 @@
 from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
 
 from kagezou.scene.figure_card import feet_at
+from kagezou.tools.readout import height_words
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.words import translated
 
 
 class Status(QStatusBar):
@@ -21,6 +23,8 @@ class Status(QStatusBar):
         super().__init__()
         self._bridge = bridge
         self._hint = QLabel()
+        self._height = QLabel()
+        self._height.setToolTip(self.tr("How high the figure is over the ground on this frame"))
         self._canvas = QLabel()
         self._zoom = QLabel()
         self._resolution = QLabel()
@@ -30,11 +34,14 @@ class Status(QStatusBar):
         self._work.hide()
         self.setSizeGripEnabled(False)
         self.addWidget(self._hint, 1)
-        for widget in (self._work, extra, *self.labels):
+        for widget in (self._work, extra, self._height, *self.labels):
             self.addPermanentWidget(widget)
         bridge.document_changed.connect(self._show_document)
         bridge.selection_changed.connect(self._show_document)
+        for changed in (bridge.document_changed, bridge.selection_changed, bridge.frame_changed):
+            changed.connect(self._show_height)
         self._show_document()
+        self._show_height()
 
     def show_work(self, done: int, whole: int) -> None:
         """Say how far the search for feet beside the window is; 0 of 0 when it is done."""
@@ -62,6 +69,12 @@ class Status(QStatusBar):
         """Say when the processor draws instead of a graphics card."""
         self._device.setText(self.tr("software rendering") if is_software else "")
         self._device.setToolTip(name)
+
+    def _show_height(self) -> None:
+        bridge = self._bridge
+        words = None if bridge.layer_id is None else height_words(bridge.document, bridge.layer_id, bridge.frame)
+        self._height.setText("" if words is None else translated(words))
+        self._height.setVisible(words is not None)
 
     def _show_document(self) -> None:
         document = self._bridge.document
