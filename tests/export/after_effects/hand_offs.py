@@ -30,12 +30,14 @@ def built(done: HandedOff, tmp_path: Path) -> Run:
 
 
 def furthest(run: Run, document: Document, tmp_path: Path) -> int:
-    """Return by how many levels of 8 bit the composition differs most from the picture."""
+    """Return by how many levels of 8 bit the composition differs most from the picture; what is clear has no colour."""
     export(document, tmp_path / "out", composite=True)
     most = 0
     for frame in range(1, document.canvas.length_frames + 1):
         wanted = read_cel(tmp_path / f"out/composite/composite_{frame:04d}.png", white_is_clear=False).rgba
-        most = max(most, int(np.abs(composed(run, "cut", frame).astype(int) - wanted).max()))
+        found = composed(run, "cut", frame).astype(int)
+        seen = (found[..., 3] > 0) | (wanted[..., 3] > 0)
+        most = max(most, int(np.abs(found - wanted)[seen].max(initial=0)))
     return most
 
 

@@ -70,8 +70,8 @@ def notes_on_transforms(document: Document) -> tuple[Message, ...]:
     """Return what After Effects cannot have as it is."""
     return tuple(
         Message(
-            "the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has keys "
-            "on its frames instead",
+            "the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has "
+            "keys on its frames instead",
             layer=layer.name,
         )
         for layer in document.layers
