@@ -9,6 +9,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import MAX_SLOPE_DEG, CardPiece, card_for, receiver_of, vertical_piece
 from kagezou.geometry.ground import ground_plane, place_on
+from kagezou.geometry.relief import Foothold, relief_card
 from kagezou.geometry.vectors import Point2, coinciding, dot, height_over
 
 CAMERA = Camera(1000, 1000)
@@ -151,3 +152,25 @@ def test_planes_coincide_whichever_way_they_face() -> None:
     plane = (0.6, 0.0, 0.8, -120.0)
     others = [(-1.2, 0.0, -1.6, 240.0), (0.6, 0.0, 0.8, -120.001), (0.6, 0.0, -0.8, -120.0)]
     assert coinciding(plane, others).tolist() == [True, False, False]
+
+
+def test_a_tilt_is_measured_by_points_and_turns_about_the_one_there_is() -> None:
+    camera, ground = Camera(1000, 1000), ground_plane((500.0, 900.0), 0.0, 60.0)
+    none, one, two, near = (
+        card_for(camera, ground, points, 20.0, 700.0)
+        for points in ((), ((450.0, 880.0),), ((450.0, 900.0), (550.0, 880.0)), ((450.0, 900.0), (451.0, 900.0)))
+    )
+    assert [card.is_tilt_measured for card in (none, one, two, near)] == [False, False, True, True]
+    assert [card.axis is None for card in (none, one, two, near)] == [True, False, True, False]
+    assert one.axis == one.contacts[0]
+    feet = (Foothold((420.0, 900.0), 900.0, is_planted=True), Foothold((560.0, 860.0), 860.0, is_planted=True))
+    on_feet = relief_card(camera, ground, feet, 700.0, 20.0)
+    assert not on_feet.is_tilt_measured
+    assert on_feet.axis == pytest.approx(np.mean(on_feet.contacts, axis=0))
+
+
+def test_the_piece_at_a_point_is_the_one_that_holds_it() -> None:
+    camera, ground = Camera(1000, 1000), ground_plane((500.0, 900.0), 0.0, 60.0)
+    card = card_for(camera, ground, ((400.0, 900.0), (500.0, 880.0), (600.0, 890.0)), 0.0, 700.0)
+    for x in (-1e6, 400.0, 499.0, 500.0, 501.0, 1e6):
+        assert card.piece_at((x, 300.0)).holds((x, 300.0))

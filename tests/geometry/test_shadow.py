@@ -13,6 +13,7 @@ from kagezou.geometry.card import Card, CardPiece, card_for, receiver_of, vertic
 from kagezou.geometry.ground import Plane, ground_plane, place_on
 from kagezou.geometry.light import is_over, lamp, sun
 from kagezou.geometry.polygon import bounding_box
+from kagezou.geometry.relief import Foothold, relief_card
 from kagezou.geometry.shadow import Cast, cast_card, cast_in_space, cast_on
 from kagezou.geometry.vectors import Matrix, Point2, Vector4, height_over
 from tests.geometry.single_rays import Wall, World, shading_points, walls_through
@@ -289,6 +290,24 @@ def test_a_fold_with_the_light_on_different_sides_of_its_pieces_overlaps() -> No
     card = card_for(camera, ground, [(300.0, 800.0), (500.0, 950.0), (700.0, 800.0)], 0.0, 400.0)
     light = lamp((1000.0, 200.0, 200.0))
     assert [cast.sheet for cast in cast_card(camera, ground, card, light)] == [0, 1]
+
+
+def test_pieces_that_are_turned_alike_are_of_one_sheet_though_others_lie_between() -> None:
+    """A light from the side turns what lies between two feet, one far behind the other, inside out."""
+    camera, ground = Camera(1000, 1000), ground_plane((500.0, 900.0), 0.0, 65.0)
+    feet = [Foothold((x, y), y, is_planted=True) for x, y in ((440.0, 899.0), (565.0, 800.0))]
+    card = relief_card(camera, ground, feet, 702.0)
+    casts = cast_card(camera, ground, card, lamp((-500.0, 350.0, 500.0)))
+    turned = [np.linalg.det(cast.art_from_canvas) > 0 for cast in casts]
+    assert {True, False} == set(turned)
+    for one, is_turned in zip(casts, turned, strict=True):
+        for other, other_is in zip(casts, turned, strict=True):
+            if card.pieces[one.number].adjoins(card.pieces[other.number]):
+                assert (one.sheet == other.sheet) == (is_turned == other_is)
+
+
+def test_nothing_is_cast_in_space_by_a_light_within_the_piece() -> None:
+    assert cast_in_space(Camera(1000, 1000), vertical_piece((500.0, 0.0), 0.0), lamp((300.0, -100.0, 0.0))) is None
 
 
 def test_a_cast_in_space_is_bounded_by_the_side_of_its_card_and_its_limits() -> None:

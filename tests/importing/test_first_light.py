@@ -10,12 +10,11 @@ from kagezou.document.address import Address
 from kagezou.document.model import Canvas, Document
 from kagezou.document.properties import FOV, GROUND_DECLINATION
 from kagezou.geometry.box import Box
-from kagezou.geometry.light import lamp
 from kagezou.geometry.shadow import cast_on
 from kagezou.importing.figures import figure_in
 from kagezou.importing.staging import CharacterSource, new_document, with_characters
 from kagezou.io.project.file import load, save
-from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.scene.evaluate import camera_at, ground_at, light_at
 from kagezou.scene.figure_card import card_at
 from tests.importing.cel_files import write_cel, write_walk
 
@@ -35,13 +34,10 @@ SAMPLE_SOURCES = (
 def shadow_box(document: Document) -> Box:
     """Return the box around the first drawings' shadows, every solid pixel followed to the ground."""
     camera, ground = camera_at(document, 1), ground_at(document, 1)
-    place = document.tracks["light.position"].value_at(1)
-    assert isinstance(place, tuple)
     fallen = []
     for layer in document.layers:
         (piece,) = card_at(document, layer, 1, camera, ground).pieces
-        x, y, z = (float(part) for part in place if isinstance(part, float))
-        cast = cast_on(camera, ground, piece, lamp((x, y, z)))
+        cast = cast_on(camera, ground, piece, light_at(document, 1, ground))
         figure = figure_in(layer.cels.drawings[0].path, document.canvas.box)
         assert cast is not None
         assert figure is not None

@@ -47,7 +47,11 @@ class CardPiece:
 
     def holds(self, point: Point2) -> bool:
         """Return whether a canvas point of the drawing lies on the piece or its edge."""
-        return all(a * point[0] + b * point[1] + c >= 0 for a, b, c in self.limits)
+        return self.room_at(point) >= 0
+
+    def room_at(self, point: Point2) -> float:
+        """Return the least of the forms of the piece's edges at a canvas point: below 0 where it lies beside it."""
+        return min((a * point[0] + b * point[1] + c for a, b, c in self.limits), default=inf)
 
     def part_of(self, box: Box) -> Matrix:
         """Return the convex polygon (N, 2) of a canvas box that lies on the piece; N may be 0."""
@@ -107,6 +111,22 @@ class Card:
     merged: bool = False
     upright: float = 0.0
     contact_line: tuple[Vector3, Vector3] | None = None
+
+    @property
+    def is_tilt_measured(self) -> bool:
+        """Whether grounding points tell the tilt, so that what is given does not count; feet never do."""
+        return self.contact_line is None and (len(self.contacts) > 1 or self.merged)
+
+    @property
+    def axis(self) -> Vector3 | None:
+        """A place, world px, on the vertical about which a given tilt turns the card; None without any contact."""
+        if self.contact_line is not None:
+            return self.contact_line[0]
+        return self.contacts[0] if len(self.contacts) == 1 else None
+
+    def piece_at(self, point: Point2) -> CardPiece:
+        """Return the piece on which a canvas point of the drawing lies; on an edge, either."""
+        return max(self.pieces, key=lambda piece: piece.room_at(point))
 
 
 def receiver_of(camera: Camera, piece: CardPiece) -> Plane:

@@ -121,12 +121,15 @@ class MeasuredFigure:
         Of the first drawing that has one; None where none of those looked at has.
     later
         Points on the outlines of a few other figures spread over the drawings, (N, 2) float64, canvas px.
+    boxes
+        Around all of these figures in the order of the drawings, canvas px.
     notes
         What could not be read, one sentence each.
     """
 
     figure: Figure | None
     later: Matrix
+    boxes: tuple[Box, ...]
     notes: tuple[Message, ...]
 
 
@@ -141,14 +144,21 @@ def measured_figure(drawings: Sequence[Drawing], canvas: Box, progress: Progress
         first = _tried(drawing, canvas, notes)
         if first is not None:
             break
-    rest = drawings[seen:]
-    chosen = rest[:: max(len(rest) // LATER_DRAWINGS, 1)] if rest else ()
-    others = []
+    chosen = _spread(drawings[seen:])
+    tried = []
     for index, drawing in enumerate(chosen):
         progress(LoadPhase.MEASURING, index + 1, len(chosen) + 1)
-        others.append(_tried(drawing, canvas, notes))
-    later = [figure.outline() for figure in others if figure is not None]
-    return MeasuredFigure(first, np.concatenate(later) if later else np.empty((0, 2)), tuple(notes))
+        tried.append(_tried(drawing, canvas, notes))
+    others = [figure for figure in tried if figure is not None]
+    later = np.concatenate([figure.outline() for figure in others]) if others else np.empty((0, 2))
+    boxes = tuple(figure.box for figure in (first, *others) if figure is not None)
+    return MeasuredFigure(first, later, boxes, tuple(notes))
+
+
+def _spread(drawings: Sequence[Drawing]) -> list[Drawing]:
+    """Return a few drawings evenly spread over all of them, the last one among them."""
+    count = min(LATER_DRAWINGS, len(drawings))
+    return [drawings[(each + 1) * len(drawings) // count - 1] for each in range(count)]
 
 
 def _tried(drawing: Drawing, canvas: Box, notes: list[Message]) -> Figure | None:

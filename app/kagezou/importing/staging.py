@@ -1,16 +1,12 @@
 """Bringing characters onto the canvas: from folders of drawings to a document that shows a good shadow at once."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-import numpy as np
-
-from kagezou.document.address import Address
-from kagezou.document.edits import add_layer, join_layer, set_background, set_canvas, set_constant
+from kagezou.document.edits import add_layer, join_layer, set_background, set_canvas
 from kagezou.document.model import Canvas, Document
-from kagezou.document.properties import GROUND_POSITION, LIGHT_POSITION
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.importing.background_pictures import background_of, with_background
@@ -18,8 +14,8 @@ from kagezou.importing.cel_notes import notes_on
 from kagezou.importing.cel_sizes import canvas_size
 from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
 from kagezou.importing.figures import MeasuredFigure, measured_figure
-from kagezou.importing.first_light import first_light
 from kagezou.importing.imported import Imported
+from kagezou.importing.lighting import with_ground_and_light
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.timesheet_on_document import timed
 from kagezou.io.files.faults import shown
@@ -28,7 +24,6 @@ from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart
-from kagezou.scene.evaluate import camera_at, ground_at
 
 STILL_LENGTH_FRAMES = 24
 """The cut of a project that has only stills."""
@@ -77,7 +72,7 @@ def new_document(
     frame_rate: Fraction = Fraction(24),
     progress: Progress = no_progress,
 ) -> Imported:
-    """Return a new document with characters, a ground under the lowest of them and a lamp in front.
+    """Return a new document with characters, a ground under the lowest of them and a light in front.
 
     Parameters
     ----------
@@ -228,7 +223,7 @@ def put_in(document: Document, read: Brought) -> Imported:
         notes += [*character.notes, *told, *notes_on(layer.name, character, look.figure, canvas_box)]
     if is_first and read.characters:
         document = _with_length(document, read.characters)
-        document = _with_ground_and_lamp(document, figures_seen)
+        document = with_ground_and_light(document, figures_seen)
     return Imported(document, tuple(notes), tuple(figures_seen))
 
 
@@ -248,16 +243,3 @@ def _with_length(document: Document, characters: Sequence[NewCels]) -> Document:
     length = STILL_LENGTH_FRAMES if longest == 1 else longest
     canvas = document.canvas
     return set_canvas(document, replace(canvas, length_frames=max(length, canvas.length_frames)))
-
-
-def _with_ground_and_lamp(document: Document, figures_seen: Mapping[str, MeasuredFigure]) -> Document:
-    """Put the ground under the lowest figure, and the lamp where it gives a good shadow of all."""
-    canvas_box = document.canvas.box
-    figures = [look.figure for look in figures_seen.values() if look.figure is not None]
-    if not figures:
-        return set_constant(document, Address(GROUND_POSITION), (canvas_box.width / 2, float(canvas_box.height)))
-    lowest = max(figures, key=lambda figure: figure.foot[1])
-    document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
-    later = np.concatenate([look.later for look in figures_seen.values()])
-    place = first_light(canvas_box, camera_at(document, 1), ground_at(document, 1), figures, later)
-    return set_constant(document, Address(LIGHT_POSITION), place)

@@ -9,6 +9,7 @@ from kagezou.document.edits import set_value
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import AnyProperty, Property, Scope
 from kagezou.document.values import T, value_at
+from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
@@ -16,6 +17,7 @@ from kagezou.geometry.vectors import Point2, Vector3, Vector4
 from kagezou.scene.evaluate import camera_at, contact_of, ground_at, light_at
 from kagezou.scene.figure_card import card_at
 from kagezou.scene.piece_frames import PieceFrame, piece_frame
+from kagezou.scene.placing import drawing_of, figure_box, shown_parts
 from kagezou.tools.view import CanvasView
 
 
@@ -59,6 +61,26 @@ class FrameGeometry:
     def contact(self) -> Vector3:
         """Where the character stands on the ground, world px; without a layer the ground's position."""
         return self.ground.origin if self.card is None else contact_of(self.card, self.ground)
+
+    @property
+    def figure_box(self) -> Box:
+        """The figure of the layer worked on as it is seen, moved cels and parts included; empty without a layer."""
+        return Box(0, 0, 0, 0) if self.figure is None else figure_box(self.document, self.figure.id, self.frame)
+
+    @property
+    def figure(self) -> Layer | None:
+        """The layer of the figure that the layer worked on belongs to."""
+        if self.layer is None or self.layer.joins is None:
+            return self.layer
+        return self.document.layer(self.layer.joins)
+
+    @property
+    def is_figure_shown(self) -> bool:
+        """Whether anything of that figure casts a shadow."""
+        if self.figure is None or not value_at(self.figure.tracks, properties.VISIBLE, self.frame):
+            return False
+        parts = shown_parts(self.document, self.figure.id, self.frame)
+        return any(drawing_of(self.document, part, self.frame) is not None for part in parts)
 
     @property
     def along(self) -> Point2:

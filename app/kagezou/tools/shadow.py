@@ -87,12 +87,9 @@ def _sun_through(geometry: FrameGeometry, direction: Vector3, aim: Aim) -> Docum
 
 def _head(geometry: FrameGeometry) -> Vector3 | None:
     """Return the middle of the figure's top on its card, world px, or None if it says too little."""
-    layer, card = geometry.layer, geometry.card
-    if layer is None or card is None or layer.cels.drawing_at(geometry.frame) is None:
+    card, figure = geometry.card, geometry.figure_box
+    if card is None or figure.is_empty or not geometry.is_figure_shown:
         return None
-    if not geometry.value(properties.VISIBLE) or layer.figure.is_empty:
-        return None
-    figure = layer.figure
     head = _on_card(geometry, card, ((figure.left + figure.right) / 2, float(figure.top)))
     if head is None:
         return None
@@ -101,8 +98,7 @@ def _head(geometry: FrameGeometry) -> Vector3 | None:
 
 
 def _on_card(geometry: FrameGeometry, card: Card, canvas_px: Point2) -> Vector3 | None:
-    piece = next(piece for piece in card.pieces if piece.holds(canvas_px))
-    nx, ny, nz, d = piece.plane
+    nx, ny, nz, d = card.piece_at(canvas_px).plane
     place = on_plane(geometry.camera, (nx, ny, nz, d), canvas_px)
     return place if place is None or max(map(abs, place)) <= REACH_PX else None
 

@@ -1,7 +1,8 @@
 """The body's tilt: a lever over the head that points where the figure faces.
 
-It is seen as from slightly above: its end swings on a flat arc, sideways by the sine of the tilt. With two grounding
-points the tilt is measured; then the lever is only shown.
+It is seen as from slightly above: its end swings on a flat arc, sideways by the sine of the tilt. It stands at the
+figure, over the vertical about which that turns: the one of its own feet where it has some. With two grounding points
+the tilt is measured; then the lever is only shown.
 """
 
 from math import asin, cos, degrees, radians, sin
@@ -27,7 +28,7 @@ _ARC_POINTS = 25
 
 def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the lever's end where the tilt can be set."""
-    if geometry.layer is None or not _is_set(geometry):
+    if geometry.layer is None or geometry.card is None or geometry.card.is_tilt_measured:
         return ()
     return (
         Handle(
@@ -39,12 +40,13 @@ def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
 
 def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the lever's arm and the arc of its end; for a card folded more than once there is no one tilt."""
-    if geometry.card is None or len(geometry.card.pieces) > 1:
+    card = geometry.card
+    if card is None or (card.is_tilt_measured and len(card.pieces) > 1):
         return ()
     arc = (-MAX_SLOPE_DEG + 2 * MAX_SLOPE_DEG * step / (_ARC_POINTS - 1) for step in range(_ARC_POINTS))
     return (
         Guide(GuideKind.TILT_ARC, tuple(_end(geometry, angle) for angle in arc)),
-        Guide(GuideKind.TILT_ARM, (_pivot(geometry), _end(geometry, geometry.card.tilt_deg))),
+        Guide(GuideKind.TILT_ARM, (_pivot(geometry), _end(geometry, card.tilt_deg))),
     )
 
 
@@ -56,17 +58,17 @@ def move_tilt(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     return geometry.edited(properties.TILT, aim.angle_or_zero(tilt, abs(away), geometry))
 
 
-def _is_set(geometry: FrameGeometry) -> bool:
-    """Whether φ is given by the property rather than measured."""
-    return geometry.card is not None and len(geometry.card.contacts) <= 1 and not geometry.card.merged
-
-
 def _pivot(geometry: FrameGeometry) -> Point2:
-    """Return where the card's vertical axis passes over the head, kept within the picture."""
-    assert geometry.layer is not None
-    figure, canvas_length = geometry.layer.figure, geometry.view.canvas_length
-    above = figure.top - canvas_length(ABOVE_HEAD_VIEW_PX)
-    return (seen(geometry.camera, geometry.contact)[0], max(above, canvas_length(ABOVE_HEAD_VIEW_PX / 2)))
+    """Return where the vertical that the card turns about passes over the head, kept at the figure and in the picture.
+
+    A figure on the ground line may turn about a vertical far away from it.
+    """
+    figure, canvas, canvas_length = geometry.figure_box, geometry.document.canvas, geometry.view.canvas_length
+    axis = None if geometry.card is None else geometry.card.axis
+    x = min(max(seen(geometry.camera, axis or geometry.contact)[0], figure.left), figure.right)
+    y = figure.top - canvas_length(ABOVE_HEAD_VIEW_PX)
+    room = canvas_length(ABOVE_HEAD_VIEW_PX / 2)
+    return (min(max(x, 0.0), float(canvas.width_px)), max(min(y, canvas.height_px - room), room))
 
 
 def _end(geometry: FrameGeometry, tilt_deg: float) -> Point2:

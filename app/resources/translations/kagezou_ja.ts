@@ -1500,6 +1500,10 @@
         <translation>カメラ</translation>
     </message>
     <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
         <source>Ground</source>
         <translation>地面</translation>
     </message>
@@ -3536,6 +3540,10 @@ Drop a folder of cels here.</source>
         <translation>After Effects</translation>
     </message>
     <message>
+        <source>Background position</source>
+        <translation>背景の位置</translation>
+    </message>
+    <message>
         <source>Cast</source>
         <translation>投影</translation>
     </message>
@@ -3660,6 +3668,10 @@ Drop a folder of cels here.</source>
         <translation>レイヤーの作画のアンカーポイントがキャンバスのどこに置かれるか。</translation>
     </message>
     <message>
+        <source>Where the middle of the background lies on the canvas: keyed, it pans.</source>
+        <translation>背景の中心がキャンバスのどこに置かれるか。キーを打つとパンします。</translation>
+    </message>
+    <message>
         <source>Whether shadows of like look unite where they meet; else each darkens what the others left.</source>
         <translation>同じ見た目の影が重なる所で一つになるか。オフでは重なるほど濃くなります。</translation>
     </message>
@@ -3698,6 +3710,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the figure rests on a broad base: a hem, or it sits or lies</source>
         <translation>人物が広い面で接地しています（裾、座り、寝そべりなど）</translation>
+    </message>
+    <message>
+        <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
+        <translation>光源を太陽にしました：ランプの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
     </message>
     <message>
         <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>

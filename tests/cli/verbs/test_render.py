@@ -178,7 +178,18 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
     names = [each["name"] for each in report["operations"]]
     places = ["ground position", "declination", "roll", "tilt", "grounding point"]
     simplifying = ["simplify", "distance", "light, simplified", "light, simplified, waves", "wave", "softness", "fade"]
-    assert names == ["light", *places, "opacity", *simplifying, "light on a set", "light on a mesh set", "frame step"]
+    assert names == [
+        "light",
+        "relief",
+        "moved cel",
+        "joined cels",
+        *places,
+        "opacity",
+        *simplifying,
+        "light on a set",
+        "light on a mesh set",
+        "frame step",
+    ]
     for each in report["operations"]:
         assert each["fps"] == pytest.approx(1000 / each["median_ms"], rel=0.02)
         assert each["ratio"] == pytest.approx(each["median_ms"] / report["copy_ms"], rel=0.05)

@@ -30,6 +30,10 @@ class ContactLine:
     def of(cast: ShadowCast) -> "ContactLine":
         ground = cast.receivers[0]
         origin, u, v = np.array(ground.origin), np.array(ground.u), np.array(ground.v)
+        if cast.card.contact_line is not None:
+            place, ahead = (np.array(each) for each in cast.card.contact_line)
+            start = ((place - origin) @ u, (place - origin) @ v)
+            return ContactLine.through(start, (start[0] + ahead @ u, start[1] + ahead @ v))
         if len(cast.card.pieces) > 1:
             first, last = (np.array(cast.card.contacts[end]) - origin for end in (0, -1))
             return ContactLine.through((first @ u, first @ v), (last @ u, last @ v))
@@ -147,6 +151,8 @@ def _reach(cast: ShadowCast, art: Art, line: ContactLine) -> tuple[tuple[float, 
         card = np.array(piece.plane)
         near = [a * seen[0] + b * seen[1] + c >= -np.hypot(a, b) for a, b, c in piece.limits]
         own = seen[:, np.logical_and.reduce(near)] if near else seen
+        if not own.size:
+            continue
         # The view ray through a texel meets the card at (π·E) X − (π·X) E.
         solid = (card @ eye) * own - np.outer(eye, card @ own)
         solid = solid[:, np.abs(solid[3]) > 1e-9]

@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import median
 from typing import Final
@@ -10,14 +10,17 @@ from typing import Final
 from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address
-from kagezou.document.edits import set_constant
-from kagezou.document.model import Document
+from kagezou.document.edits import add_layer, join_layer, set_constant, set_drawings
+from kagezou.document.figure_properties import POSITION
+from kagezou.document.model import Document, Drawing, drawing_size
 from kagezou.document.set_pieces import add_piece
 from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.document.values import value_at
+from kagezou.geometry.box import centred_offset
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from kagezou.standing.foot import Foot, FootPin, Verdict
 
 ROUNDS: Final = 60
 _WARM_UP: Final = 4
@@ -104,6 +107,9 @@ def _changes_of_place(document: Document) -> Iterator[tuple[str, Change]]:
     ground, grounding = Address(properties.GROUND_POSITION), Address(properties.GROUNDING, layer.id)
     place = value_at(document.tracks, properties.GROUND_POSITION, 1)
     yield "light", _moved_light(document)
+    yield "relief", _upon(_on_two_feet(document), _moved_light(document))
+    yield "moved cel", _setting(Address(POSITION, layer.id), lambda n: _beside(document, _sweep(n, 0.2 * height)))
+    yield "joined cels", _upon(_in_two_cels(document), _moved_light(document))
     yield "ground position", _setting(ground, lambda n: (place[0], place[1] + _sweep(n, 0.05 * height)))
     yield "declination", _setting(Address(properties.GROUND_DECLINATION), lambda n: 60.0 + _sweep(n, 12.0))
     yield "roll", _setting(Address(properties.GROUND_ROLL), lambda n: _sweep(n, 6.0))
@@ -131,6 +137,32 @@ def _changes_on_sets(document: Document, hills: Path) -> Iterator[tuple[str, Cha
     foot, height, light = _foot(document), document.layers[-1].figure.height, _moved_light(document)
     yield "light on a set", _upon(_in_a_set(document, foot, height), light)
     yield "light on a mesh set", _upon(_on_hills(document, foot, hills), light)
+
+
+def _on_two_feet(document: Document) -> Document:
+    """Return the document with its uppermost character on two feet that carry, one behind the other."""
+    layer, height = document.layers[-1], document.layers[-1].figure.height
+    x, y = _foot(document)
+    places = ((x - 0.09 * height, y), (x + 0.09 * height, y - 0.04 * height))
+
+    def standing(drawing: Drawing) -> Drawing:
+        left, top = centred_offset(document.canvas.box, *drawing_size(document.canvas, drawing))
+        feet = tuple(Foot(track, (at[0] - left, at[1] - top)) for track, at in enumerate(places))
+        return replace(drawing, feet=feet, pins=tuple(FootPin(foot.track, Verdict.PLANTED) for foot in feet))
+
+    return set_drawings(document, layer.id, tuple(map(standing, layer.cels.drawings)))
+
+
+def _in_two_cels(document: Document) -> Document:
+    """Return the document with the drawings of its uppermost character twice, as two cels of one figure."""
+    layer = document.layers[-1]
+    document = add_layer(document, f"{layer.name} part", layer.cels, layer.figure)
+    return join_layer(document, document.layers[-1].id, layer.id)
+
+
+def _beside(document: Document, away: float) -> tuple[float, float]:
+    x, y = document.canvas.box.middle
+    return (x + away, y)
 
 
 def _foot(document: Document) -> tuple[float, float]:

@@ -15,6 +15,7 @@ from kagezou.cli.demo.scenery import painted
 from kagezou.document.address import resolve
 from kagezou.document.edits import set_constant, set_key
 from kagezou.document.model import Document
+from kagezou.importing.feet import document_with_feet
 from kagezou.importing.staging import CharacterSource, new_document
 from kagezou.io.files.faults import output_problem
 from kagezou.io.images.writing import write_rgba
@@ -99,6 +100,7 @@ def make_demo(folder: Path, workers: int, progress: Callable[[int, int], None]) 
 def imported(drawings: Path, background: Path | None) -> Document:
     """Return the document of the demo's drawings, with its light on the move."""
     document = new_document([CharacterSource(CHARACTER, drawings)], background=background).document
+    document = document_with_feet(document, [layer.id for layer in document.layers]).document
     for path, value in _CONSTANTS.items():
         document = set_constant(document, resolve(document, path), value)
     for frame, place in _LIGHT.items():

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.terminal import note
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
@@ -54,9 +55,24 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     before = document = load(options.project)
     for text in options.assignments:
         document = _assigned(document, text, options.frame, interpolation)
-    if document is not before:
-        save(document, options.project)
+    if document is before:
+        return 0
+    if _are_moved(before, document):
+        from kagezou.importing.lighting import relit
+
+        document, said = relit(document)
+        for sentence in said:
+            note(sentence)
+    save(document, options.project)
     return 0
+
+
+def _are_moved(before: "Document", after: "Document") -> bool:
+    """Whether layers move their drawings otherwise than before."""
+    from kagezou.document.figure_properties import PLACEMENT_LINES
+
+    pairs = zip(before.layers, after.layers, strict=True)
+    return any(old.tracks.get(prop.name) != new.tracks.get(prop.name) for old, new in pairs for prop in PLACEMENT_LINES)
 
 
 def _assigned(document: "Document", text: str, frame: int | None, interpolation: "Interpolation | None") -> "Document":

@@ -159,6 +159,7 @@ class Inspector(QScrollArea):
     def _title(self, prop: AnyProperty) -> str:
         titles: dict[str, Callable[[], str]] = {
             "camera": lambda: self.tr("Camera"),
+            "background": lambda: self.tr("Background"),
             "ground": lambda: self.tr("Ground"),
             "light": lambda: self.tr("Light"),
             "shadow": lambda: self.tr("Shadow"),
@@ -196,8 +197,8 @@ class Inspector(QScrollArea):
         camera, ground = camera_at(document, frame), ground_at(document, frame)
         cards = [card_at(document, document.layer(each), frame, camera, ground) for each in ids]
         row = self.row(properties.TILT.name)
-        row.set_editable(editable=all(len(card.contacts) < 2 for card in cards))
-        if len(cards) == 1 and len(cards[0].contacts) >= 2:
+        row.set_editable(editable=not any(card.is_tilt_measured for card in cards))
+        if len(cards) == 1 and cards[0].is_tilt_measured:
             row.editor.show_value(cards[0].tilt_deg)
 
 

@@ -1,0 +1,129 @@
+"""The ground and the light of characters that were just brought in, and of those that were then made to travel."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final
+
+import numpy as np
+
+from kagezou.document.address import Address
+from kagezou.document.edits import set_constant
+from kagezou.document.model import Document, parts_of
+from kagezou.document.properties import (
+    GROUND_POSITION,
+    LIGHT_AZIMUTH,
+    LIGHT_ELEVATION,
+    LIGHT_KIND,
+    LIGHT_POSITION,
+)
+from kagezou.document.values import value_at
+from kagezou.geometry.box import around
+from kagezou.geometry.light import lamp
+from kagezou.geometry.placement import canvas_from_centred
+from kagezou.geometry.vectors import Matrix
+from kagezou.importing.figures import Figure, MeasuredFigure, measured_figure
+from kagezou.importing.first_light import MOST_TURN_DEG, FirstLight, first_light
+from kagezou.importing.travel import Station, stations, turn_of_shadows
+from kagezou.message import Message
+from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.scene.placing import PLACING, figure_box, placement_at
+
+_MOST_FRAMES: Final = 64
+"""So many frames stand for all of a cut when it is asked how a figure travels."""
+
+
+def with_ground_and_light(document: Document, figures_seen: Mapping[str, MeasuredFigure]) -> Document:
+    """Return the document with the ground under its lowest figure, and a light that is good over the whole cut.
+
+    Parameters
+    ----------
+    document
+        With all layers of the figures.
+    figures_seen
+        By layer.
+    """
+    canvas_box = document.canvas.box
+    figures = [look.figure for look in figures_seen.values() if look.figure is not None]
+    if not figures:
+        return set_constant(document, Address(GROUND_POSITION), (canvas_box.width / 2, float(canvas_box.height)))
+    lowest = max(figures, key=lambda figure: figure.foot[1])
+    document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
+    later = np.concatenate([look.later for look in figures_seen.values()])
+    return _lit(document, _light(document, figures, later, list(_drawn_ways(document, figures_seen))))
+
+
+def relit(document: Document) -> tuple[Document, tuple[Message, ...]]:
+    """Return the document with the sun where its first lamp would swing the shadows of moved layers, and what to say.
+
+    A light that anybody has set stays; and the same document comes back where the shadows turn by little.
+    """
+    ways = list(_shown_ways(document)) if _has_a_lamp_alone(document) else []
+    first = value_at(document.tracks, LIGHT_POSITION, 1)
+    if turn_of_shadows(camera_at(document, 1), ground_at(document, 1), lamp(first), ways) <= MOST_TURN_DEG:
+        return document, ()
+    looks = [measured_figure(layer.cels.drawings, document.canvas.box) for layer in document.layers]
+    figures = [look.figure for look in looks if look.figure is not None]
+    drawn = np.concatenate([look.later for look in looks])
+    if not figures or _light(document, figures, drawn, ()).lamp != first:
+        return document, ()
+    light = _light(document, figures, np.concatenate(list(_moved_outlines(document, looks))), ways)
+    note = Message("the light is the sun now: near a lamp the shadow would turn round while the figure travels")
+    return _lit(document, light), (note,)
+
+
+def _has_a_lamp_alone(document: Document) -> bool:
+    """Whether the light may be that of the import, and layers move their drawings."""
+    place = document.tracks.get(LIGHT_POSITION.name)
+    is_first = place is not None and not place.is_keyed
+    is_first &= document.tracks.keys().isdisjoint(prop.name for prop in (LIGHT_KIND, LIGHT_AZIMUTH, LIGHT_ELEVATION))
+    return is_first and not all(layer.tracks.keys().isdisjoint(PLACING) for layer in document.layers)
+
+
+def _light(
+    document: Document, figures: Sequence[Figure], later: Matrix, ways: Sequence[Sequence[Station]]
+) -> FirstLight:
+    return first_light(document.canvas.box, camera_at(document, 1), ground_at(document, 1), figures, later, ways)
+
+
+def _lit(document: Document, light: FirstLight) -> Document:
+    """Return the document in a light; the lamp's place is kept also where the sun shines."""
+    document = set_constant(document, Address(LIGHT_POSITION), light.lamp)
+    if light.sun is None:
+        return document
+    azimuth, elevation = light.sun
+    document = set_constant(document, Address(LIGHT_KIND), "sun")
+    document = set_constant(document, Address(LIGHT_AZIMUTH), azimuth)
+    return set_constant(document, Address(LIGHT_ELEVATION), elevation)
+
+
+def _drawn_ways(document: Document, figures_seen: Mapping[str, MeasuredFigure]) -> Iterator[tuple[Station, ...]]:
+    """Yield the stations of each figure as its own drawings go; its parts only say how far it reaches."""
+    for layer in document.layers:
+        own = figures_seen[layer.id].boxes
+        if layer.joins is None and own:
+            parts = (figures_seen[part.id].boxes for part in parts_of(document, layer.id))
+            whole = around(*(boxes[0] for boxes in parts if boxes)) or own[0]
+            yield stations(own, above_px=own[0].top - whole.top, below_px=whole.bottom - own[0].bottom)
+
+
+def _shown_ways(document: Document) -> Iterator[tuple[Station, ...]]:
+    """Yield the stations of each figure as the cut shows it."""
+    for layer in document.layers:
+        if layer.joins is None:
+            yield stations([figure_box(document, layer.id, frame) for frame in _frames(document)])
+
+
+def _moved_outlines(document: Document, looks: Sequence[MeasuredFigure]) -> Iterator[Matrix]:
+    """Yield the first figures' outlines (N, 2) where their layers move them, canvas px."""
+    for layer, look in zip(document.layers, looks, strict=True):
+        if look.figure is None:
+            continue
+        points = np.column_stack([outline := look.figure.outline(), np.ones(len(outline))])
+        for frame in _frames(document):
+            moving = canvas_from_centred(placement_at(document, layer, frame))
+            yield points @ moving[:2].T
+
+
+def _frames(document: Document) -> list[int]:
+    """Return some frames evenly spread over the cut, the first and the last among them."""
+    length = document.canvas.length_frames
+    return [round(each) for each in np.linspace(1, length, min(length, _MOST_FRAMES))]
