@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from kagezou.document.edits import rename_layer, set_background
-from kagezou.document.model import Document
+from kagezou.document.edits import rename_layer, set_background_cels
+from kagezou.document.model import Cels, Document, Drawing, Exposure
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, template, write_bundle
@@ -75,12 +75,13 @@ def test_the_bundle_passes_the_specifications_own_checks(document: Document, tmp
 
 
 def test_the_bundle_names_what_a_worker_needs(document: Document, tmp_path: Path) -> None:
-    document = set_background(document, tmp_path / "bg.png")
+    street = tuple(Drawing(name, tmp_path / name) for name in ("bg_1.png", "bg_2.png"))
+    document = set_background_cels(document, Cels(street, (Exposure(1, 0), Exposure(3, 1))))
     job, project = bundle(document, tmp_path)
     assets = json.loads((job.parent / ASSETS).read_text())["assetReferences"]
     assert str(project) in assets["inputs"]["filenames"]
-    assert str(tmp_path / "bg.png") in assets["inputs"]["filenames"]
-    assert len(assets["inputs"]["filenames"]) == 8
+    assert {str(drawing.path) for drawing in street} < set(assets["inputs"]["filenames"])
+    assert len(assets["inputs"]["filenames"]) == 9
     assert assets["outputs"]["directories"] == [str(tmp_path / "out")]
     values = json.loads((job.parent / PARAMETERS).read_text())["parameterValues"]
     assert {"name": "Frames", "value": "1-24"} in values

@@ -18,7 +18,6 @@ from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
 from kagezou.io.sets.gltf import files_beside
 from kagezou.message import Message
-from kagezou.picture_source import file_of
 
 TEMPLATE: Final = "template.json"
 PARAMETERS: Final = "parameter_values.json"
@@ -196,8 +195,7 @@ def _values(document: Document, request: FarmRequest) -> list[Json]:
 def _assets(document: Document, request: FarmRequest) -> Json:
     """Return what must be there on a worker: the project, every picture it shows and every set."""
     pictures = {drawing.path for layer in document.layers for drawing in layer.cels.drawings}
-    if document.background is not None:
-        pictures.add(file_of(document.background))
+    pictures |= {drawing.path for drawing in document.behind.drawings}
     for piece in document.pieces:
         if piece.source is not None:
             pictures |= {piece.source, *files_beside(piece.source)}

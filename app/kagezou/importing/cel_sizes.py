@@ -11,6 +11,8 @@ from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import ImageInfo, probe
 from kagezou.message import Message
 
+MAX_SIDE_PX: Final = 16384
+
 _SHOWN: Final = 3
 """So many drawings that cannot be opened are named."""
 
@@ -32,6 +34,21 @@ class MeasuredCels:
     drawings: tuple[Drawing, ...]
     size_px: tuple[int, int]
     notes: tuple[Message, ...]
+
+
+def canvas_size(size_px: tuple[int, int]) -> tuple[int, int]:
+    """Return the size of pictures as that of a canvas, px; raises InputProblem where that is too large."""
+    if max(size_px) > MAX_SIDE_PX:
+        raise InputProblem(
+            Message(
+                "a canvas of {width} × {height} px, as the pictures have it, "
+                "is larger than {most_side_px} px; please give a size",
+                width=size_px[0],
+                height=size_px[1],
+                most_side_px=MAX_SIDE_PX,
+            )
+        )
+    return size_px
 
 
 def measured_cels(name: str, drawings: tuple[Drawing, ...], progress: Progress) -> MeasuredCels:

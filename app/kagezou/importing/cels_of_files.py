@@ -225,17 +225,25 @@ def _some(names: Iterable[str]) -> str:
 
 
 def _new_cels(name: str, sequence: Sequence, source: CharacterSource, progress: Progress) -> NewCels:
-    cels = Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
+    cels = cels_of(sequence)
     measured = measured_cels(name, cels.drawings, progress)
     cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
-    notes = [*measured.notes, *on_paper]
-    if sequence.gaps and not source.is_timed:
-        notes.insert(
-            0,
-            Message("{name}: missing {gaps}; the drawing before is held", name=name, gaps=format_frames(sequence.gaps)),
-        )
+    gaps = () if source.is_timed else gap_notes(name, sequence)
     last = cels.exposures[-1].frame
-    return NewCels(name, cels, measured.size_px, last, tuple(notes))
+    return NewCels(name, cels, measured.size_px, last, (*gaps, *measured.notes, *on_paper))
+
+
+def cels_of(sequence: Sequence) -> Cels:
+    """Return numbered pictures as drawings, exposed as their numbers say."""
+    return Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
+
+
+def gap_notes(name: str, sequence: Sequence) -> tuple[Message, ...]:
+    """Return what is to be said about numbers that no file has."""
+    if not sequence.gaps:
+        return ()
+    gaps = format_frames(sequence.gaps)
+    return (Message("{name}: missing {gaps}; the drawing before is held", name=name, gaps=gaps),)
 
 
 def _drawing(file: NumberedFile) -> Drawing:

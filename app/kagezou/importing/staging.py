@@ -8,9 +8,11 @@ from pathlib import Path
 from kagezou.document.edits import add_layer, join_layer, set_background, set_canvas
 from kagezou.document.model import Canvas, Document
 from kagezou.document.set_pieces import stood_up, stood_up_notes
-from kagezou.errors import InputProblem, UsageProblem
+from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
+from kagezou.importing.background_pictures import background_of, with_background
 from kagezou.importing.cel_notes import notes_on
+from kagezou.importing.cel_sizes import canvas_size
 from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
 from kagezou.importing.figures import MeasuredFigure, measured_figure
 from kagezou.importing.imported import Imported
@@ -19,16 +21,14 @@ from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.timesheet_on_document import timed
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe
-from kagezou.io.project.paths import absolute
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts import read_timesheet
 from kagezou.message import Message
-from kagezou.picture_source import PicturePart, PictureSource
+from kagezou.picture_source import PicturePart
 
 STILL_LENGTH_FRAMES = 24
 """The cut of a project that has only stills."""
 
-MAX_SIDE_PX = 16384
 DEFAULT_SIZE_PX = (1920, 1080)
 __all__ = [
     "Brought",
@@ -80,9 +80,9 @@ def new_document(
     sources
         The characters from bottom to top.
     background
-        A picture under everything.
+        A picture under everything, or a folder or a pattern of pictures.
     size
-        Canvas width and height, px; else the background's size, else that of the largest drawing.
+        Canvas width and height, px; else that of the background's largest picture, else that of the largest drawing.
     frame_rate
         Frames a second.
     watch
@@ -96,10 +96,12 @@ def new_document(
         A name is no name for a layer.
     """
     read = _read(sources, progress)
-    own = None if background is None else absolute(background)
-    width, height = size or _natural_size(own or next(iter(read.backgrounds), None), read.characters)
+    behind = None if background is None else background_of(background, progress)
+    width, height = size or _natural_size(behind, read)
     document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
-    document = set_background(document, own)
+    if behind is not None:
+        document = with_background(document, behind)
+        read = replace(read, notes=(*behind.notes, *read.notes))
     read = replace(read, figures_seen=_looks(read.characters, document.canvas.box, progress))
     progress(LoadPhase.LIGHTING, 0, 0)
     return put_in(document, read)
@@ -186,25 +188,16 @@ def _looks(characters: Sequence[NewCels], canvas: Box, progress: Progress) -> tu
     return tuple(measured_figure(character.cels.drawings, canvas, progress) for character in characters)
 
 
-def _natural_size(background: PictureSource | None, characters: Sequence[NewCels]) -> tuple[int, int]:
-    if background is not None:
-        info = probe(background)
-        size = (info.width_px, info.height_px)
-    elif characters:
-        size = (max(each.size_px[0] for each in characters), max(each.size_px[1] for each in characters))
-    else:
-        size = DEFAULT_SIZE_PX
-    if max(size) > MAX_SIDE_PX:
-        raise InputProblem(
-            Message(
-                "a canvas of {width} × {height} px, as the pictures have it, "
-                "is larger than {most_side_px} px; please give a size",
-                width=size[0],
-                height=size[1],
-                most_side_px=MAX_SIDE_PX,
-            )
-        )
-    return size
+def _natural_size(behind: NewCels | None, read: Brought) -> tuple[int, int]:
+    if behind is not None:
+        return canvas_size(behind.size_px)
+    if read.backgrounds:
+        info = probe(read.backgrounds[0])
+        return canvas_size((info.width_px, info.height_px))
+    if not read.characters:
+        return DEFAULT_SIZE_PX
+    widths, heights = zip(*(each.size_px for each in read.characters), strict=True)
+    return canvas_size((max(widths), max(heights)))
 
 
 def put_in(document: Document, read: Brought) -> Imported:

@@ -11,6 +11,7 @@
         save: ja ? "\u30b9\u30af\u30ea\u30d7\u30c8\u3092\u4fdd\u5b58\u3057\u3066\u304b\u3089\u5b9f\u884c\u3057\u3066\u304f\u3060\u3055\u3044\u3002" : "Run this script from its file, not as pasted text.",
         failed: ja ? "Kagezou: \u8aad\u307f\u8fbc\u307f\u306b\u5931\u6557\u3057\u307e\u3057\u305f\u3002\n" : "Kagezou: the import failed.\n",
         kept: ja ? "Kagezou: After Effects \u3067\u5909\u66f4\u3055\u308c\u305f\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306e\u4e0d\u900f\u660e\u5ea6\u306f\u305d\u306e\u307e\u307e\u6b8b\u3057\u307e\u3057\u305f:\n" : "Kagezou: the opacity of these layers was changed in After Effects and is left as it is:\n",
+        placed: ja ? "Kagezou: After Effects \u3067\u5909\u66f4\u3055\u308c\u305f\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306e\u30c8\u30e9\u30f3\u30b9\u30d5\u30a9\u30fc\u30e0\u306f\u305d\u306e\u307e\u307e\u6b8b\u3057\u307e\u3057\u305f:\n" : "Kagezou: the transform of these layers was changed in After Effects and is left as it is:\n",
         gone: ja ? "Kagezou: \u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306f Kagezou \u306e\u30d7\u30ed\u30b8\u30a7\u30af\u30c8\u306b\u3082\u3046\u306a\u3044\u305f\u3081\u3001\u975e\u8868\u793a\u306b\u3057\u307e\u3057\u305f:\n" : "Kagezou: these layers are no longer in the Kagezou project and were switched off:\n",
         other: ja ? "\u540c\u3058\u540d\u524d\u306e Kagezou \u306e\u5f71\u304c\u3001\u5225\u306e\u30d5\u30a9\u30eb\u30c0\u30fc\u304b\u3089\u3059\u3067\u306b\u8aad\u307f\u8fbc\u307e\u308c\u3066\u3044\u307e\u3059:\n" : "Kagezou shadows of the same name are already in this project, from another folder:\n",
         replace: ja ? "\n\n\u3053\u306e\u30d5\u30a9\u30eb\u30c0\u30fc\u306e\u5185\u5bb9\u3067\u7f6e\u304d\u63db\u3048\u307e\u3059\u304b\uff1f\u300c\u3044\u3044\u3048\u300d\u3067\u306f\u5225\u306e\u30ab\u30c3\u30c8\u3068\u3057\u3066\u4e26\u3079\u3066\u8aad\u307f\u8fbc\u307f\u307e\u3059\u3002" : "\n\nReplace them with those of this folder? With No they are imported beside them, as another cut."
@@ -20,6 +21,7 @@
     var title = "";
     var known = {};
     var kept = [];
+    var placed = [];
     var gone = [];
 
     /* Importing takes a while; few items are there before a window would be. */
@@ -99,14 +101,39 @@
     }
 
     function stateOf(property, shift) {
+        return stateOfPart(property, shift, -1);
+    }
+
+    /* Of a property of several numbers one of them, from 0; -1 for a number. A place has one ease for all of them. */
+    function stateOfPart(property, shift, part) {
         if (property.numKeys === 0) {
-            return checksum(String(rounded(property.value)));
+            return checksum(String(rounded(numberOf(property.value, part))));
         }
         var said = [];
         for (var i = 1; i <= property.numKeys; i++) {
-            said.push(rounded((property.keyTime(i) - shift) * HAND_OFF.frame_rate), rounded(property.keyValue(i)));
+            var into = property.keyInTemporalEase(i);
+            var out = property.keyOutTemporalEase(i);
+            var ease = Math.min(Math.max(part, 0), into.length - 1);
+            said.push(rounded((property.keyTime(i) - shift) * HAND_OFF.frame_rate), rounded(numberOf(property.keyValue(i), part)));
             said.push(String(property.keyInInterpolationType(i)), String(property.keyOutInterpolationType(i)));
-            said.push(rounded(property.keyInTemporalEase(i)[0].influence), rounded(property.keyOutTemporalEase(i)[0].influence));
+            said.push(rounded(into[ease].influence), rounded(out[ease].influence));
+        }
+        return checksum(said.join(" "));
+    }
+
+    function numberOf(value, part) {
+        return part < 0 ? value : value[part];
+    }
+
+    /* How a layer lies, moves and turns. */
+    function stateOfPlace(layer) {
+        var transform = layer.property("ADBE Transform Group");
+        var shift = layer.startTime;
+        var position = transform.property("ADBE Position");
+        var said = [stateOf(transform.property("ADBE Rotate Z"), shift)];
+        for (var part = 0; part < 2; part++) {
+            said.push(stateOfPart(transform.property("ADBE Anchor Point"), shift, part), stateOfPart(transform.property("ADBE Scale"), shift, part));
+            said.push(position.dimensionsSeparated ? stateOf(transform.property("ADBE Position_" + part), shift) : "one" + stateOfPart(position, shift, part));
         }
         return checksum(said.join(" "));
     }
@@ -123,12 +150,15 @@
     function memoryOf(layer) {
         var parts = (layer.comment.split(" #")[layer.comment.split(" #").length - 1] || "").split(",");
         var isThere = layer.comment.indexOf(" #") >= 0 && parts.length >= 4;
-        return { opacity: isThere ? parts[0] : "", bounds: isThere ? parts[1] : "", remap: isThere ? parts[2] : "r", gone: isThere && parts[3] === "off", colors: parts[4] || "" };
+        return { opacity: isThere ? parts[0] : "", bounds: isThere ? parts[1] : "", remap: isThere ? parts[2] : "r", gone: isThere && parts[3] === "off", colors: parts[4] || "", place: parts[5] || "" };
     }
 
     function remember(layer, tag, memory) {
         var said = [memory.opacity, memory.bounds, memory.remap, memory.gone ? "off" : "on"];
-        layer.comment = tagOf(tag) + " #" + said.concat(memory.colors ? [memory.colors] : []).join(",");
+        if (memory.colors || memory.place) {
+            said.push(memory.colors);
+        }
+        layer.comment = tagOf(tag) + " #" + said.concat(memory.place ? [memory.place] : []).join(",");
     }
 
     function folderOf(name, parent) {
@@ -252,6 +282,53 @@
             /* Behind the eases, for these make both sides bezier. */
             property.setInterpolationTypeAtKey(i + 1, KeyframeInterpolationType[key.into], KeyframeInterpolationType[key.out]);
         }
+    }
+
+    /* Two numbers of one property, with straight lines between places. */
+    function animatePair(property, pair, shift) {
+        if (pair.keys.length === 0) {
+            clearKeys(property);
+            property.setValue(pair.value);
+            return;
+        }
+        var times = [];
+        var values = [];
+        var i;
+        for (i = 0; i < pair.keys.length; i++) {
+            times.push(pair.keys[i].time + shift);
+            values.push(pair.keys[i].value);
+        }
+        setKeys(property, times, values);
+        for (i = 0; i < pair.keys.length; i++) {
+            var key = pair.keys[i];
+            if (property.isSpatial) {
+                var straight = zeros(property.keyInSpatialTangent(i + 1).length);
+                property.setSpatialAutoBezierAtKey(i + 1, false);
+                property.setSpatialTangentsAtKey(i + 1, straight, straight);
+            } else if (key.into === "BEZIER" || key.out === "BEZIER") {
+                var count = property.keyInTemporalEase(i + 1).length;
+                property.setTemporalEaseAtKey(i + 1, eases(key.ease_in, count), eases(key.ease_out, count));
+            }
+            property.setInterpolationTypeAtKey(i + 1, KeyframeInterpolationType[key.into], KeyframeInterpolationType[key.out]);
+        }
+    }
+
+    function zeros(count) {
+        var made = [];
+        for (var i = 0; i < count; i++) {
+            made.push(0);
+        }
+        return made;
+    }
+
+    /* A flat layer's scale too has a third number, and wants an ease for it. */
+    function eases(known, count) {
+        var made = [];
+        for (var i = 0; i < count; i++) {
+            var ease = known[Math.min(i, known.length - 1)];
+            made.push(new KeyframeEase(ease[0], ease[1]));
+        }
+        return made;
     }
 
     function hold(property, times, values) {
@@ -386,6 +463,70 @@
         layer.outPoint = HAND_OFF.duration;
     }
 
+    /* On whole pixels, as Kagezou lays it; the middle alone would blur it. */
+    function middleOf(comp, source) {
+        var left = Math.floor((comp.width - source.width) / 2);
+        var top = Math.floor((comp.height - source.height) / 2);
+        return [left + source.width / 2, top + source.height / 2];
+    }
+
+    function isInMiddle(comp, layer) {
+        var transform = layer.property("ADBE Transform Group");
+        var position = transform.property("ADBE Position");
+        var scale = transform.property("ADBE Scale");
+        var anchor = transform.property("ADBE Anchor Point");
+        var turned = transform.property("ADBE Rotate Z");
+        if (position.dimensionsSeparated || position.numKeys + scale.numKeys + anchor.numKeys + turned.numKeys > 0 || turned.value !== 0) {
+            return false;
+        }
+        var middle = middleOf(comp, layer.source);
+        for (var i = 0; i < 2; i++) {
+            var side = i === 0 ? layer.source.width : layer.source.height;
+            if (Math.abs(scale.value[i] - 100) > 0.01 || Math.abs(position.value[i] - anchor.value[i] - middle[i] + side / 2) > 0.51) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    function putInMiddle(comp, layer) {
+        var transform = layer.property("ADBE Transform Group");
+        var position = transform.property("ADBE Position");
+        clearKeys(transform.property("ADBE Position_0"));
+        clearKeys(transform.property("ADBE Position_1"));
+        position.dimensionsSeparated = false;
+        clearKeys(position);
+        position.setValue(middleOf(comp, layer.source));
+        animatePair(transform.property("ADBE Anchor Point"), { value: [layer.source.width / 2, layer.source.height / 2], keys: [] }, 0);
+        animatePair(transform.property("ADBE Scale"), { value: [100, 100], keys: [] }, 0);
+        animate(transform.property("ADBE Rotate Z"), { value: 0, keys: [] }, 0);
+    }
+
+    /* A layer that the user moved stays where it is. */
+    function setPlace(comp, layer, wanted, memory) {
+        if (!wanted && memory.place === "") {
+            return;
+        }
+        if (memory.place === "" ? !isInMiddle(comp, layer) : memory.place !== stateOfPlace(layer)) {
+            placed.push(layer.name);
+            return;
+        }
+        if (!wanted) {
+            putInMiddle(comp, layer);
+            memory.place = "";
+            return;
+        }
+        var transform = layer.property("ADBE Transform Group");
+        /* Each number has its curve, as in Kagezou. */
+        transform.property("ADBE Position").dimensionsSeparated = true;
+        animate(transform.property("ADBE Position_0"), wanted.x, layer.startTime);
+        animate(transform.property("ADBE Position_1"), wanted.y, layer.startTime);
+        animatePair(transform.property("ADBE Anchor Point"), wanted.anchor, layer.startTime);
+        animatePair(transform.property("ADBE Scale"), wanted.scale, layer.startTime);
+        animate(transform.property("ADBE Rotate Z"), wanted.rotation, layer.startTime);
+        memory.place = stateOfPlace(layer);
+    }
+
     function addLayer(comp, wanted, items) {
         var layer = comp.layers.add(items[wanted.footage]);
         layer.name = wanted.name;
@@ -393,15 +534,12 @@
         layer.startTime = 0;
         var source = items[wanted.footage];
         if ((comp.width - source.width) % 2 !== 0 || (comp.height - source.height) % 2 !== 0) {
-            /* On whole pixels, as Kagezou lays it; the middle alone would blur it. */
-            var left = Math.floor((comp.width - source.width) / 2);
-            var top = Math.floor((comp.height - source.height) / 2);
-            layer.property("ADBE Transform Group").property("ADBE Position").setValue([left + source.width / 2, top + source.height / 2]);
+            layer.property("ADBE Transform Group").property("ADBE Position").setValue(middleOf(comp, source));
         }
         return layer;
     }
 
-    /* Only what is as the script left it is changed: opacity and trimming of the user's own stay. */
+    /* Only what is as the script left it is changed: place, opacity and trimming of the user's own stay. */
     function putLayer(comp, wanted, items) {
         var layer = findLayer(comp, wanted.tag);
         var isNew = layer === null;
@@ -434,6 +572,7 @@
         } else {
             kept.push(layer.name);
         }
+        setPlace(comp, layer, wanted.transform, memory);
         if (memory.bounds === "" || memory.bounds === boundsOf(layer)) {
             setBounds(layer);
             memory.bounds = boundsOf(layer);
@@ -670,6 +809,9 @@
         var said = [];
         if (kept.length > 0) {
             said.push(WORDS.kept + kept.join("\n"));
+        }
+        if (placed.length > 0) {
+            said.push(WORDS.placed + placed.join("\n"));
         }
         if (gone.length > 0) {
             said.push(WORDS.gone + gone.join("\n"));

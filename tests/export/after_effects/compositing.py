@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.io.images.reading import read_cel
-from tests.export.after_effects.extendscript import Run, property_of, value_at
+from tests.export.after_effects.extendscript import Run, pair_at, place_at, property_of, value_at
 
 Pixels = NDArray[np.uint8]
 
@@ -31,6 +31,7 @@ def _laid(run: Run, layer: dict[str, Any], under: Pixels, frame: int, rate: floa
     pixels = _source(run, layer, frame, rate)
     for effect in layer["groups"]["ADBE Effect Parade"]["children"].values():
         pixels = _with_effect(effect, pixels, time)
+    pixels = _moved(layer, pixels, under.shape[:2], time)
     opacity = value_at(property_of(layer, "ADBE Transform Group", "ADBE Opacity"), time) / 100
     over, below = pixels / 255, under / 255
     alpha, covered = over[..., 3:] * opacity, below[..., 3:]
@@ -43,6 +44,32 @@ def _laid(run: Run, layer: dict[str, Any], under: Pixels, frame: int, rate: floa
     light = alpha * (1 - covered) * over[..., :3] + alpha * covered * blended + (1 - alpha) * covered * below[..., :3]
     color = light / np.where(whole > 0, whole, 1)
     return np.asarray(np.rint(np.concatenate([color, whole], -1) * 255), np.uint8)
+
+
+def _moved(layer: dict[str, Any], pixels: Pixels, shape: tuple[int, ...], time: float) -> Pixels:
+    """Return a layer's pixels where they lie in its composition: sampled between texels, weighted by alpha."""
+    transform = ("ADBE Transform Group",)
+    anchor = pair_at(property_of(layer, *transform, "ADBE Anchor Point"), time)
+    scale = np.array(pair_at(property_of(layer, *transform, "ADBE Scale"), time)) / 100
+    turn = np.deg2rad(value_at(property_of(layer, *transform, "ADBE Rotate Z"), time))
+    linear = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]) * scale
+    rows, columns = np.indices(shape)
+    away = np.stack([columns + 0.5, rows + 0.5]) - np.reshape(place_at(layer, time), (2, 1, 1))
+    x, y = np.einsum("ij,jrc->irc", np.linalg.inv(linear), away) + np.reshape(anchor, (2, 1, 1)) - 0.5
+    x, y = np.round(x, 9), np.round(y, 9)
+    light = pixels / 255.0
+    light[..., :3] *= light[..., 3:]
+    height, width = pixels.shape[:2]
+    taken = np.zeros((*shape, 4))
+    left, top = np.floor(x).astype(int), np.floor(y).astype(int)
+    for down in (0, 1):
+        for over in (0, 1):
+            column, row = left + over, top + down
+            part = (1 - np.abs(x - column)) * (1 - np.abs(y - row))
+            part[(column < 0) | (row < 0) | (column >= width) | (row >= height)] = 0
+            taken += part[..., np.newaxis] * light[row.clip(0, height - 1), column.clip(0, width - 1)]
+    taken[..., :3] /= np.where(taken[..., 3:] > 0, taken[..., 3:], 1)
+    return np.asarray(np.rint(taken * 255), np.uint8)
 
 
 def _source(run: Run, layer: dict[str, Any], frame: int, rate: float) -> Pixels:

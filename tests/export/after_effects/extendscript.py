@@ -90,6 +90,33 @@ def value_at(channel: dict[str, Any], time: float) -> float:
     return float((1 - u) ** 3 * start + 3 * (1 - u) ** 2 * u * y1 + 3 * (1 - u) * u**2 * y2 + u**3 * end)
 
 
+def pair_at(channel: dict[str, Any], time: float) -> tuple[float, float]:
+    """Evaluate keys of several numbers, of which the first two count."""
+    assert not any(key["is_curved"] for key in channel["keys"]), "a path that bends between its keys"
+    x, y = (value_at(_part(channel, part), time) for part in (0, 1))
+    return (x, y)
+
+
+def place_at(layer: dict[str, Any], time: float) -> tuple[float, float]:
+    """Return the position of a layer, in one or in dimensions of their own."""
+    position = property_of(layer, "ADBE Transform Group", "ADBE Position")
+    if not position["separated"]:
+        return pair_at(position, time)
+    names = ("ADBE Position_0", "ADBE Position_1")
+    x, y = (value_at(property_of(layer, "ADBE Transform Group", name), time) for name in names)
+    return (x, y)
+
+
+def _part(channel: dict[str, Any], part: int) -> dict[str, Any]:
+    keys = [
+        key
+        | {"value": key["value"][part]}
+        | {side: key[side][part] for side in ("ease_in", "ease_out") if isinstance(key[side], list)}
+        for key in channel["keys"]
+    ]
+    return {"value": channel["value"][part], "keys": keys}
+
+
 def checkers() -> Path:
     """Return the folder of the parser and the type checker, fetched once into the virtual environment."""
     folder = Path(sys.prefix) / "extendscript"

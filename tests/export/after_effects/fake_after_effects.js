@@ -15,31 +15,44 @@ class Property {
     constructor(matchName, value, dimensions) {
         this.matchName = matchName; this.name = matchName; this.value = value; this.dimensions = dimensions || 1;
         this.keys = []; this.enabledKeys = true; this.children = {};
+        this.isSpatial = ["ADBE Position", "ADBE Anchor Point"].includes(matchName);
+        /* Scale has a third number in flat layers too; a place has one ease for all of its numbers. */
+        this.eases = matchName === "ADBE Scale" ? 3 : 1;
     }
     get numKeys() { return this.keys.length; }
     setValue(value) {
         if (this.keys.length) throw new Error("After Effects: a value is set although there are keys: " + this.matchName);
+        this._open();
         for (const part of [].concat(value)) if (typeof part === "number" && !Number.isFinite(part)) throw new Error("After Effects: a value is no number");
         this.value = value;
     }
     setValueAtTime(time, value) { this.setValuesAtTimes([time], [value]); }
+    _open() { if (this.isShut && this.isShut()) throw new Error("After Effects: hidden by the dimensions: " + this.matchName); }
     setValuesAtTimes(list, values) {
+        this._open();
         if (list.length !== values.length) throw new Error("After Effects: times and values differ in number");
         list.forEach((time, i) => {
             if (!Number.isFinite(time)) throw new Error("After Effects: a time is no number");
-            if (typeof values[i] === "number" && !Number.isFinite(values[i])) throw new Error("After Effects: a value is no number");
+            for (const part of [].concat(values[i])) if (typeof part === "number" && !Number.isFinite(part)) throw new Error("After Effects: a value is no number");
             const old = this.keys.find((key) => Math.abs(key.time - time) < 1e-9);
             if (old) old.value = values[i];
-            else this.keys.push({ time, value: values[i], into: "LINEAR", out: "LINEAR", ease_in: null, ease_out: null });
+            else this.keys.push({ time, value: values[i], into: "LINEAR", out: "LINEAR", ease_in: null, ease_out: null, is_curved: this.isSpatial });
         });
         this.keys.sort((a, b) => a.time - b.time);
     }
     keyTime(index) { return this._key(index).time; }
-    keyValue(index) { const value = this._key(index).value; return value !== null && typeof value === "object" ? Object.assign({}, value) : value; }
+    keyValue(index) { const value = this._key(index).value; if (Array.isArray(value)) return value.slice(); return value !== null && typeof value === "object" ? Object.assign({}, value) : value; }
     keyInInterpolationType(index) { return this._key(index).into; }
     keyOutInterpolationType(index) { return this._key(index).out; }
-    keyInTemporalEase(index) { return [this._key(index).ease_in || { speed: 0, influence: 16.666666667 }]; }
-    keyOutTemporalEase(index) { return [this._key(index).ease_out || { speed: 0, influence: 16.666666667 }]; }
+    keyInTemporalEase(index) { return this._eases(this._key(index).ease_in); }
+    keyOutTemporalEase(index) { return this._eases(this._key(index).ease_out); }
+    _eases(known) { return known ? [].concat(known) : new Array(this.eases).fill({ speed: 0, influence: 16.666666667 }); }
+    keyInSpatialTangent(index) { this._key(index); if (!this.isSpatial) throw new Error("After Effects: no tangents"); return [0, 0, 0]; }
+    setSpatialAutoBezierAtKey(index, on) { this._key(index).is_curved = on; }
+    setSpatialTangentsAtKey(index, into, out) {
+        if (!this.isSpatial || into.length !== 3 || out.length !== 3) throw new Error("After Effects: three tangents");
+        this._key(index).is_curved = into.concat(out).some((each) => each !== 0);
+    }
     valueAtTime(time) {
         let found = this.keys.length ? this.keys[0].value : this.value;
         for (const key of this.keys) if (key.time <= time) found = key.value;
@@ -56,9 +69,9 @@ class Property {
         return best + 1;
     }
     setTemporalEaseAtKey(index, into, out) {
-        if (into.length !== 1 || out.length !== 1) throw new Error("After Effects: one ease a dimension");
+        if (into.length !== this.eases || out.length !== this.eases) throw new Error("After Effects: one ease a dimension");
         const key = this._key(index);
-        Object.assign(key, { ease_in: into[0], ease_out: out[0], into: "BEZIER", out: "BEZIER" });
+        Object.assign(key, { ease_in: this.eases > 1 ? into : into[0], ease_out: this.eases > 1 ? out : out[0], into: "BEZIER", out: "BEZIER" });
     }
     setInterpolationTypeAtKey(index, into, out) {
         const key = this._key(index);
@@ -77,7 +90,7 @@ class Property {
     dump() {
         const children = {};
         for (const [name, child] of Object.entries(this.children)) children[name] = child.dump();
-        return { matchName: this.matchName, value: this.value, keys: this.keys, children };
+        return { matchName: this.matchName, value: this.value, keys: this.keys, separated: this.dimensionsSeparated, children };
     }
 }
 
@@ -118,7 +131,16 @@ class Layer {
         for (const [name, value] of [["ADBE Opacity", 100], ["ADBE Anchor Point", source && source.width ? [source.width / 2, source.height / 2] : [0, 0]], ["ADBE Scale", [100, 100]], ["ADBE Rotate Z", 0], ["ADBE Position_0", 0], ["ADBE Position_1", 0]])
             transform.children[name] = new Property(name, value);
         const position = new Property("ADBE Position", [comp.width / 2, comp.height / 2]);
-        position.dimensionsSeparated = false;
+        let separated = false;
+        Object.defineProperty(position, "dimensionsSeparated", {
+            get: () => separated,
+            set: (on) => {
+                if (on && !separated) [0, 1].forEach((i) => { transform.children["ADBE Position_" + i].value = position.value[i]; });
+                separated = on;
+            }
+        });
+        position.isShut = () => separated;
+        [0, 1].forEach((i) => { transform.children["ADBE Position_" + i].isShut = () => !separated; });
         transform.children["ADBE Position"] = position;
     }
     get index() { return this.comp.all.indexOf(this) + 1; }

@@ -293,7 +293,7 @@ def test_white_inside_outlines_is_in_the_copies(tmp_path: Path) -> None:
 def test_drawings_with_gaps_are_copied_and_that_is_said(document: Document, tmp_path: Path) -> None:
     (tmp_path / "more" / "b_0002.png").unlink()
     layer = document.layers[1]
-    assert referenced(layer, 24) is None
+    assert referenced(layer.cels, 24) is None
     done = handed_off(document, tmp_path / "ae", copies=False)
     assert tuple(map(str, done.notes)) == ("the drawings of 'B' are not a sequence without gaps, so they were copied",)
     assert len(list((tmp_path / "ae" / "characters" / "B").iterdir())) == 2

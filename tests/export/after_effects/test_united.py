@@ -10,13 +10,12 @@ from kagezou.animation.track import Interpolation
 from kagezou.document.address import resolve
 from kagezou.document.edits import add_layer, set_background, set_key
 from kagezou.document.model import Cels, Document, Exposure
-from kagezou.export.after_effects.export import HandedOff, HandOffRequest, export_to_after_effects
 from kagezou.geometry.box import Box
 from kagezou.io.images.reading import read_cel
 from kagezou.io.images.writing import write_rgba
-from kagezou.render.gpu.context import open_headless_context
 from tests.export.after_effects.compositing import composed
-from tests.export.after_effects.extendscript import Run, property_of, run_edited, run_script
+from tests.export.after_effects.extendscript import property_of, run_edited
+from tests.export.after_effects.hand_offs import built, furthest, handed_off, names
 from tests.export.small_cuts import HEIGHT, WIDTH, cut, drawings, export, with_key, with_values
 
 TRANSFORM = "ADBE Transform Group"
@@ -44,32 +43,6 @@ def both(
         for frame, value in keys:
             document = set_key(document, resolve(document, f"layers.{layer}.shadow.{name}"), frame, value, how)
     return document
-
-
-def handed_off(document: Document, folder: Path, **options: object) -> HandedOff:
-    request = HandOffRequest(folder=folder, name="cut", **options)  # type: ignore[arg-type]
-    return export_to_after_effects(document, request, open_headless_context, lambda _done, _all: None, lambda: False)
-
-
-def built(done: HandedOff, tmp_path: Path) -> Run:
-    assert done.script is not None
-    run = run_script(done.script, tmp_path / "ae.json")
-    assert run.tree["alerts"] == []
-    return run
-
-
-def furthest(run: Run, document: Document, tmp_path: Path) -> int:
-    """Return by how many levels of 8 bit the composition differs most from the picture."""
-    export(document, tmp_path / "out", composite=True)
-    most = 0
-    for frame in range(1, document.canvas.length_frames + 1):
-        wanted = read_cel(tmp_path / f"out/composite/composite_{frame:04d}.png", white_is_clear=False).rgba
-        most = max(most, int(np.abs(composed(run, "cut", frame).astype(int) - wanted).max()))
-    return most
-
-
-def names(run: Run, comp: str) -> list[str]:
-    return [layer["name"] for layer in reversed(run.item(comp, "CompItem")["layers"])]
 
 
 def test_each_figure_has_its_layer_within_the_composition_of_the_look(pair: Document, tmp_path: Path) -> None:

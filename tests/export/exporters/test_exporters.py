@@ -15,6 +15,7 @@ from kagezou.errors import UsageProblem
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, Option
 from kagezou.export.exporters.farm_job import FARM_JOB
+from kagezou.export.exporters.hand_off import HAND_OFF
 from kagezou.export.exporters.numbered_frames import NumberedFrames
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS, ShadowLayers
 from kagezou.export.exporters.table import EXPORTERS, AnyExporter, exporter_of, sound
@@ -131,3 +132,13 @@ def test_a_video_that_cannot_be_written_here_says_what_is_missing(monkeypatch: p
     lacking = VIDEO_FILE.lacks()
     assert lacking is not None
     assert "kagezou[video]" in str(lacking)
+
+
+def test_the_preview_names_all_pictures_of_a_background(document: Document, place: Place) -> None:
+    behind = document.layers[0].cels
+    lines = HAND_OFF.preview(replace(document, behind=behind), ExportChoices(HAND_OFF.key), place)
+    assert "background/  2 × .png" in lines
+    still = replace(behind, exposures=behind.exposures[:1])
+    assert "background/background.png" in HAND_OFF.preview(
+        replace(document, behind=still), ExportChoices(HAND_OFF.key), place
+    )

@@ -69,7 +69,7 @@ def test_a_picked_file_is_taken_whole_and_a_background_is_its_composite(
     plain.parts.project.import_pictures()
     assert [len(layer.cels.drawings) for layer in plain.parts.open_project.bridge.document.layers] == [3]
     monkeypatch.setattr(plain.parts.project.dialogs, "background", lambda: psd)
-    plain.parts.project.set_background()
+    plain.parts.actions["background"].trigger()
     assert plain.parts.open_project.bridge.document.background == psd
     plain.close_unasked()
 

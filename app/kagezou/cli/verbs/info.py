@@ -55,6 +55,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "first_frame": 1,
         "last_frame": canvas.length_frames,
         "background": _background(document),
+        "background_pictures": len(document.behind.drawings),
         "layers": [_about_layer(document, layer) for layer in document.layers],
         "set": [
             {"name": piece.name, "kind": kind_of(piece), **_about_file(document, piece)} for piece in document.pieces
@@ -124,9 +125,8 @@ def _missing(document: "Document") -> Iterator[str]:
     from kagezou.io.psd.file import has_part
     from kagezou.picture_source import PicturePart, file_of
 
-    sources = [drawing.source for layer in document.layers for drawing in layer.cels.drawings]
-    if document.background is not None:
-        sources.append(document.background)
+    every = (*(layer.cels for layer in document.layers), document.behind)
+    sources = [drawing.source for cels in every for drawing in cels.drawings]
     files = [*map(file_of, sources), *(piece.source for piece in document.pieces if piece.source is not None)]
     yield from (shown(path) for path in dict.fromkeys(files) if not path.is_file())
     for part in dict.fromkeys(each for each in sources if isinstance(each, PicturePart) and each.path.is_file()):
@@ -147,7 +147,9 @@ def _lines(document: "Document") -> Iterator[str]:
     rate = f"{float(canvas.frame_rate):g}"
     yield f"canvas      {canvas.width_px} x {canvas.height_px} px"
     yield f"frames      1-{canvas.length_frames} at {rate} frames/s ({seconds:.2f} s)"
-    yield f"background  {_background(document) or 'none'}"
+    count = len(document.behind.drawings)
+    more = f" and {count - 1} more picture{'s' * (count > 2)}" if count > 1 else ""
+    yield f"background  {_background(document) or 'none'}{more}"
     for layer in document.layers:
         count = len(layer.cels.drawings)
         box = layer.figure

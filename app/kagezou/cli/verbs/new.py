@@ -16,12 +16,14 @@ if TYPE_CHECKING:
 
 DESCRIPTION = (
     "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', "
-    "one picture, or a PSD file with a group of numbered layers."
+    "one picture, or a PSD file with a group of numbered layers; "
+    "a background is one picture, or such a folder or pattern."
 )
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
   kagezou new walk.kage --character Hero=drawings/body --cel Hero=arm=drawings/arm
   kagezou new duo.kage --character A=cels/A --character B=cels/B --background street.png
+  kagezou new run.kage --character A=cels/A --background 'bg/street_#.png'
   kagezou new cut12.kage --timesheet cut12/cut12.xdts
   kagezou new cut12.kage --psd cut12.psd
   kagezou new cut12.kage --character A=cels/A --timesheet cut12.xdts --fps 24 --size 1920x1080
@@ -56,7 +58,7 @@ def add_arguments(parser: Parser) -> None:
         help="a PSD file with everything in it: groups of numbered layers become characters, a layer named "
         "'BG' the background; a timesheet beside it with the same name times it",
     )
-    parser.add_argument("--background", type=Path, metavar="FILE", help="a picture under everything")
+    parser.add_argument("--background", type=Path, metavar="DIR_OR_FILE", help="the pictures under everything")
     parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
     parser.add_argument("--fps", type=frame_rate, default="24", metavar="RATE", help="frames a second (24)")
     parser.add_argument(

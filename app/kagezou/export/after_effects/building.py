@@ -7,13 +7,13 @@ from fractions import Fraction
 from pathlib import Path
 
 from kagezou.document import properties
-from kagezou.document.address import Address, track_of
 from kagezou.document.model import Document, Layer, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.values import value_at
 from kagezou.export.after_effects import comp as ae
 from kagezou.export.after_effects.channels import seconds
 from kagezou.export.after_effects.drawings import CelFootage
+from kagezou.export.after_effects.drawn_layers import background_layer, cel_layer
 from kagezou.export.after_effects.guides import guides_of
 from kagezou.export.after_effects.renderings import RECEIVED, SHADOW_MATTES, SHADOWS, Rendering
 from kagezou.export.after_effects.shadows import ShadowFootage, Shown, shadow_layers, united_comps
@@ -55,7 +55,7 @@ class Written:
     cels
         Layer id → the drawings.
     background
-        The background's file.
+        The background's pictures, None where there are none to see.
     lit
         Whether the lit area is asked for; it is made of the mattes of the shadows alone.
     united
@@ -65,7 +65,7 @@ class Written:
     folder: Path
     rendered: Mapping[tuple[Rendering, str], RenderedFootage]
     cels: Mapping[str, CelFootage]
-    background: Path | None
+    background: CelFootage | None
     lit: bool = False
     united: tuple[CutGroup, ...] = ()
 
@@ -80,7 +80,7 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
     main = ae.Comp(
         "main",
         name,
-        (*_background(written), *shadows, *_characters(document, written)),
+        (*_background(document, written), *shadows, *_characters(document, written)),
         guides_of(document),
         _markers(document),
     )
@@ -103,8 +103,9 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
     names |= {piece.id: piece.name for piece in document.pieces}
     made = []
     if written.background is not None:
-        path = written.background
-        made.append(_item("background", path.stem, path, written.folder, count=1, into="Background"))
+        first, count = written.background.first, written.background.count
+        title = first.stem if count == 1 else "background"
+        made.append(_item("background", title, first, written.folder, count=count, into="Background"))
     for layer_id, cels in written.cels.items():
         tag, title = f"cels:{layer_id}", names[layer_id]
         made.append(_item(tag, title, cels.first, written.folder, count=cels.count, into="Characters"))
@@ -115,10 +116,8 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
     return tuple(made)
 
 
-def _background(written: Written) -> tuple[ae.CompLayer, ...]:
-    if written.background is None:
-        return ()
-    return (ae.CompLayer("background", "Background", "background", "NORMAL", ae.Channel(100.0)),)
+def _background(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
+    return () if written.background is None else (background_layer(document, written.background),)
 
 
 def _shown(document: Document, written: Written) -> Shown:
@@ -132,20 +131,12 @@ def _shown(document: Document, written: Written) -> Shown:
 
 
 def _characters(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
-    rate = document.canvas.frame_rate
     made = []
     for layer in document.layers:
         if layer.id in written.cels:
-            made.append(
-                ae.CompLayer(
-                    tag=f"cels:{layer.id}",
-                    name=layer.name,
-                    footage=f"cels:{layer.id}",
-                    blend="NORMAL",
-                    opacity=ae.Channel(100.0),
-                    remap=_exposures(document, layer, written.cels[layer.id], rate),
-                )
-            )
+            # Notes about a figure stand at its shadow, and a part of it has none.
+            notes = () if layer.joins is None else _notes(document, layer.id)
+            made.append(cel_layer(document, layer, written.cels[layer.id], notes))
         if (RECEIVED, layer.id) in written.rendered:
             made.append(_received(document, layer, written))
     return tuple(made)
@@ -153,7 +144,8 @@ def _characters(document: Document, written: Written) -> tuple[ae.CompLayer, ...
 
 def _received(document: Document, layer: Layer, written: Written) -> ae.CompLayer:
     """Return what others cast on a character, laid over it as the lowest of them lays its shadow."""
-    caster = next((other for other in document.layers if other.id != layer.id), layer)
+    figure = layer.joins or layer.id
+    caster = next((other for other in document.layers if other.joins is None and other.id != figure), layer)
     return ae.CompLayer(
         tag=f"received:{layer.id}",
         name=f"{layer.name} received",
@@ -192,17 +184,6 @@ def _remap(pictures: tuple[int, ...] | None, rate: Fraction) -> Remap:
         return ()
     held: list[tuple[float, int | None]] = []
     for frame, picture in enumerate(pictures, start=1):
-        if not held or held[-1][1] != picture:
-            held.append((seconds(frame, rate), picture))
-    return tuple(held)
-
-
-def _exposures(document: Document, layer: Layer, cels: CelFootage, rate: Fraction) -> Remap:
-    visible = track_of(document, Address(properties.VISIBLE, layer.id))
-    held: list[tuple[float, int | None]] = []
-    for frame in range(1, document.canvas.length_frames + 1):
-        index = layer.cels.index_at(frame) if visible.value_at(frame) else None
-        picture = None if index is None else cels.places[index]
         if not held or held[-1][1] != picture:
             held.append((seconds(frame, rate), picture))
     return tuple(held)

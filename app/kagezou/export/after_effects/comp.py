@@ -36,6 +36,49 @@ class Channel:
 
 
 @dataclass(frozen=True, slots=True)
+class PairKey:
+    """A key of two numbers that are one property, as `ChannelKey`, with an ease for each of them."""
+
+    time: float
+    value: tuple[float, float]
+    into: str
+    out: str
+    ease_in: tuple[tuple[float, float], ...] = ()
+    ease_out: tuple[tuple[float, float], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two numbers over time: ``value`` where there are no keys."""
+
+    value: tuple[float, float]
+    keys: tuple[PairKey, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Transform:
+    """How a layer lies in the composition.
+
+    Parameters
+    ----------
+    anchor
+        In px of the footage; it has no eases, which After Effects has none a dimension of.
+    x, y
+        The position, px of the composition, in dimensions of their own.
+    scale
+        In per cent.
+    rotation
+        In degrees, clockwise.
+    """
+
+    anchor: Pair
+    x: Channel
+    y: Channel
+    scale: Pair
+    rotation: Channel
+
+
+@dataclass(frozen=True, slots=True)
 class Footage:
     """Pictures on disk.
 
@@ -97,6 +140,8 @@ class CompLayer:
     colors
         (seconds, red, green and blue from 0 to 1) from when on it has a colour, and its brightness as its alpha; empty
         where it is what its footage is.
+    transform
+        How it lies; None where it lies centred on whole pixels.
     """
 
     tag: str
@@ -109,6 +154,7 @@ class CompLayer:
     inverted: bool = False
     alpha_shown: bool = False
     colors: tuple[tuple[float, tuple[float, ...]], ...] = ()
+    transform: Transform | None = None
 
 
 @dataclass(frozen=True, slots=True)

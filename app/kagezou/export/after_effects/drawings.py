@@ -1,4 +1,4 @@
-"""The characters' drawings as footage: a gap-free copy of each layer, or the files where they lie."""
+"""Drawings of a layer or the background as footage: a gap-free copy, or the files where they lie."""
 
 import re
 from concurrent.futures import ThreadPoolExecutor
@@ -10,12 +10,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.document.model import Canvas, Drawing, Layer
+from kagezou.document.model import Canvas, Cels, Drawing
 from kagezou.export.names import digits_for
+from kagezou.geometry.box import centred_offset
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import input_problem
 from kagezou.io.images.reading import ImageInfo, probe, read_cel
 from kagezou.io.images.writing import write_rgba
+from kagezou.io.pixels.signatures import is_psd
 
 _NUMBERED: Final = re.compile(r"(.*?)([0-9]+)(\.[A-Za-z0-9]+)")
 _READ_BY_AFTER_EFFECTS: Final = frozenset({".png", ".tga", ".tif", ".tiff", ".exr"})
@@ -23,7 +25,7 @@ _READ_BY_AFTER_EFFECTS: Final = frozenset({".png", ".tga", ".tif", ".tiff", ".ex
 
 @dataclass(frozen=True, slots=True)
 class CelFootage:
-    """A layer's drawings on disk.
+    """The drawings of a layer or the background on disk.
 
     Parameters
     ----------
@@ -32,24 +34,49 @@ class CelFootage:
     count
         How many files there are.
     places
-        Drawing's index in the layer → picture of the sequence, from 0.
+        Drawing's index among the cels → picture of the sequence, from 0.
+    size_px
+        Width and height of each file.
     """
 
     first: Path
     count: int
     places: dict[int, int]
+    size_px: tuple[int, int]
 
 
-def exposed(layer: Layer, length: int) -> tuple[int, ...]:
+@dataclass(frozen=True, slots=True)
+class Copying:
+    """How drawings are copied.
+
+    Parameters
+    ----------
+    canvas
+        On which they lie.
+    is_moved
+        Whether something moves them, so that what reaches beyond the canvas may come to be seen.
+    white_is_clear
+        Whether white is clear in a drawing without alpha; in a background it is white.
+    workers
+        How many are copied at a time.
+    """
+
+    canvas: Canvas
+    is_moved: bool = False
+    white_is_clear: bool = True
+    workers: int = 2
+
+
+def exposed(cels: Cels, length: int) -> tuple[int, ...]:
     """Return the indices of the drawings that are seen within the cut, in the order of their first exposure."""
-    seen = (each.drawing for each in layer.cels.exposures if each.frame <= length and each.drawing is not None)
+    seen = (each.drawing for each in cels.exposures if each.frame <= length and each.drawing is not None)
     return tuple(dict.fromkeys(seen))
 
 
-def referenced(layer: Layer, length: int) -> CelFootage | None:
+def referenced(cels: Cels, length: int, *, white_is_clear: bool = True) -> CelFootage | None:
     """Return the drawings where they lie, None where their files are no gap-free sequence that can be imported."""
-    indices = exposed(layer, length)
-    paths = [layer.cels.drawings[index].path for index in indices]
+    indices = exposed(cels, length)
+    paths = [cels.drawings[index].path for index in indices]
     found = [_NUMBERED.fullmatch(path.name) for path in paths]
     parts = {(path.parent, each[1], each[3], len(each[2])) for path, each in zip(paths, found, strict=True) if each}
     if not paths or None in found or len(parts) != 1 or paths[0].suffix.lower() not in _READ_BY_AFTER_EFFECTS:
@@ -59,27 +86,28 @@ def referenced(layer: Layer, length: int) -> CelFootage | None:
     if not numbers or numbers != list(range(numbers[0], numbers[0] + len(numbers))):
         return None
     places = {index: int(each[2]) - numbers[0] for index, each in zip(indices, found, strict=True) if each is not None}
-    if len({(info.width_px, info.height_px) for info in map(probe, paths)}) != 1 or not have_alpha(layer, length):
+    sizes = {(info.width_px, info.height_px) for info in map(probe, paths)}
+    if len(sizes) != 1 or (white_is_clear and not have_alpha(cels, length)):
         return None
-    return CelFootage(folder / f"{prefix}{numbers[0]:0{digits}d}{suffix}", len(numbers), places)
+    return CelFootage(folder / f"{prefix}{numbers[0]:0{digits}d}{suffix}", len(numbers), places, next(iter(sizes)))
 
 
-def have_alpha(layer: Layer, length: int) -> bool:
+def have_alpha(cels: Cels, length: int) -> bool:
     """Return whether all drawings that are seen have alpha; of others After Effects would show the white as well."""
-    return all(probe(layer.cels.drawings[index].source).has_alpha for index in exposed(layer, length))
+    return all(probe(cels.drawings[index].source).has_alpha for index in exposed(cels, length))
 
 
-def are_within(layer: Layer, folder: Path) -> bool:
-    """Return whether drawings of a layer lie in ``folder`` themselves, as those of an earlier hand-off do."""
+def are_within(cels: Cels, folder: Path) -> bool:
+    """Return whether drawings lie in ``folder`` themselves, as those of an earlier hand-off do."""
     real = folder.resolve()
-    return any(drawing.path.parent.resolve() == real for drawing in layer.cels.drawings)
+    return any(drawing.path.parent.resolve() == real for drawing in cels.drawings)
 
 
-def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) -> CelFootage | None:
-    """Copy the drawings of a layer as ``NAME_0001.png`` and so on into ``folder``; None where none is ever seen.
+def copied(cels: Cels, name: str, folder: Path, copying: Copying) -> CelFootage | None:
+    """Copy drawings as ``NAME_0001.png`` and so on into ``folder``; None where none is ever seen.
 
     A PNG that can stay as it is is copied byte for byte. Others become PNG; where the sizes differ, which After
-    Effects would stretch alike, all become as large as the canvas.
+    Effects would stretch alike, all become as large as the canvas, or where they are moved as the largest if need be.
 
     Raises
     ------
@@ -88,19 +116,37 @@ def copied(layer: Layer, name: str, folder: Path, canvas: Canvas, workers: int) 
     DiskFullProblem, OutputProblem
         A copy cannot be written.
     """
-    indices = exposed(layer, canvas.length_frames)
+    indices = exposed(cels, copying.canvas.length_frames)
     if not indices:
         return None
-    drawings = [layer.cels.drawings[index] for index in indices]
+    drawings = [cels.drawings[index] for index in indices]
     infos = [probe(drawing.source) for drawing in drawings]
-    alike = len({(info.width_px, info.height_px) for info in infos}) == 1
-    size = None if alike else (canvas.width_px, canvas.height_px)
+    size = _size_of(infos, copying)
     digits = digits_for(len(indices))
     targets = [folder / f"{name}_{number:0{digits}d}.png" for number in range(1, len(indices) + 1)]
-    with ThreadPoolExecutor(workers) as pool:
-        list(pool.map(_copy, drawings, infos, targets, repeat(size)))
+    with ThreadPoolExecutor(copying.workers) as pool:
+        list(pool.map(_copy, drawings, infos, targets, repeat(size), repeat(copying)))
     remove_beyond(folder, name, digits, len(indices))
-    return CelFootage(targets[0], len(indices), {index: place for place, index in enumerate(indices)})
+    return CelFootage(targets[0], len(indices), {index: place for place, index in enumerate(indices)}, size)
+
+
+def still_where_it_lies(cels: Cels, length: int) -> CelFootage | None:
+    """Return the one picture that is seen of all where it lies, None where it is in a file of several."""
+    (index,) = exposed(cels, length)
+    path = cels.drawings[index].path
+    if is_psd(path):
+        return None
+    info = probe(path)
+    return CelFootage(path, 1, {index: 0}, (info.width_px, info.height_px))
+
+
+def copied_still(cels: Cels, target: Path, copying: Copying) -> CelFootage:
+    """Copy the one picture that is seen of all to ``target``; raises as `copied`."""
+    (index,) = exposed(cels, copying.canvas.length_frames)
+    info = probe(cels.drawings[index].source)
+    size = (info.width_px, info.height_px)
+    _copy(cels.drawings[index], info, target, size, copying)
+    return CelFootage(target, 1, {index: 0}, size)
 
 
 def remove_beyond(folder: Path, name: str, digits: int, count: int) -> None:
@@ -116,23 +162,37 @@ def _numbers_in(folder: Path, prefix: str, suffix: str, digits: int) -> set[int]
     return {int(each[2]) for each in found if each and (each[1], each[3], len(each[2])) == (prefix, suffix, digits)}
 
 
-def _copy(drawing: Drawing, info: ImageInfo, target: Path, size: tuple[int, int] | None) -> None:
-    if drawing.path.suffix.lower() == ".png" and info.has_alpha and size is None:
+def _size_of(infos: list[ImageInfo], copying: Copying) -> tuple[int, int]:
+    """Return how large all copies become: as they are, or where their sizes differ as the canvas, or larger."""
+    sizes = {(info.width_px, info.height_px) for info in infos}
+    if len(sizes) == 1:
+        return next(iter(sizes))
+    canvas = (copying.canvas.width_px, copying.canvas.height_px)
+    if not copying.is_moved:
+        return canvas
+    widths, heights = zip(canvas, *sizes, strict=True)
+    return (max(widths), max(heights))
+
+
+def _copy(drawing: Drawing, info: ImageInfo, target: Path, size: tuple[int, int], copying: Copying) -> None:
+    is_alike = (info.width_px, info.height_px) == size
+    if drawing.path.suffix.lower() == ".png" and is_alike and (info.has_alpha or not copying.white_is_clear):
         try:
             write_bytes(target, drawing.path.read_bytes())
         except OSError as error:
             raise input_problem(drawing.path, error) from error
         return
-    rgba = read_cel(drawing.source).rgba
-    write_rgba(target, rgba if size is None else _centred(rgba, *size))
+    rgba = read_cel(drawing.source, white_is_clear=copying.white_is_clear).rgba
+    write_rgba(target, rgba if is_alike else _centred(rgba, size, copying.canvas))
 
 
-def _centred(rgba: NDArray[np.generic], width_px: int, height_px: int) -> NDArray[np.generic]:
-    """Return a picture cut or padded to a size about its middle, as the canvas shows it."""
-    made = np.zeros((height_px, width_px, 4), rgba.dtype)
+def _centred(rgba: NDArray[np.generic], size: tuple[int, int], canvas: Canvas) -> NDArray[np.generic]:
+    """Return a picture cut or padded to a size, so that it lies on the canvas as it does alone, to the pixel."""
+    made = np.zeros((size[1], size[0], 4), rgba.dtype)
     height, width = rgba.shape[:2]
-    left, top = (width_px - width) // 2, (height_px - height) // 2
+    own, whole = centred_offset(canvas.box, width, height), centred_offset(canvas.box, *size)
+    left, top = own[0] - whole[0], own[1] - whole[1]
     x, y = max(left, 0), max(top, 0)
-    part = rgba[y - top : height_px - top, x - left : width_px - left]
+    part = rgba[y - top : size[1] - top, x - left : size[0] - left]
     made[y : y + part.shape[0], x : x + part.shape[1]] = part
     return made

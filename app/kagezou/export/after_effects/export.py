@@ -5,13 +5,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from kagezou.document.model import Document, Layer
-from kagezou.errors import OutputProblem, UsageProblem
+from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
 from kagezou.export.after_effects.building import RenderedFootage, Written, hand_off
-from kagezou.export.after_effects.drawings import CelFootage, are_within, copied, have_alpha, referenced, remove_beyond
+from kagezou.export.after_effects.drawings import remove_beyond
 from kagezou.export.after_effects.mattes import MATTES
 from kagezou.export.after_effects.renderings import Rendering, renderings_of
 from kagezou.export.after_effects.script import script_of
+from kagezou.export.after_effects.shown_drawings import BACKGROUND, footage_of, shown_in
+from kagezou.export.after_effects.transforms import notes_on_transforms
 from kagezou.export.frames import export_frames
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
@@ -19,10 +21,6 @@ from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.sequences import sequences_of
 from kagezou.export.uniting import cut_groups
 from kagezou.io.files.atomic import write_bytes
-from kagezou.io.files.faults import output_problem, shown
-from kagezou.io.images.reading import read_cel
-from kagezou.io.images.writing import write_rgba
-from kagezou.io.pixels.signatures import is_psd
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
@@ -116,18 +114,22 @@ def export_to_after_effects(
     _check(document)
     request = replace(request, folder=request.folder.absolute())
     run = _ScriptRun(document, request, progress, cancelled)
-    run.check_places()
+    drawings = shown_in(document, request.folder, request.workers)
+    for each in drawings:
+        each.check_place()
     summaries = [run.export(each, open_context) for each in run.renderings]
     if any(summary.cancelled for summary in summaries):
         return HandedOff(None, tuple(summaries), (), time.monotonic() - started)
     united = cut_groups(document, of_one_color=True)
-    run.notes.extend(united.notes())
+    cels, notes = footage_of(drawings, copies=request.copies)
+    notes = (*united.notes(), *notes, *notes_on_transforms(document))
     lit, groups = "lit" in request.mattes, united.of_several()
-    written = Written(request.folder, run.footage, run.cels(), run.background(), lit, groups)
+    background = cels.pop(BACKGROUND, None)
+    written = Written(request.folder, run.footage, cels, background, lit, groups)
     file = safe_names([request.name])[request.name] + ".jsx"
     text = script_of(hand_off(document, request.name, file, written))
     write_bytes(request.folder / file, text.encode("ascii"))
-    return HandedOff(request.folder / file, tuple(summaries), tuple(run.notes), time.monotonic() - started)
+    return HandedOff(request.folder / file, tuple(summaries), notes, time.monotonic() - started)
 
 
 def _check(document: Document) -> None:
@@ -156,14 +158,12 @@ class _ScriptRun:
 
     def __init__(self, document: Document, request: HandOffRequest, progress: Progress, cancelled: Cancelled) -> None:
         self._document, self._request, self._cancelled = document, request, cancelled
-        self._names = safe_names(layer.name for layer in document.layers)
         self._tell = progress
         self._before = 0
         self.renderings = renderings_of(document, request.mattes)
         self._versions = {each: each.version(document) for each in self.renderings}
         self._all = sum(planned(version, self._frames_of(each)).files for each, version in self._versions.items())
         self.footage: dict[tuple[Rendering, str], RenderedFootage] = {}
-        self.notes: list[Message] = []
 
     def export(self, rendering: Rendering, open_context: OpenContext) -> Summary:
         """Render one version of the document."""
@@ -178,48 +178,6 @@ class _ScriptRun:
         if not summary.cancelled:
             self._note_footage(rendering)
         return summary
-
-    def check_places(self) -> None:
-        """Raise OutputProblem where copies would take the place of the drawings they are made of."""
-        for layer in self._document.layers:
-            folder = self._copies_of(layer)
-            if are_within(layer, folder) and referenced(layer, self._document.canvas.length_frames) is None:
-                raise OutputProblem(
-                    Message(
-                        "{folder}: the drawings of {layer!r} lie there themselves and would be replaced by "
-                        "their copies; please choose another folder",
-                        folder=shown(folder),
-                        layer=layer.name,
-                    )
-                )
-
-    def cels(self) -> dict[str, CelFootage]:
-        """Copy or find the drawings of the layers."""
-        found: dict[str, CelFootage] = {}
-        canvas, request = self._document.canvas, self._request
-        for layer in self._document.layers:
-            folder = self._copies_of(layer)
-            stays = not request.copies or are_within(layer, folder)
-            cels = referenced(layer, canvas.length_frames) if stays else None
-            if cels is None:
-                if stays:
-                    self.notes.append(_note_of_copies(layer, canvas.length_frames))
-                cels = copied(layer, folder.name, _made(folder), canvas, request.workers)
-            if cels is not None:
-                found[layer.id] = cels
-        return found
-
-    def background(self) -> Path | None:
-        """Copy the background, or refer to it."""
-        source = self._document.background
-        if source is None or (isinstance(source, Path) and not is_psd(source) and not self._request.copies):
-            return source
-        target = _made(self._request.folder / "background") / "background.png"
-        write_rgba(target, read_cel(source, white_is_clear=False).rgba)
-        return target
-
-    def _copies_of(self, layer: Layer) -> Path:
-        return self._request.folder / "characters" / self._names[layer.name]
 
     def _frames_of(self, rendering: Rendering) -> ExportRequest:
         request = self._request
@@ -242,18 +200,3 @@ class _ScriptRun:
             count = document.canvas.length_frames if pictures is None else max(pictures) + 1
             remove_beyond(sequence.folder, sequence.label, sequence.digits, count)
             self.footage[rendering, sequence.subject.owner] = RenderedFootage(sequence.file(1), count, pictures)
-
-
-def _note_of_copies(layer: Layer, length: int) -> Message:
-    """Return why drawings that were to stay where they lie were copied."""
-    if not have_alpha(layer, length):
-        return Message("the drawings of {layer!r} have no alpha, so they were copied with it", layer=layer.name)
-    return Message("the drawings of {layer!r} are not a sequence without gaps, so they were copied", layer=layer.name)
-
-
-def _made(folder: Path) -> Path:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise output_problem(folder, error) from error
-    return folder

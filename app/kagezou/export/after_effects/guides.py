@@ -18,8 +18,8 @@ _STILL = Channel(0.0)
 
 
 def guides_of(document: Document) -> tuple[Null, ...]:
-    """Return the nulls of a document: the ground, the light, and each layer's grounding points."""
-    points = [null for layer in document.layers for null in _points(document, layer)]
+    """Return the nulls of a document: the ground, the light, and each figure's grounding points."""
+    points = [null for layer in document.layers if layer.joins is None for null in _points(document, layer)]
     return (_ground(document), _light(document), *points)
 
 

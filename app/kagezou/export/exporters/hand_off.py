@@ -91,10 +91,10 @@ def _copied(document: Document, choices: ExportChoices) -> Iterator[str]:
         return
     names = safe_names(layer.name for layer in document.layers)
     for layer in document.layers:
-        if count := len(exposed(layer, document.canvas.length_frames)):
+        if count := len(exposed(layer.cels, document.canvas.length_frames)):
             yield f"characters/{names[layer.name]}/  {count} × .png"
-    if document.background is not None:
-        yield "background/background.png"
+    if count := len(exposed(document.behind, document.canvas.length_frames)):
+        yield "background/background.png" if count == 1 else f"background/  {count} × .png"
 
 
 HAND_OFF: Final = HandOffExporter(

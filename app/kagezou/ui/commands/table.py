@@ -84,6 +84,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("import_timesheet", translate("Commands", "Import &Timesheet…")),
         Command("export_timesheet", translate("Commands", "Export Times&heet…")),
         Command("background", translate("Commands", "Set &Background…")),
+        Command("background_pictures", translate("Commands", "Set Background Sequence…")),
         Command("no_background", translate("Commands", "Remove Background")),
         Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),
         Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),

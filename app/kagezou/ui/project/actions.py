@@ -136,9 +136,9 @@ class ProjectActions(QObject):
         elif paths:
             self.bring(paths)
 
-    def set_background(self) -> None:
-        """Put a picture under everything."""
-        if path := self.dialogs.background():
+    def put_background(self, path: Path | None) -> None:
+        """Put a picture, or the numbered ones of a folder, under everything; with None nobody chose any."""
+        if path:
             self._load(self._open_project.put_background(path))
 
     def remove_background(self) -> None:

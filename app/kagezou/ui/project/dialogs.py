@@ -70,6 +70,12 @@ class Dialogs:
         chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("background"), _picture_filter())
         return self._remembered("background", chosen)
 
+    def folder_of_background(self) -> Path | None:
+        """Ask for a folder of background pictures."""
+        title = QCoreApplication.translate("Dialogs", "Choose a Folder of Background Pictures")
+        chosen = QFileDialog.getExistingDirectory(self._parent, title, self._folder("background"))
+        return self._remembered("background", chosen)
+
     def set_file(self) -> Path | None:
         """Ask for a set from a 3-D program."""
         title = QCoreApplication.translate("Dialogs", "Import Set")

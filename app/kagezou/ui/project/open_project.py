@@ -13,6 +13,8 @@ from kagezou.document.edits import set_background
 from kagezou.document.model import Canvas, Document
 from kagezou.errors import Problem
 from kagezou.geometry.set_camera import SetCamera
+from kagezou.importing.background_pictures import background_of, laid_behind
+from kagezou.importing.cels_of_files import NewCels
 from kagezou.importing.progress import LoadPhase, Progress
 from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.importing.staging import Brought, CharacterSource, Imported, brought, exposed, new_document, put_in
@@ -185,17 +187,15 @@ class OpenProject(QObject):
         )
 
     def put_background(self, path: Path) -> AnyLoad:
-        """Put a picture under everything; into nothing it brings its size."""
+        """Put a picture, or those of a folder, under everything; into nothing they bring their size."""
 
-        def read(progress: Progress) -> Document:
-            over = self.bridge.document
-            document = new_document((), background=path, progress=progress).document if over.is_blank else over
-            _read_first(set_background(document, path), self.cels, self.meshes, progress)
-            return document
+        def read(progress: Progress) -> NewCels:
+            found = background_of(path, progress)
+            _read_first(laid_behind(self.bridge.document, found), self.cels, self.meshes, progress)
+            return found
 
-        def put(found: Document) -> None:
-            document = found if self.is_blank else self.bridge.document
-            self.bridge.session.edit(self.tr("Set background"), set_background(document, path))
+        def put(found: NewCels) -> None:
+            self._edit(self.tr("Set background"), Imported(laid_behind(self.bridge.document, found), found.notes, ()))
 
         return Load(path.name, read, put)
 
