@@ -237,6 +237,10 @@
         <translation>タイムシートを書き出し (&amp;H)…</translation>
     </message>
     <message>
+        <source>Set Background Sequence…</source>
+        <translation>背景の連番を設定…</translation>
+    </message>
+    <message>
         <source>&amp;Export…</source>
         <translation>書き出し (&amp;E)…</translation>
     </message>
@@ -770,6 +774,10 @@
     <message>
         <source>Choose a Background</source>
         <translation>背景を選択</translation>
+    </message>
+    <message>
+        <source>Choose a Folder of Background Pictures</source>
+        <translation>背景の画像のフォルダーを選択</translation>
     </message>
     <message>
         <source>Import Set</source>
@@ -3704,6 +3712,10 @@ Drop a folder of cels here.</source>
         <translation>paper に使えるのは {papers} です。{text!r} は使えません</translation>
     </message>
     <message>
+        <source>the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has keys on its frames instead</source>
+        <translation>{layer!r} のアンカーは x と y が別々のイーズで動きますが、After Effects のアンカーポイントにはそれがないため、代わりに各フレームにキーを打ちました</translation>
+    </message>
+    <message>
         <source>the figure is cut off by the lower edge of the drawing</source>
         <translation>人物が作画の下端で切れています</translation>
     </message>
@@ -3714,6 +3726,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
         <translation>光源を太陽にしました：ランプの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
+    </message>
+    <message>
+        <source>the pictures of the background are not a sequence without gaps, so they were copied</source>
+        <translation>背景の画像は欠番のない連番ではないため、コピーしました</translation>
     </message>
     <message>
         <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
@@ -3816,8 +3832,20 @@ Drop a folder of cels here.</source>
         <translation>{count} 枚の絵が見つかりません：{names}</translation>
     </message>
     <message>
+        <source>{figure} pokes through {piece} on frame {frame}, which cuts its shadow: more room behind the figure, or upright = 1, keeps it whole</source>
+        <translation>フレーム {frame} で {figure} が {piece} を突き抜けていて、影が切れます：キャラクターの後ろをもっと空けるか、upright = 1 にすると切れません</translation>
+    </message>
+    <message>
+        <source>{figure}: on frame {frame} its two grounding points leave {percent:.0f} % of the shadow that one has; feet or one point keep it whole</source>
+        <translation>{figure}：フレーム {frame} では接地点が 2 つあるため、影が 1 点のときの {percent:.0f} % しか残りません。足または接地点 1 つなら保たれます</translation>
+    </message>
+    <message>
         <source>{folder}: the drawings of {layer!r} lie there themselves and would be replaced by their copies; please choose another folder</source>
         <translation>{folder}：{layer!r} の絵そのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
+    </message>
+    <message>
+        <source>{folder}: the pictures of the background lie there themselves and would be replaced by their copies; please choose another folder</source>
+        <translation>{folder}: 背景の画像そのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
     </message>
     <message>
         <source>{folder}: {files} files need at least {needed} MB, but only {free} MB are free on the disk</source>
@@ -3854,6 +3882,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{names} and {count} more</source>
         <translation>{names} ほか {count} 点</translation>
+    </message>
+    <message>
+        <source>{names}: standing upright now, as the set does</source>
+        <translation>{names}：セットと同じく、まっすぐに立つようになりました</translation>
     </message>
     <message>
         <source>{name} cannot be a part of its own figure</source>
@@ -4010,6 +4042,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: one figure with one shadow: {names}</source>
         <translation>{path}: 一つの影を持つ一体のキャラクター: {names}</translation>
+    </message>
+    <message>
+        <source>{path}: the background is {taken}; left out: {names}</source>
+        <translation>{path}: 背景は {taken} です。取り込まなかったもの: {names}</translation>
     </message>
     <message>
         <source>{path}: the drawing is missing</source>
