@@ -6,6 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kagezou.geometry.box import Box
+from kagezou.geometry.camera import Camera
+from kagezou.geometry.card import card_for
+from kagezou.geometry.ground import ground_plane
+from kagezou.geometry.light import lamp
 from kagezou.geometry.placement import (
     Placement,
     around_placed,
@@ -14,6 +18,7 @@ from kagezou.geometry.placement import (
     lie_alike,
     whole_shift,
 )
+from kagezou.geometry.shadow import cast_card, cast_in_space
 
 px = st.floats(-2000, 2000)
 factors = st.floats(-4, 4).filter(lambda each: abs(each) > 0.05)
@@ -71,3 +76,24 @@ def test_boxes_around_what_is_moved_are_whole() -> None:
         -4, 0, 0, 10
     )
     assert around_placed(box, Placement((0.25, 0.0), (0.0, 0.0)).canvas_from_centred()) == Box(0, 0, 11, 4)
+
+
+def test_a_shadow_of_a_moved_drawing_is_found_where_the_drawing_was() -> None:
+    camera, ground, light = Camera(1000, 1000), ground_plane((500.0, 900.0), 0.0, 60.0), lamp((200.0, -300.0, 900.0))
+    card = card_for(camera, ground, ((480.0, 890.0),), 0.0, 700.0)
+    placement = Placement((300.0, 250.0), (500.0, 500.0), (-0.5, 0.7), 25.0)
+    (cast,) = cast_card(camera, ground, card, light)
+    space = cast_in_space(camera, card.pieces[0], light)
+    assert space is not None
+    back = placement.centred_from_canvas()
+    for x, y in ((420.0, 700.0), (500.0, 620.0)):
+        here = np.array([x, y, 1.0])
+        seen, moved = cast.art_from_canvas @ here, cast.of_moved(placement).art_from_canvas @ here
+        assert moved[:2] / moved[2] == pytest.approx((back @ (seen / seen[2]))[:2])
+        world = np.array([x, 880.0, y, 1.0])
+        seen, moved = space.art_from_world @ world, space.of_moved(placement).art_from_world @ world
+        assert moved[:2] / moved[2] == pytest.approx((back @ (seen / seen[2]))[:2])
+
+
+def test_the_middle_of_a_box() -> None:
+    assert Box(0, 10, 5, 20).middle == (2.5, 15.0)
