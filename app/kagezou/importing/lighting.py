@@ -8,7 +8,7 @@ import numpy as np
 from kagezou.animation.frames import spread_frames
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
-from kagezou.document.model import Document, parts_of
+from kagezou.document.model import Document, Layer, parts_of
 from kagezou.document.properties import (
     GROUND_POSITION,
     LIGHT_AZIMUTH,
@@ -23,6 +23,7 @@ from kagezou.geometry.placement import canvas_from_centred
 from kagezou.geometry.vectors import Matrix
 from kagezou.importing.figures import Figure, MeasuredFigure, measured_figure
 from kagezou.importing.first_light import MOST_TURN_DEG, FirstLight, first_light
+from kagezou.importing.placed_figures import placed_figure
 from kagezou.importing.travel import Station, stations, turn_of_shadows
 from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at, ground_at
@@ -69,6 +70,30 @@ def relit(document: Document) -> tuple[Document, tuple[Message, ...]]:
     light = _light(document, figures, np.concatenate(list(_moved_outlines(document, looks))), ways)
     note = Message("the light is the sun now: near a lamp the shadow would turn round while the figure travels")
     return _lit(document, light), (note,)
+
+
+def grounded_as_shown(document: Document) -> Document:
+    """Return the document with the ground under the lowest figure as its layer lays it, and a light that fits there.
+
+    For layers that are moved from the start; those of an import alone lie as they are drawn.
+    """
+    looks = [measured_figure(layer.cels.drawings, document.canvas.box) for layer in document.layers]
+    figures = [
+        placed_figure(look.figure, placement_at(document, layer, _first_seen(layer)))
+        for layer, look in zip(document.layers, looks, strict=True)
+        if look.figure is not None
+    ]
+    if not figures:
+        return document
+    lowest = max(figures, key=lambda figure: figure.foot[1])
+    document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
+    outlines = np.concatenate(list(_moved_outlines(document, looks)))
+    return _lit(document, _light(document, figures, outlines, list(_shown_ways(document))))
+
+
+def _first_seen(layer: Layer) -> int:
+    """Return the first frame on which a layer shows a drawing, 1 where it never does."""
+    return next((max(each.frame, 1) for each in layer.cels.exposures if each.drawing is not None), 1)
 
 
 def _has_a_lamp_alone(document: Document) -> bool:

@@ -1,5 +1,5 @@
 /* The Kagezou panel for After Effects. Put this file into Scripts/ScriptUI Panels and open it from the Window menu.
-   It makes a Kagezou project of the selected layers, timed as they are, opens it, and brings the shadows back into the
+   It makes a Kagezou project of the selected layers, timed and moved as they are, opens it, and brings the shadows back into the
    same composition, whose comment says which project is its own. */
 (function (host) {
     var ja = String(app.isoLanguage).indexOf("ja") === 0;
@@ -16,7 +16,13 @@
         openComp: ja ? "\u30b3\u30f3\u30dd\u30b8\u30b7\u30e7\u30f3\u3092\u958b\u3044\u3066\u304f\u3060\u3055\u3044\u3002" : "Open a composition.",
         below: ja ? "\u5f71\u3092\u6577\u304f\u30ad\u30e3\u30e9\u30af\u30bf\u30fc\u306e\u30ec\u30a4\u30e4\u30fc\u3092\u9078\u629e\u3057\u3066\u304f\u3060\u3055\u3044\u3002" : "Select the layers of the characters under which the shadows are to lie.",
         there: ja ? "\u3059\u3067\u306b\u3042\u308a\u307e\u3059\u3002\u7f6e\u304d\u63db\u3048\u307e\u3059\u304b\uff1f\n" : "It is there already. Replace it?\n",
-        moved: ja ? "\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306f\u79fb\u52d5\u30fb\u62e1\u5927\u7e2e\u5c0f\u30fb\u56de\u8ee2\u3055\u308c\u3066\u3044\u307e\u3059\u3002Kagezou \u3067\u306f\u4e2d\u592e\u306b\u539f\u5bf8\u3067\u7f6e\u304b\u308c\u307e\u3059:\n" : "These layers are moved, scaled or turned; Kagezou takes them in the middle at their own size:\n",
+        left: ja ? "\u6b21\u306e\u3082\u306e\u306f Kagezou \u306b\u6e21\u3055\u308c\u307e\u305b\u3093\u3002Kagezou \u3067\u306f\u3053\u308c\u3089\u306a\u3057\u3067\u8868\u793a\u3055\u308c\u307e\u3059:\n" : "These are not handed over; Kagezou shows the layers without them:\n",
+        threeD: ja ? "3D \u30ec\u30a4\u30e4\u30fc" : "3-D layer",
+        mask: ja ? "\u30de\u30b9\u30af" : "mask",
+        matte: ja ? "\u30c8\u30e9\u30c3\u30af\u30de\u30c3\u30c8" : "track matte",
+        orient: ja ? "\u81ea\u52d5\u65b9\u5411" : "auto-orientation",
+        skewed: ja ? "\u89aa\u30ec\u30a4\u30e4\u30fc\u306b\u3088\u308b\u6b6a\u307f" : "skew by the layers it is parented to",
+        beyond: ja ? "\u7d20\u6750\u306e\u7bc4\u56f2\u5916\u306e\u30bf\u30a4\u30e0\u30ea\u30de\u30c3\u30d7" : "time remapping beyond its pictures",
         badName: ja ? "\u3053\u306e\u540d\u524d\u306f\u6e21\u305b\u307e\u305b\u3093: " : "This name cannot be handed over: ",
         failed: ja ? "Kagezou \u304c\u5931\u6557\u3057\u307e\u3057\u305f:\n" : "Kagezou failed:\n",
         allow: ja ? "\u74b0\u5883\u8a2d\u5b9a > \u30b9\u30af\u30ea\u30d7\u30c8\u3068\u30a8\u30af\u30b9\u30d7\u30ec\u30c3\u30b7\u30e7\u30f3\u3067\u3001\u30d5\u30a1\u30a4\u30eb\u3078\u306e\u66f8\u304d\u8fbc\u307f\u3092\u8a31\u53ef\u3057\u3066\u304f\u3060\u3055\u3044\u3002" : "In Preferences > Scripting & Expressions, allow scripts to write files."
@@ -186,35 +192,227 @@
 
     /* The layers' timing as a timesheet in a file that only lives until the project is made. */
     function writeSheet(comp, layers, names) {
-        var frames = Math.max(1, Math.round(comp.duration * comp.frameRate));
+        var frames = framesOf(comp);
         var titles = [];
         var tracks = [];
         for (var i = 0; i < layers.length; i++) {
             titles.push(textOf(names[i]));
             tracks.push("{\"trackNo\":" + i + ",\"frames\":[" + columnOf(layers[i], comp, frames) + "]}");
         }
-        var file = new File(Folder.temp.fsName + "/kagezou-" + new Date().getTime() + ".xdts");
+        return writeText("xdts", "exchangeDigitalTimeSheet Save Data\n{\"timeTables\":[{\"name\":\"\",\"duration\":" + frames
+            + ",\"timeTableHeaders\":[{\"fieldId\":0,\"names\":[" + titles.join(",")
+            + "]}],\"fields\":[{\"fieldId\":0,\"tracks\":[" + tracks.join(",") + "]}]}],\"version\":5}");
+    }
+
+    function framesOf(comp) {
+        return Math.max(1, Math.round(comp.duration * comp.frameRate));
+    }
+
+    function writeText(suffix, text) {
+        var file = new File(Folder.temp.fsName + "/kagezou-" + new Date().getTime() + "." + suffix);
         file.encoding = "UTF-8";
         if (!file.open("w")) {
             throw new Error(WORDS.allow);
         }
-        file.write("exchangeDigitalTimeSheet Save Data\n{\"timeTables\":[{\"name\":\"\",\"duration\":" + frames
-            + ",\"timeTableHeaders\":[{\"fieldId\":0,\"names\":[" + titles.join(",")
-            + "]}],\"fields\":[{\"fieldId\":0,\"tracks\":[" + tracks.join(",") + "]}]}],\"version\":5}");
+        file.write(text);
         file.close();
         return file;
     }
 
-    function isMoved(layer, comp) {
+    /* Effects that move pixels, by their match names. */
+    var MOVING = "|ADBE Geometry2|ADBE Corner Pin|ADBE MESH WARP|ADBE BEZMESH|ADBE WRPMESH|ADBE Offset|ADBE Optics Compensation|ADBE Polar Coordinates|ADBE RESHAPE|ADBE LIQUIFY|ADBE Magnify|ADBE Mirror|ADBE Ripple|ADBE SCHMEAR|ADBE Spherize|ADBE Turbulent Displace|ADBE Displacement Map|ADBE Twirl|ADBE BULGE|ADBE Wave Warp|ADBE FreePin3|";
+
+    /* How a flat layer lies at a time, in what it is parented to. */
+    function lieAt(layer, time) {
         var transform = layer.property("ADBE Transform Group");
         var position = transform.property("ADBE Position");
-        var scale = transform.property("ADBE Scale");
-        var anchor = transform.property("ADBE Anchor Point").value;
-        var turned = transform.property("ADBE Rotate Z");
-        return position.numKeys + scale.numKeys + turned.numKeys > 0 || turned.value !== 0
-            || Math.abs(scale.value[0] - 100) > 0.01 || Math.abs(scale.value[1] - 100) > 0.01
-            || Math.abs(position.value[0] - anchor[0] - (comp.width - layer.source.width) / 2) > 0.51
-            || Math.abs(position.value[1] - anchor[1] - (comp.height - layer.source.height) / 2) > 0.51;
+        var place = position.dimensionsSeparated
+            ? [transform.property("ADBE Position_0").valueAtTime(time, false), transform.property("ADBE Position_1").valueAtTime(time, false)]
+            : position.valueAtTime(time, false);
+        return {
+            position: place,
+            anchor: transform.property("ADBE Anchor Point").valueAtTime(time, false),
+            scale: transform.property("ADBE Scale").valueAtTime(time, false),
+            rotation: transform.property("ADBE Rotate Z").valueAtTime(time, false)
+        };
+    }
+
+    /* [a, b, c, d, x, y]: x of the parent is a x + c y + x, y is b x + d y + y. */
+    function matrixOf(lie) {
+        var turn = lie.rotation * Math.PI / 180;
+        var sx = lie.scale[0] / 100;
+        var sy = lie.scale[1] / 100;
+        var a = Math.cos(turn) * sx;
+        var b = Math.sin(turn) * sx;
+        var c = -Math.sin(turn) * sy;
+        var d = Math.cos(turn) * sy;
+        return [a, b, c, d, lie.position[0] - a * lie.anchor[0] - c * lie.anchor[1], lie.position[1] - b * lie.anchor[0] - d * lie.anchor[1]];
+    }
+
+    function placed(matrix, point) {
+        return [matrix[0] * point[0] + matrix[2] * point[1] + matrix[4], matrix[1] * point[0] + matrix[3] * point[1] + matrix[5]];
+    }
+
+    /* How a layer lies in the composition at a time: with all it is parented to, as one move, turn and scale.
+       What the layers it is parented to skew is no such thing; then isSkewed tells. */
+    function lieInComp(layer, time, before) {
+        var lie = lieAt(layer, time);
+        if (layer.parent === null) {
+            return lie;
+        }
+        var mirrored = lie.scale[0] < 0;
+        var linear = matrixOf(lie);
+        var place = lie.position;
+        for (var parent = layer.parent; parent !== null; parent = parent.parent) {
+            var above = lieAt(parent, time);
+            var over = matrixOf(above);
+            place = placed(over, place);
+            linear = [
+                over[0] * linear[0] + over[2] * linear[1], over[1] * linear[0] + over[3] * linear[1],
+                over[0] * linear[2] + over[2] * linear[3], over[1] * linear[2] + over[3] * linear[3]
+            ];
+            mirrored = mirrored !== above.scale[0] < 0;
+        }
+        var side = mirrored ? -1 : 1;
+        var width = Math.sqrt(linear[0] * linear[0] + linear[1] * linear[1]);
+        var height = width > 0 ? (linear[0] * linear[3] - linear[1] * linear[2]) / width : 0;
+        var turn = Math.atan2(side * linear[1], side * linear[0]) * 180 / Math.PI;
+        if (before !== null) {
+            turn += Math.round((before.rotation - turn) / 360) * 360;
+        }
+        return {
+            position: place, anchor: lie.anchor, scale: [side * width * 100, side * height * 100], rotation: turn,
+            isSkewed: Math.abs(linear[0] * linear[2] + linear[1] * linear[3]) > 0.001 * width * Math.abs(height)
+        };
+    }
+
+    function liesOf(layer, comp, frames) {
+        var lies = [];
+        for (var frame = 0; frame < frames; frame++) {
+            lies.push(lieInComp(layer, frame / comp.frameRate, frame > 0 ? lies[frame - 1] : null));
+        }
+        return lies;
+    }
+
+    /* Whether a layer lies otherwise than in the middle at its own size. */
+    function isMoved(layer, comp, lies) {
+        for (var i = 0; i < lies.length; i++) {
+            var lie = lies[i];
+            if (lie.rotation !== 0 || Math.abs(lie.scale[0] - 100) > 0.01 || Math.abs(lie.scale[1] - 100) > 0.01
+                || Math.abs(lie.position[0] - lie.anchor[0] - (comp.width - layer.source.width) / 2) > 0.51
+                || Math.abs(lie.position[1] - lie.anchor[1] - (comp.height - layer.source.height) / 2) > 0.51) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    function numberText(value) {
+        return String(Math.round(value * 1e6) / 1e6);
+    }
+
+    function valueText(value) {
+        return typeof value === "number" ? numberText(value) : "[" + numberText(value[0]) + "," + numberText(value[1]) + "]";
+    }
+
+    /* A property over the composition as a project file has it: a value, or keys on the frames on which it changes. */
+    function trackText(lies, name) {
+        var texts = [];
+        var keys = [];
+        var i;
+        for (i = 0; i < lies.length; i++) {
+            texts.push(valueText(lies[i][name]));
+        }
+        for (i = 0; i < texts.length; i++) {
+            var isHeld = i > 0 && i < texts.length - 1 && texts[i] === texts[i - 1] && texts[i] === texts[i + 1];
+            if (!isHeld) {
+                keys.push("{\"frame\":" + (i + 1) + ",\"value\":" + texts[i] + ",\"interpolation\":\"linear\"}");
+            }
+        }
+        var isStill = keys.length <= 2 && texts[0] === texts[texts.length - 1];
+        return isStill ? texts[0] : "{\"keys\":[" + keys.join(",") + "]}";
+    }
+
+    /* Where moved layers lie, as a file of values; null where none is moved. */
+    function writeValues(comp, layers, names) {
+        var frames = framesOf(comp);
+        var rows = [];
+        for (var i = 0; i < layers.length; i++) {
+            var lies = isFlat(layers[i]) ? liesOf(layers[i], comp, frames) : [];
+            if (isMoved(layers[i], comp, lies)) {
+                var parts = ["position", "anchor", "scale", "rotation"];
+                for (var j = 0; j < parts.length; j++) {
+                    rows.push(textOf("layers." + names[i] + "." + parts[j]) + ":" + trackText(lies, parts[j]));
+                }
+            }
+        }
+        return rows.length > 0 ? writeText("json", "{" + rows.join(",\n") + "}") : null;
+    }
+
+    /* Whether a layer and all it is parented to lie in the plane of the composition. */
+    function isFlat(layer) {
+        for (var each = layer; each !== null; each = each.parent) {
+            if (each.threeDLayer) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /* What of a layer cannot be handed over, in words. */
+    function leftOf(layer, comp) {
+        var left = [];
+        var i;
+        if (!isFlat(layer)) {
+            left.push(WORDS.threeD);
+        } else if (isSkewed(liesOf(layer, comp, framesOf(comp)))) {
+            left.push(WORDS.skewed);
+        }
+        for (var each = layer; each !== null; each = each.parent) {
+            if (each.autoOrient !== AutoOrientType.NO_AUTO_ORIENT && left.join().indexOf(WORDS.orient) < 0) {
+                left.push(WORDS.orient);
+            }
+        }
+        if (layer.property("ADBE Mask Parade").numProperties > 0) {
+            left.push(WORDS.mask);
+        }
+        if (layer.hasTrackMatte) {
+            left.push(WORDS.matte);
+        }
+        var effects = layer.property("ADBE Effect Parade");
+        for (i = 1; i <= effects.numProperties; i++) {
+            if (effects.property(i).enabled && MOVING.indexOf("|" + effects.property(i).matchName + "|") >= 0) {
+                left.push(effects.property(i).name);
+            }
+        }
+        if (isRemappedBeyond(layer, comp)) {
+            left.push(WORDS.beyond);
+        }
+        return left;
+    }
+
+    function isSkewed(lies) {
+        for (var i = 0; i < lies.length; i++) {
+            if (lies[i].isSkewed) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    function isRemappedBeyond(layer, comp) {
+        if (!layer.timeRemapEnabled) {
+            return false;
+        }
+        var frames = framesOf(comp);
+        for (var frame = 0; frame < frames; frame++) {
+            var time = (frame + 0.01) / comp.frameRate;
+            var shown = layer.property("ADBE Time Remapping").valueAtTime(time, false);
+            if (time >= layer.inPoint && time < layer.outPoint && (shown < -0.001 || shown > layer.source.duration + 0.001)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     function selectedFromBottom(comp) {
@@ -235,11 +433,12 @@
         }
         var names = namesOf(layers);
         var words = [];
-        var moved = [];
+        var left = [];
         for (var i = 0; i < layers.length; i++) {
             words.push("--character", names[i] + "=" + sourceOf(layers[i]));
-            if (isMoved(layers[i], comp)) {
-                moved.push(layers[i].name);
+            var lost = leftOf(layers[i], comp);
+            if (lost.length > 0) {
+                left.push(layers[i].name + ": " + lost.join(", "));
             }
         }
         var file = File.saveDialog(WORDS.save, "Kagezou:*.kage");
@@ -254,14 +453,22 @@
             }
         }
         var sheet = writeSheet(comp, layers, names);
+        var values = null;
         try {
+            values = writeValues(comp, layers, names);
+            if (values !== null) {
+                words.push("--values", values.fsName);
+            }
             run(["new", file.fsName, "--fps", rateOf(comp), "--size", comp.width + "x" + comp.height, "--force", "--timesheet", sheet.fsName].concat(words));
         } finally {
             sheet.remove();
+            if (values !== null) {
+                values.remove();
+            }
         }
         noteProject(comp, file.fsName);
-        if (moved.length > 0) {
-            alert(WORDS.moved + moved.join("\n"));
+        if (left.length > 0) {
+            alert(WORDS.left + left.join("\n"));
         }
     }
 

@@ -20,6 +20,8 @@
     var identity = "";
     var title = "";
     var known = {};
+    /* How large footage was before this run, by its tag. */
+    var sizes = {};
     var kept = [];
     var placed = [];
     var gone = [];
@@ -206,6 +208,7 @@
         var file = fileOf(footage);
         var item = /** @type {FootageItem} */ (findItem(footage.tag));
         if (item !== null) {
+            sizes[footage.tag] = { width: item.width, height: item.height };
             if (footage.count > 1) {
                 item.replaceWithSequence(file, false);
             } else {
@@ -470,7 +473,7 @@
         return [left + source.width / 2, top + source.height / 2];
     }
 
-    function isInMiddle(comp, layer) {
+    function isInMiddle(comp, layer, size) {
         var transform = layer.property("ADBE Transform Group");
         var position = transform.property("ADBE Position");
         var scale = transform.property("ADBE Scale");
@@ -479,9 +482,9 @@
         if (position.dimensionsSeparated || position.numKeys + scale.numKeys + anchor.numKeys + turned.numKeys > 0 || turned.value !== 0) {
             return false;
         }
-        var middle = middleOf(comp, layer.source);
+        var middle = middleOf(comp, size);
         for (var i = 0; i < 2; i++) {
-            var side = i === 0 ? layer.source.width : layer.source.height;
+            var side = i === 0 ? size.width : size.height;
             if (Math.abs(scale.value[i] - 100) > 0.01 || Math.abs(position.value[i] - anchor.value[i] - middle[i] + side / 2) > 0.51) {
                 return false;
             }
@@ -492,9 +495,11 @@
     function putInMiddle(comp, layer) {
         var transform = layer.property("ADBE Transform Group");
         var position = transform.property("ADBE Position");
-        clearKeys(transform.property("ADBE Position_0"));
-        clearKeys(transform.property("ADBE Position_1"));
-        position.dimensionsSeparated = false;
+        if (position.dimensionsSeparated) {
+            clearKeys(transform.property("ADBE Position_0"));
+            clearKeys(transform.property("ADBE Position_1"));
+            position.dimensionsSeparated = false;
+        }
         clearKeys(position);
         position.setValue(middleOf(comp, layer.source));
         animatePair(transform.property("ADBE Anchor Point"), { value: [layer.source.width / 2, layer.source.height / 2], keys: [] }, 0);
@@ -503,11 +508,15 @@
     }
 
     /* A layer that the user moved stays where it is. */
-    function setPlace(comp, layer, wanted, memory) {
-        if (!wanted && memory.place === "") {
+    function setPlace(comp, layer, tag, wanted, memory) {
+        /* Footage of another size leaves the anchor where it was. */
+        var before = sizes[tag] || layer.source;
+        var isOurs = memory.place === "" ? isInMiddle(comp, layer, before) : memory.place === stateOfPlace(layer);
+        var isAlike = before.width === layer.source.width && before.height === layer.source.height;
+        if (!wanted && memory.place === "" && (isAlike || !isOurs)) {
             return;
         }
-        if (memory.place === "" ? !isInMiddle(comp, layer) : memory.place !== stateOfPlace(layer)) {
+        if (!isOurs) {
             placed.push(layer.name);
             return;
         }
@@ -572,7 +581,7 @@
         } else {
             kept.push(layer.name);
         }
-        setPlace(comp, layer, wanted.transform, memory);
+        setPlace(comp, layer, wanted.footage, wanted.transform, memory);
         if (memory.bounds === "" || memory.bounds === boundsOf(layer)) {
             setBounds(layer);
             memory.bounds = boundsOf(layer);

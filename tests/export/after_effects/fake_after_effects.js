@@ -55,7 +55,13 @@ class Property {
     }
     valueAtTime(time) {
         let found = this.keys.length ? this.keys[0].value : this.value;
-        for (const key of this.keys) if (key.time <= time) found = key.value;
+        this.keys.forEach((key, i) => {
+            const next = this.keys[i + 1];
+            if (key.time > time) return;
+            const part = next && key.out === "LINEAR" && next.time > time ? (time - key.time) / (next.time - key.time) : 0;
+            const between = (from, to) => from + (to - from) * part;
+            found = part === 0 ? key.value : Array.isArray(key.value) ? key.value.map((each, n) => between(each, next.value[n])) : between(key.value, next.value);
+        });
         return found;
     }
     removeKey(index) {
@@ -97,9 +103,10 @@ class Property {
 class Effects extends Property {
     addProperty(matchName) {
         const effect = new Property(matchName, null);
+        effect.enabled = true;
         const parade = this;
         const parts = {
-            "ADBE Slider Control": [0], "ADBE Invert": [], "ADBE Shift Channels": [1, 2, 3, 4], "ADBE Fill": [0, [1, 0, 0, 1]]
+            "ADBE Slider Control": [0], "ADBE Invert": [], "ADBE Geometry2": [], "ADBE Tint": [], "ADBE Shift Channels": [1, 2, 3, 4], "ADBE Fill": [0, [1, 0, 0, 1]]
         };
         if (!(matchName in parts)) throw new Error("After Effects: no effect " + matchName);
         parts[matchName].forEach((value, i) => {
@@ -120,11 +127,13 @@ class Layer {
     constructor(comp, source, duration) {
         this.comp = comp; this.source = source; this.name = source ? source.name : "Null"; this.comment = "";
         this.blendingMode = BlendingMode.NORMAL; this.enabled = true; this.stretch = 100; this.selected = false;
+        this.parent = null; this.threeDLayer = false; this.hasTrackMatte = false; this.autoOrient = "NO";
         this.startTime = 5; this.inPoint = 0; this.outPoint = duration; this._remap = false;
         this._groups = {
             "ADBE Transform Group": new Property("ADBE Transform Group"),
             "ADBE Effect Parade": new Effects("ADBE Effect Parade"),
             "ADBE Marker": new Property("ADBE Marker", null),
+            "ADBE Mask Parade": new Property("ADBE Mask Parade"),
             "ADBE Time Remapping": new Property("ADBE Time Remapping", 0)
         };
         const transform = this._groups["ADBE Transform Group"];
@@ -282,6 +291,7 @@ const world = {
     },
     File, Folder: { temp: { fsName: require("os").tmpdir() } }, CompItem, BlendingMode, ImportAsType: { FOOTAGE: "FOOTAGE" }, alert: (words) => alerts.push(words),
     AlphaMode: { STRAIGHT: "STRAIGHT", PREMULTIPLIED: "PREMULTIPLIED", IGNORE: "IGNORE" },
+    AutoOrientType: { NO_AUTO_ORIENT: "NO", ALONG_PATH: "PATH" },
     KeyframeInterpolationType: { HOLD: "HOLD", LINEAR: "LINEAR", BEZIER: "BEZIER" },
     ImportOptions: function (file) { this.file = file; this.canImportAs = () => true; },
     KeyframeEase: function (speed, influence) {

@@ -55,7 +55,7 @@ def keyed(document: Document, name: str, values: dict[int, object], how: Interpo
 
 def test_the_composition_is_the_picture(moved: Document, tmp_path: Path) -> None:
     run = built(handed_off(moved, tmp_path / "ae"), tmp_path)
-    assert furthest(run, moved, tmp_path) <= 2
+    assert furthest(run, moved, tmp_path) <= 1
     layer = run.layer("cut", "A")
     assert len(property_of(layer, TRANSFORM, "ADBE Position_0")["keys"]) == 3, "the keys of the document, none a frame"
     assert place_at(layer, 3 / 24) == (40.0, 44.0)
@@ -97,7 +97,7 @@ def test_drawings_of_another_size_than_the_canvas_lie_where_they_are_seen(
     document = with_values(document, layers__A__position=(30.5, 20.25), layers__A__anchor=(10.0, 12.0))
     run = built(handed_off(document, tmp_path / "ae", copies=copies), tmp_path)
     assert run.item("A", "FootageItem")["width"] == size[0]
-    assert furthest(run, document, tmp_path) <= 2
+    assert furthest(run, document, tmp_path) <= 2, "rounded twice, and colours of little alpha are coarse"
 
 
 def test_drawings_of_different_sizes_keep_what_only_the_move_brings_into_the_picture(
@@ -107,7 +107,7 @@ def test_drawings_of_different_sizes_keep_what_only_the_move_brings_into_the_pic
     document = keyed(with_cels(still, shown), "position", {1: (32.0, 24.0), 6: (50.0, 10.0)}, Interpolation.LINEAR)
     run = built(handed_off(document, tmp_path / "ae"), tmp_path)
     assert (run.item("A", "FootageItem")["width"], run.item("A", "FootageItem")["height"]) == (91, 71)
-    assert furthest(run, document, tmp_path) <= 2
+    assert furthest(run, document, tmp_path) <= 1
 
 
 def test_an_eased_anchor_is_baked_and_that_is_said(still: Document, tmp_path: Path) -> None:
@@ -118,13 +118,13 @@ def test_an_eased_anchor_is_baked_and_that_is_said(still: Document, tmp_path: Pa
         "frames instead"
     ]
     run = built(done, tmp_path)
-    assert furthest(run, document, tmp_path) <= 2
+    assert furthest(run, document, tmp_path) <= 1
     linear = keyed(still, "anchor", {1: (32.0, 24.0), 6: (44.0, 20.0)}, Interpolation.LINEAR)
     done = handed_off(linear, tmp_path / "straight")
     assert done.notes == ()
     run = built(done, tmp_path)
     assert len(property_of(run.layer("cut", "A"), TRANSFORM, "ADBE Anchor Point")["keys"]) == 2
-    assert furthest(run, linear, tmp_path / "straight") <= 2
+    assert furthest(run, linear, tmp_path / "straight") <= 1
 
 
 def test_a_second_run_follows_the_document_until_the_user_moves_the_layer(moved: Document, tmp_path: Path) -> None:
@@ -161,6 +161,17 @@ def test_a_layer_that_comes_to_be_moved_or_no_longer_is(still: Document, moved: 
     assert len(run.tree["alerts"]) == 1
 
 
+def test_footage_that_comes_to_have_another_size_still_lies_as_in_the_picture(still: Document, tmp_path: Path) -> None:
+    plain = with_cels(still, odd_drawings(tmp_path / "odd", [(25, 31), (91, 20), (40, 71)]))
+    document = keyed(plain, "position", {1: (32.0, 24.0), 6: (50.0, 10.0)}, Interpolation.LINEAR)
+    small = with_cels(still, odd_drawings(tmp_path / "small", [(25, 31)]))
+    for number, (one, other) in enumerate(((plain, document), (document, plain), (small, plain), (plain, small))):
+        scripts = [script_of(handed_off(each, tmp_path / f"{number}{n}")) for n, each in enumerate((one, other))]
+        run = run_edited(scripts[0], tmp_path / "ae.json", ("", scripts[1]))
+        assert run.tree["alerts"] == []
+        assert furthest(run, other, tmp_path / f"{number}") <= 1
+
+
 def test_a_joined_cel_is_a_layer_and_the_figure_has_the_shadow(moved: Document, tmp_path: Path) -> None:
     shown = drawings(tmp_path / "arm", 2, "arm")
     document = add_layer(moved, "arm", Cels(shown, (Exposure(1, 0), Exposure(3, 1))), Box(12, 20, 20, 40))
@@ -172,7 +183,7 @@ def test_a_joined_cel_is_a_layer_and_the_figure_has_the_shadow(moved: Document, 
     for mattes in ((), ("lit", "core", "shadow")):
         run = built(handed_off(document, tmp_path / f"ae{len(mattes)}", mattes=mattes), tmp_path)
         assert names(run, "cut") == ["Background", "A shadow", "A", "arm", "Ground line", "Light"]
-        assert furthest(run, document, tmp_path) <= 2
+        assert furthest(run, document, tmp_path) <= 1
     assert names(run, "Lit area") == ["White", "A"]
     (note,) = property_of(run.layer("cut", "arm"), "ADBE Marker")["keys"]
     assert note["value"]["comment"] == "Sato: Position: Higher"

@@ -4,12 +4,18 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from kagezou.document.model import Document
+from kagezou.document.figure_properties import SCALE
+from kagezou.document.model import Document, drawing_offset
+from kagezou.document.properties import GROUND_POSITION
+from kagezou.document.values import value_at
+from kagezou.geometry.placement import Placement
 from kagezou.io.project.file import load
 from kagezou.locations import resource_folder
-from tests.export.after_effects.extendscript import Run, run_script
+from kagezou.scene.placing import PLACING, figure_box, placement_at
+from tests.export.after_effects.extendscript import Run, property_of, run_script
 from tests.export.small_cuts import drawings
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the model of After Effects speaks to a POSIX shell")
@@ -78,6 +84,7 @@ def test_the_project_has_the_timing_of_the_layers(panel: Panel, saved: Path) -> 
             (at) => ({ time: at[0] / 24, value: at[1] / 24 }));
         var opacity = held._groups['ADBE Transform Group'].children['ADBE Opacity'];
         opacity.setValuesAtTimes([0, 12 / 24, 14 / 24], [100, 0, 100]);
+        opacity.keys.forEach((key) => { key.out = 'HOLD'; });
         press(make);
     """)
     assert run.tree["alerts"] == []
@@ -163,20 +170,122 @@ def test_what_cannot_be_done_is_one_readable_sentence(panel: Panel, words: str, 
     assert run.tree["undo"]["open"] == 0
 
 
-def test_a_project_is_never_replaced_unasked_and_moved_layers_are_told(panel: Panel, saved: Path) -> None:
+def test_a_project_is_never_replaced_unasked(panel: Panel, saved: Path) -> None:
     saved.write_text("mine")
     run = panel(f"""
         settings.saveTo = {str(saved.with_suffix(""))!r};
-        var cut = newComp('cut', 4); var layer = cut.put(file, 'A'); layer.selected = true;
-        layer._groups['ADBE Transform Group'].children['ADBE Scale'].value = [120, 120];
+        var cut = newComp('cut', 4); cut.put(file, 'A').selected = true;
         answer = false; press(make);
     """)
     assert saved.read_text() == "mine"
     assert len(run.tree["asked"]) == 1
-    saved.unlink()
-    run = panel("""
-        var cut = newComp('cut', 4); var layer = cut.put(file, 'A'); layer.selected = true;
-        layer._groups['ADBE Transform Group'].children['ADBE Scale'].value = [120, 120]; press(make);
+
+
+HELD = """
+    var cut = newComp('cut', 5);
+    var transformOf = (layer) => layer._groups['ADBE Transform Group'].children;
+    var put = (name) => { var layer = cut.put(file, name); layer.selected = true; return layer; };
+"""
+
+
+def test_moved_layers_are_handed_over(panel: Panel, saved: Path) -> None:
+    run = panel(f"""
+        {HELD}
+        var moved = transformOf(put('moved')), mirrored = transformOf(put('mirrored'));
+        put('still');
+        moved['ADBE Anchor Point'].value = [14, 40];
+        moved['ADBE Position'].setValuesAtTimes([0, 4 / 24], [[100, 200], [180, 220]]);
+        moved['ADBE Rotate Z'].value = 400;
+        mirrored['ADBE Scale'].value = [-50, 120.5];
+        mirrored['ADBE Position'].dimensionsSeparated = true;
+        mirrored['ADBE Position_0'].value = 70;
+        press(make);
     """)
-    assert len(run.tree["alerts"]) == 1
-    assert "A" in run.tree["alerts"][0].splitlines()
+    assert run.tree["alerts"] == []
+    document = load(saved)
+    moved, mirrored, still = document.layers
+    assert [key.value for key in moved.tracks["position"].keys] == [
+        (100, 200), (120, 205), (140, 210), (160, 215), (180, 220)
+    ]  # fmt: skip
+    assert [moved.tracks[name].constant for name in ("anchor", "rotation")] == [(14, 40), 400]
+    assert value_at(moved.tracks, SCALE, 1) == (100, 100)
+    assert [mirrored.tracks[name].constant for name in ("position", "scale")] == [(70, 120), (-50, 120.5)]
+    assert still.tracks.keys().isdisjoint(PLACING)
+    lowest = max(figure_box(document, layer.id, 1).bottom for layer in document.layers)
+    assert value_at(document.tracks, GROUND_POSITION, 1)[1] == pytest.approx(lowest, abs=1), "where they stand now"
+
+
+def test_what_a_layer_is_parented_to_is_in_its_own_keys(panel: Panel, saved: Path) -> None:
+    run = panel(f"""
+        {HELD}
+        var child = put('child'), parent = cut.put(file, 'parent'), root = cut.put(file, 'root');
+        child.parent = parent; parent.parent = root;
+        transformOf(child)['ADBE Position'].value = [10, 4];
+        transformOf(child)['ADBE Anchor Point'].value = [16, 40];
+        transformOf(child)['ADBE Rotate Z'].value = 20;
+        transformOf(child)['ADBE Scale'].value = [150, 80];
+        transformOf(parent)['ADBE Anchor Point'].value = [2, 3];
+        transformOf(parent)['ADBE Position'].value = [30, 20];
+        transformOf(parent)['ADBE Scale'].value = [-200, 200];
+        transformOf(root)['ADBE Anchor Point'].value = [0, 0];
+        transformOf(root)['ADBE Position'].setValuesAtTimes([0, 4 / 24], [[160, 100], [200, 100]]);
+        transformOf(root)['ADBE Rotate Z'].setValuesAtTimes([0, 4 / 24], [0, 720]);
+        press(make);
+    """)
+    assert run.tree["alerts"] == []
+    document = load(saved)
+    (layer,) = document.layers
+    for frame in range(1, 6):
+        along = (frame - 1) / 4
+        root = Placement((160 + 40 * along, 100.0), (0.0, 0.0), (1.0, 1.0), 720 * along)
+        parent = Placement((30.0, 20.0), (2.0, 3.0), (-2.0, 2.0))
+        child = Placement((10.0, 4.0), (16.0, 40.0), (1.5, 0.8), 20.0)
+        wanted = root.canvas_from_centred() @ parent.canvas_from_centred() @ child.canvas_from_centred()
+        found = placement_at(document, layer, frame)
+        assert found is not None
+        shift = np.eye(3)
+        shift[:2, 2] = drawing_offset(document.canvas, layer)
+        assert found.canvas_from_centred() @ shift == pytest.approx(wanted, abs=1e-3)
+    turns = [key.value for key in layer.tracks["rotation"].keys]
+    assert np.diff(np.array(turns, float)) == pytest.approx([180] * 4, abs=1e-3), "turns go on, never back"
+
+
+def test_what_cannot_be_handed_over_is_said_by_layer(panel: Panel, saved: Path) -> None:
+    run = panel(f"""
+        {HELD}
+        var deep = put('deep'), masked = put('masked'), warped = put('warped');
+        var skewed = put('skewed'), late = put('late');
+        put('plain')._groups['ADBE Effect Parade'].addProperty('ADBE Tint');
+        deep.threeDLayer = true; transformOf(deep)['ADBE Rotate Z'].value = 30;
+        masked._groups['ADBE Mask Parade'].children.one = masked._groups['ADBE Marker']; masked.hasTrackMatte = true;
+        warped._groups['ADBE Effect Parade'].addProperty('ADBE Geometry2'); warped.autoOrient = 'PATH';
+        var parent = cut.put(file, 'parent'); skewed.parent = parent;
+        transformOf(parent)['ADBE Scale'].value = [100, 50];
+        transformOf(skewed)['ADBE Rotate Z'].value = 30;
+        late.timeRemapEnabled = true;
+        late._groups['ADBE Time Remapping'].keys = [{{ time: 0, value: 0 }}, {{ time: 2 / 24, value: 9 }}];
+        press(make);
+    """)
+    (said,) = run.tree["alerts"]
+    assert said.splitlines()[1:] == [
+        "deep: 3D レイヤー",
+        "masked: マスク, トラックマット",
+        "warped: 自動方向, ADBE Geometry2",
+        "skewed: 親レイヤーによる歪み",
+        "late: 素材の範囲外のタイムリマップ",
+    ]
+    assert load(saved).layers[0].tracks.keys().isdisjoint(PLACING)
+
+
+def test_shadows_of_moved_layers_come_back_where_they_are(panel: Panel, saved: Path) -> None:
+    run = panel(f"""
+        {HELD}
+        var moved = transformOf(put('moved'));
+        moved['ADBE Position'].setValuesAtTimes([0, 4 / 24], [[60, 200], [200, 200]]);
+        press(make); press(bring); press(bring);
+    """)
+    assert run.tree["alerts"] == []
+    shadow = run.layer("cut", "moved shadow")
+    position = property_of(shadow, "ADBE Transform Group", "ADBE Position")
+    assert (position["value"], position["keys"]) == ([160, 120], []), "rendered where it is, so never moved"
+    assert saved.exists()

@@ -32,6 +32,21 @@ EXAMPLES = """\
 
 def add_arguments(parser: Parser) -> None:
     """Say what can be typed."""
+    _add_sources(parser)
+    parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
+    parser.add_argument("--fps", type=frame_rate, default="24", metavar="RATE", help="frames a second (24)")
+    parser.add_argument(
+        "--values",
+        type=Path,
+        metavar="FILE.json",
+        help="properties from the start, such as where figures lie, so that ground and light fit them: an object of "
+        "PATHs, each with its value or, as in a project file, its keys",
+    )
+    parser.add_argument("--no-feet", action="store_true", help="do not look for feet; kagezou feet does so later")
+    parser.add_argument("--force", action="store_true", help="replace a project that is there")
+
+
+def _add_sources(parser: Parser) -> None:
     parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file to write")
     parser.add_argument(
         "--character",
@@ -59,16 +74,12 @@ def add_arguments(parser: Parser) -> None:
         "'BG' the background; a timesheet beside it with the same name times it",
     )
     parser.add_argument("--background", type=Path, metavar="DIR_OR_FILE", help="the pictures under everything")
-    parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
-    parser.add_argument("--fps", type=frame_rate, default="24", metavar="RATE", help="frames a second (24)")
     parser.add_argument(
         "--timesheet",
         type=Path,
         metavar="SHEET.xdts",
         help="when which drawing is exposed (also .tdts, .sts); without --character its columns find their drawings",
     )
-    parser.add_argument("--no-feet", action="store_true", help="do not look for feet; kagezou feet does so later")
-    parser.add_argument("--force", action="store_true", help="replace a project that is there")
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
@@ -100,6 +111,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         timed = with_timesheet(document, options.timesheet)
         document = timed.document
         notes += timed.notes
+    if options.values is not None:
+        document = _with_values(document, options.values)
     if not options.no_feet:
         found = _on_feet(document)
         document = found.document
@@ -108,6 +121,26 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     for sentence in notes:
         note(sentence)
     return 0
+
+
+def _with_values(document: "Document", path: Path) -> "Document":
+    """Return the document with the properties of a file; where these move figures, ground and light fit them there."""
+    from kagezou.document.edits import set_track
+    from kagezou.importing.lighting import grounded_as_shown
+    from kagezou.io.clips.value_files import load_tracks
+    from kagezou.scene.placing import PLACING
+
+    tracks = load_tracks(path, document)
+    are_moved = any(address.property.name in PLACING for address, _ in tracks)
+    for address, track in tracks:
+        document = set_track(document, address, track)
+    if not are_moved:
+        return document
+    document = grounded_as_shown(document)
+    # What the file says of ground and light is meant as it stands.
+    for address, track in tracks:
+        document = set_track(document, address, track)
+    return document
 
 
 def _on_feet(document: "Document") -> "Imported":

@@ -204,11 +204,12 @@ def _tracks(reader: Reader, known: Mapping[str, AnyProperty]) -> Tracks:
     for name, track in reader.members().items():
         if name not in known:
             raise track.problem(Message("there is no such property"))
-        tracks[name] = _track(track, known[name])
+        tracks[name] = read_track(track, known[name])
     return MappingProxyType(tracks)
 
 
-def _track(reader: Reader, prop: AnyProperty) -> Track:
+def read_track(reader: Reader, prop: AnyProperty) -> Track:
+    """Return the track of a property: a value, or keys; raises as `read_key`."""
     if not isinstance(reader.value, dict):
         return Track(_value(reader, prop))
     found = _record(reader, fields.TRACK)
