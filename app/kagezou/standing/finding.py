@@ -11,7 +11,7 @@ from kagezou.standing.foot import Foot
 from kagezou.standing.minima import Minimum, minima_of
 from kagezou.standing.outline import Outline, longest_run
 from kagezou.standing.steps import steps_of
-from kagezou.standing.tracks import Tracks, joined, tracked
+from kagezou.standing.tracks import Tracks, joined, tracked, with_lifts
 
 _BASE = 0.03  # of the height: what lies no higher over the lowest pixel rests on the ground
 _BROAD = 0.4  # of the height: wider than a foot, and than two that are close together
@@ -75,7 +75,8 @@ def found_feet(outlines: Sequence[Outline | None]) -> tuple[FoundFeet, ...]:
         () if outline is None or not each else _in_reach(each, outline.height_px)
         for outline, each in zip(outlines, _without_moving_steps(candidates, size), strict=True)
     )
-    tracks = joined(_feet_among(tracked(minima, size), minima, size), minima)
+    tracks = with_lifts(tracked(minima, size), minima, size)
+    tracks = joined(_feet_among(tracks, minima, size), minima)
     return tuple(
         FoundFeet(_feet(places, numbers), reason)
         for places, numbers, reason in zip(minima, tracks, reasons, strict=True)
