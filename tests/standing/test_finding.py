@@ -1,5 +1,6 @@
 """Feet in drawn figures."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -9,6 +10,7 @@ from hypothesis import strategies as st
 
 from kagezou.standing.finding import Footless, found_feet
 from kagezou.standing.minima import minima_of
+from kagezou.standing.outline import Outline
 from tests.standing.figures import FAR, GROUND, Pose, drawn, figure, jump, outline, run, walk
 
 STANDS = ((170.0, GROUND), (235.0, FAR))
@@ -145,3 +147,41 @@ def test_a_figure_of_one_column_has_a_foot() -> None:
 def test_the_same_drawings_give_the_same_feet() -> None:
     poses = drawn(run(3))
     assert found_feet(poses) == found_feet(poses)
+
+
+_STANDS = [0.0] * 4
+"""How high a foot is over the ground, as part of the figure's height."""
+
+
+def _lifting(rises: Sequence[float], aside_px: float = 0.0) -> list[Pose]:
+    """Return one who stands on the far foot and lifts the near one so high, going so far aside in each drawing."""
+    return [
+        Pose(((160.0 - aside_px * (rise > 0), GROUND - 300 * rise), (235.0, FAR)), (rise == 0, True)) for rise in rises
+    ]
+
+
+@pytest.mark.parametrize("lifted", [[0.17], [0.17] * 3, [0.2, 0.1, 0.2], [0.12, 0.24, 0.12], [0.15, 0.3, 0.15]])
+def test_a_foot_that_is_lifted_fast_keeps_its_track(lifted: list[float]) -> None:
+    poses = _lifting([*_STANDS, *lifted, *_STANDS])
+    for pose, found in zip(poses, found_feet(drawn(poses)), strict=True):
+        assert [foot.track for foot in found.feet] == [0, 1]
+        assert found.feet[0].place == pytest.approx(pose.feet[0], abs=1.0)
+
+
+@pytest.mark.parametrize(("rises", "aside_px"), [([*_STANDS, 0.17, 0.17], 0.0), ([*_STANDS, 0.17, *_STANDS], 40.0)])
+def test_what_is_not_set_down_again_or_is_elsewhere_may_be_a_hand(rises: list[float], aside_px: float) -> None:
+    poses = _lifting(rises, aside_px)
+    for pose, found in zip(poses, found_feet(drawn(poses)), strict=True):
+        assert len(found.feet) == sum(pose.carry)
+
+
+def test_a_hand_over_a_foot_that_was_there_before_stays_a_hand() -> None:
+    def with_hand(pose: Pose) -> Outline:
+        alpha = figure(pose.feet)
+        alpha[160:172, 130:200] = 255
+        alpha[160:300, 130:142] = 255
+        return outline(alpha) or pytest.fail("nothing solid")
+
+    poses = _lifting([*_STANDS, 0.6, 0.6, *_STANDS])
+    assert [len(minima_of(with_hand(pose))) for pose in poses] == [3] * 4 + [2] * 2 + [3] * 4
+    assert [len(each.feet) for each in found_feet([with_hand(pose) for pose in poses])] == [2] * 4 + [1] * 2 + [2] * 4

@@ -214,6 +214,39 @@ def test_one_drawing_alone() -> None:
     assert [foot.ground_row for foot in stance.feet] == [350.0, 345.0, 350.0]
 
 
+@pytest.mark.parametrize(("up_px", "carries"), [(5.0, True), (20.0, True), (29.0, True), (33.0, False)])
+def test_a_far_foot_that_rests_with_the_near_one_carries(up_px: float, *, carries: bool) -> None:
+    rest = [(0, 150.0, 350.0), (1, 200.0, 350.0 - up_px)]
+    step = [(0, 150.0, 350.0), (1, 240.0, 320.0)], [(0, 150.0, 350.0), (1, 270.0, 300.0)]
+    result = stances(_sequence([*[rest] * 40, *step]))
+    assert [[foot.is_planted for foot in each.feet] for each in result[:40]] == [[True, carries]] * 40
+    assert not any(each.doubt for each in result[:40])
+
+
+def test_a_far_foot_must_rest_for_a_second() -> None:
+    def planted(drawings: int) -> tuple[list[bool], list[bool]]:
+        rest = [(0, 150.0, 350.0), (1, 200.0, 330.0)]
+        moves = [[(0, 150.0, 350.0), (1, 200.0 + 9 * step, 330.0 - 9 * step)] for step in range(1, 5)]
+        result = stances(_sequence([*moves[::-1], *[rest] * drawings, *moves]))[4 : 4 + drawings]
+        return [each.feet[1].is_planted for each in result], [each.doubt for each in result]
+
+    assert planted(10) == ([False] * 10, [False] * 10)
+    assert planted(20) == ([False] * 20, [True] * 20)
+    assert planted(30) == ([True] * 30, [True] * 30)
+    assert planted(50) == ([True] * 50, [False] * 50)
+
+
+def test_a_foot_that_is_held_up_uneasily_does_not_carry() -> None:
+    places = [[(0, 150.0, 350.0), (1, 200.0 + 2 * (step % 2), 330.0)] for step in range(50)]
+    assert not any(stance.feet[1].is_planted for stance in stances(_sequence(places)))
+
+
+@pytest.mark.parametrize(("up_px", "doubt"), [(5.0, False), (20.0, True), (40.0, False)])
+def test_one_drawing_alone_with_a_higher_foot_is_to_be_looked_at(up_px: float, *, doubt: bool) -> None:
+    (stance,) = stances(_sequence([[(0, 150.0, 350.0), (1, 200.0, 350.0 - up_px)]]))
+    assert stance.doubt == doubt
+
+
 def _with(sequence: Sequence[Seen], row: int, verdicts: dict[int, Verdict]) -> tuple[Seen, ...]:
     feet = tuple(SeenFoot(foot.track, foot.place, verdicts.get(foot.track)) for foot in sequence[row].feet)
     return tuple(

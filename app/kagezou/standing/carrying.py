@@ -11,6 +11,9 @@ _BEHIND = 0.06  # of the height: how much higher in the picture a foot can stand
 _LEVEL = 0.025  # of the height: two feet of a figure that rests
 _MARGIN = 1.5  # what a decision must stand to be no close one
 _FLAT = 0.01  # of the height: two feet where nothing is known of what comes
+_FARTHER = 0.1  # of the height: how much higher a foot can stand that rests for long with the lowest
+_REST = 24  # frames of the cinema: longer than a leg is held in the air
+_STILL = 0.002  # heights a frame: two feet that rest
 _PAIR = 0.04  # of the height: two feet that move alike
 
 
@@ -43,9 +46,35 @@ def carrying(motion: Motion, slide: Floats) -> Carrying:
     carries: Flags = motion.may_carry & (motion.above(motion.lowest) <= _BEHIND)
     alone: Flags = np.arange(motion.seen.shape[1]) == chosen[:, None]
     planted, strict, lax = (
-        (alone | _second(motion, chosen, slide, slow)) & carries for slow in (SLOW, SLOW / _MARGIN, SLOW * _MARGIN)
+        (alone | _second(motion, chosen, slide, SLOW * lax)) & carries | _rests(motion, chosen, _REST / lax)
+        for lax in (1, 1 / _MARGIN, _MARGIN)
     )
-    return Carrying(planted, instead | np.any(strict != lax, axis=1))
+    return Carrying(planted, instead | np.any(strict != lax, axis=1) | _is_one(motion, above))
+
+
+def _rests(motion: Motion, chosen: NDArray[np.intp], rest: float) -> Flags:
+    """Return (N, K) the feet that are still together with the ``chosen`` ones for ``rest`` frames of the cinema.
+
+    The ground recedes: of a figure that stands the far foot is higher in the picture. A leg that is lifted is not held
+    so still for so long.
+    """
+    runs = np.arange(chosen.size)
+    times = np.concatenate(([0.0], np.cumsum(motion.lengths)))
+    still = motion.followed & (np.hypot(motion.vx, motion.vy) <= _STILL)
+    still &= still[runs[:-1], chosen[:-1]][:, None]
+    result = np.zeros_like(motion.seen)
+    for column in range(still.shape[1]):
+        ends = np.flatnonzero(np.diff(still[:, column], prepend=False, append=False))
+        for first, last in zip(ends[::2].tolist(), ends[1::2].tolist(), strict=True):
+            result[first : last + 1, column] = times[last] - times[first] >= rest
+    rests: Flags = result & motion.may_carry & (motion.above(chosen) <= _FARTHER)
+    return rests
+
+
+def _is_one(motion: Motion, above: Floats) -> Flags:
+    """Return (N,) whether one drawing is all that is known, and another foot in it may be lifted or farther away."""
+    higher: Flags = np.any((above > _LEVEL) & (above <= _FARTHER), axis=1)
+    return higher & (motion.frames.size == 1)
 
 
 def _second(motion: Motion, chosen: NDArray[np.intp], slide: Floats, slow: float) -> Flags:

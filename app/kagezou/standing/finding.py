@@ -3,18 +3,22 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
+from math import dist
 from statistics import median
 
 from kagezou.message import Message
 from kagezou.standing.foot import Foot
 from kagezou.standing.minima import Minimum, minima_of
 from kagezou.standing.outline import Outline, longest_run
-from kagezou.standing.tracks import Tracks, joined, tracked
+from kagezou.standing.steps import steps_of
+from kagezou.standing.tracks import Tracks, joined, tracked, with_lifts
 
 _BASE = 0.03  # of the height: what lies no higher over the lowest pixel rests on the ground
 _BROAD = 0.4  # of the height: wider than a foot, and than two that are close together
 _CUT = 0.25  # of the height: a body, not a sole, runs out of the picture
 _REACH = 0.45  # of the height: a foot is lifted no higher than a hip
+_BESIDE = 0.05  # of the height: what is half hidden lies so far beside the middle of what hides it
+_STILL = 0.01  # of the height a drawing: a foot that is half hidden stays; what moves may be a leg that swings
 _TOUCHES = 0.06  # of the height: a foot that is farther away can stand so much higher in the picture
 _MOST = 4  # feet of a figure
 
@@ -47,7 +51,8 @@ def found_feet(outlines: Sequence[Outline | None]) -> tuple[FoundFeet, ...]:
     """Return the feet of each of a layer's distinct drawings, with track numbers that go through all of them.
 
     A foot is a minimum of the lower edge that can be followed to where it is about as low as the lowest one: what never
-    comes near the ground, such as a hand, is none. Where most drawings rest on a broad base none has feet; where few
+    comes near the ground, such as a hand, is none. A step of the edge is a foot, too, where it stays from one drawing
+    to the next, or where there is but one drawing. Where most drawings rest on a broad base none has feet; where few
     do, as a figure that crouches in a wide skirt, they have feet as the others.
 
     Parameters
@@ -62,11 +67,16 @@ def found_feet(outlines: Sequence[Outline | None]) -> tuple[FoundFeet, ...]:
     else:
         reasons = [reason or Footless.BROAD for reason in reasons]
     size = median([outline.height_px for outline in solid]) if solid else 1.0
-    minima = tuple(
-        () if reason or outline is None else _in_reach(minima_of(outline), outline.height_px)
+    candidates = [
+        () if reason or outline is None else _candidates(outline)
         for outline, reason in zip(outlines, reasons, strict=True)
+    ]
+    minima = tuple(
+        () if outline is None or not each else _in_reach(each, outline.height_px)
+        for outline, each in zip(outlines, _without_moving_steps(candidates, size), strict=True)
     )
-    tracks = joined(_feet_among(tracked(minima, size), minima, size), minima)
+    tracks = with_lifts(tracked(minima, size), minima, size)
+    tracks = joined(_feet_among(tracks, minima, size), minima)
     return tuple(
         FoundFeet(_feet(places, numbers), reason)
         for places, numbers, reason in zip(minima, tracks, reasons, strict=True)
@@ -83,6 +93,29 @@ def _footless(outline: Outline | None) -> Footless | None:
     return Footless.BROAD if longest_run(rests) > _BROAD * outline.height_px else None
 
 
+def _candidates(outline: Outline) -> tuple[Minimum, ...]:
+    """Return the minima of the lower edge and its steps that are none of them."""
+    minima = minima_of(outline)
+    beside = _BESIDE * outline.height_px
+    steps = (step for step in steps_of(outline) if all(abs(step.place[0] - each.place[0]) >= beside for each in minima))
+    return (*minima, *steps)
+
+
+def _without_moving_steps(minima: Sequence[tuple[Minimum, ...]], size: float) -> Sequence[tuple[Minimum, ...]]:
+    """Return the candidates of each drawing without the steps that are in neither the one before nor the one after."""
+    if len(minima) <= 1:
+        return minima
+    before, after = [(), *minima[:-1]], [*minima[1:], ()]
+    return [
+        tuple(
+            each
+            for each in mine
+            if not each.is_step or any(dist(each.place, other.place) <= _STILL * size for other in beside)
+        )
+        for mine, beside in zip(minima, ((*a, *b) for a, b in zip(before, after, strict=True)), strict=True)
+    ]
+
+
 def _in_reach(minima: tuple[Minimum, ...], height_px: float) -> tuple[Minimum, ...]:
     """Return the lowest of the minima, those from which a leg can come, from left to right."""
     lowest = sorted(minima, key=lambda each: (-each.place[1], each.place[0]))[:_MOST]
@@ -96,7 +129,9 @@ def _feet_among(tracks: Tracks, minima: Sequence[Sequence[Minimum]], size: float
     for places, numbers in zip(minima, tracks, strict=True):
         lowest = max((each.place[1] for each in places), default=0.0)
         low = [
-            number for each, number in zip(places, numbers, strict=True) if each.place[1] >= lowest - _TOUCHES * size
+            number
+            for each, number in zip(places, numbers, strict=True)
+            if each.is_step or each.place[1] >= lowest - _TOUCHES * size
         ]
         carrying.update(low)
     return tuple(tuple(number if number in carrying else -1 for number in numbers) for numbers in tracks)

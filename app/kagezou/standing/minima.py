@@ -24,10 +24,13 @@ class Minimum:
         The middle of the sole, and the row below its lowest pixel; drawing px.
     width_px
         How wide the sole is.
+    is_step
+        Whether something lower hides the rest of it (`steps`): the edge rises on one side only.
     """
 
     place: Point2
     width_px: int
+    is_step: bool = False
 
 
 def minima_of(outline: Outline) -> tuple[Minimum, ...]:

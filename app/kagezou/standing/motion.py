@@ -66,6 +66,12 @@ class Motion:
     is_held: Flags
 
     @property
+    def lengths(self) -> Floats:
+        """(N - 1,) how long each step is, frames of the cinema; a hold counts as a usual exposure."""
+        lengths: Floats = 2 * self.unit_px / (self.height[1:] + self.height[:-1])
+        return lengths
+
+    @property
     def shown(self) -> Flags:
         """(N,) whether any foot is seen."""
         shown: Flags = np.any(self.seen, axis=1)

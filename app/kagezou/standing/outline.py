@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
 
+_THICK = 4  # of the figure's height, the part below: more than a foot
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Outline:
@@ -20,12 +22,16 @@ class Outline:
     lower
         (box.width,) ``int32``, read-only: for each column of the box the row below its lowest solid pixel, drawing px,
         y down; `box.top` where the column has none.
+    thickness
+        (box.width,) ``int32``, read-only: how many pixels from the lowest one up are solid one after the other, of
+        those in the lowest quarter of the figure; 0 where the column has none there.
     cut_px
         The longest row of solid pixels that touch the lower edge of the drawing.
     """
 
     box: Box
     lower: NDArray[np.int32]
+    thickness: NDArray[np.int32]
     cut_px: int
 
     @property
@@ -61,7 +67,18 @@ def outline_of(alpha: NDArray[Any], left: int, top: int, drawing_height_px: int)
     lower = np.maximum(lowest[first:last], upper) + np.int32(top)
     lower.setflags(write=False)
     box = Box(left + first, top + upper, left + last, int(lower.max()))
-    return Outline(box, lower, longest_run(lower == drawing_height_px))
+    thickness = _thickness(solid[: int(lowest.max()), first:last][-max(1, box.height // _THICK) :])
+    return Outline(box, lower, thickness, longest_run(lower == drawing_height_px))
+
+
+def _thickness(solid: NDArray[np.bool_]) -> NDArray[np.int32]:
+    """Return (W,) how many of ``solid`` (H, W) are true one after the other from the lowest one of each column up."""
+    rows = np.arange(1, solid.shape[0] + 1, dtype=np.int32)[:, None]
+    lowest = (solid * rows).max(axis=0)
+    over = (~solid & (rows < lowest)) * rows
+    thickness: NDArray[np.int32] = lowest - over.max(axis=0)
+    thickness.setflags(write=False)
+    return thickness
 
 
 def longest_run(flags: NDArray[np.bool_]) -> int:

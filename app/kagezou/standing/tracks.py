@@ -1,9 +1,10 @@
 """Which place of one drawing is which of the next."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain, pairwise
 from math import hypot
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from kagezou.geometry.vectors import Point2
 from kagezou.standing.minima import Minimum
@@ -13,6 +14,9 @@ Tracks: TypeAlias = tuple[tuple[int, ...], ...]
 
 _GATE = 0.1  # of the figure's height a drawing: a foot that moves faster can be a different one
 _MOST_GATES = 2
+_ASIDE = 0.05  # of the figure's height: what is lifted and set down in one place goes no farther aside in a drawing
+_LONGEST_LIFT = 12  # drawings
+_LIFT = 0.25  # of the figure's height: and goes up or down no farther in a drawing
 _STOPS = 0.015  # of the figure's height: so much nearer must the last place be than where it was going
 _MISSED = 0.02  # of the figure's height a drawing: of two that fit, the one that was seen of late
 
@@ -78,6 +82,75 @@ def _matched(places: Sequence[Point2], tracks: Sequence[_Track], drawing: int, s
         if index not in numbers and number not in numbers.values():
             numbers[index] = number
     return numbers
+
+
+def with_lifts(tracks: Tracks, minima: Sequence[Sequence[Minimum]], size: float) -> Tracks:
+    """Return the tracks, each with what takes its place from the drawing after it is lost to that before it comes back.
+
+    So a foot is followed that is lifted and set down again faster than any that is near could be told from another.
+    Both ends have to be seen: a hand or a knee is over a foot as well, when the foot goes away.
+    """
+    runs = _runs(tracks, minima)
+    owner: dict[_Sight, int] = {}
+    starts: dict[int, list[_Run]] = {}
+    for run in chain.from_iterable(runs.values()):
+        starts.setdefault(run[0].drawing, []).append(run)
+    for number, mine in runs.items():
+        for before, after in pairwise(mine):
+            if after[0].drawing - before[-1].drawing <= _LONGEST_LIFT:
+                # What leads away from a foot is younger than it, and may have gaps of its own.
+                owner = dict.fromkeys(_lift(before[-1], after[0], starts, size) or (), number) | owner
+    return tuple(
+        tuple(
+            owner.get(_Sight(drawing, each.place), number)
+            for each, number in zip(minima[drawing], numbers, strict=True)
+        )
+        for drawing, numbers in enumerate(tracks)
+    )
+
+
+class _Sight(NamedTuple):
+    """In which drawing a place was seen."""
+
+    drawing: int
+    place: Point2
+
+
+_Run: TypeAlias = list[_Sight]
+"""A track in drawings that follow one another."""
+
+
+def _runs(tracks: Tracks, minima: Sequence[Sequence[Minimum]]) -> dict[int, list[_Run]]:
+    """Return for each track the runs of drawings in which it is seen."""
+    runs: dict[int, list[_Run]] = {}
+    for drawing, (places, numbers) in enumerate(zip(minima, tracks, strict=True)):
+        for each, number in zip(places, numbers, strict=True):
+            known = runs.setdefault(number, [])
+            if not known or known[-1][-1].drawing + 1 < drawing:
+                known.append([])
+            known[-1].append(_Sight(drawing, each.place))
+    return runs
+
+
+def _lift(before: _Sight, after: _Sight, starts: Mapping[int, Sequence[_Run]], size: float) -> _Run | None:
+    """Return what leads through runs, each as a whole, from ``before`` to ``after``; None where nothing does.
+
+    ``starts`` are the runs by their first drawings.
+    """
+    if _is_over(before, after, size):
+        return []
+    for run in starts.get(before.drawing + 1, ()):
+        if run[-1].drawing < after.drawing and _is_over(before, run[0], size):
+            rest = _lift(run[-1], after, starts, size)
+            if rest is not None:
+                return [*run, *rest]
+    return None
+
+
+def _is_over(before: _Sight, after: _Sight, size: float) -> bool:
+    """Return whether a place of one drawing is over or below one of the drawing before."""
+    aside, up = (abs(a - b) for a, b in zip(before.place, after.place, strict=True))
+    return after.drawing == before.drawing + 1 and aside <= _ASIDE * size and up <= _LIFT * size
 
 
 def joined(tracks: Tracks, minima: Sequence[Sequence[Minimum]]) -> Tracks:
