@@ -3692,6 +3692,10 @@ Drop a folder of cels here.</source>
         <translation>点 [{axes}] ({unit})</translation>
     </message>
     <message>
+        <source>it is too large for values</source>
+        <translation>値のファイルとしては大きすぎます</translation>
+    </message>
+    <message>
         <source>layers.{layer}: it joins a layer that is no figure of its own</source>
         <translation>layers.{layer}: 独立したキャラクターではないレイヤーに結合されています</translation>
     </message>
@@ -3970,6 +3974,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path} does not hold shortcuts: {cause}</source>
         <translation>{path} はショートカットのファイルではありません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path} does not hold values: {cause}</source>
+        <translation>{path} は値のファイルではありません: {cause}</translation>
     </message>
     <message>
         <source>{path} is not a style: {cause}</source>
