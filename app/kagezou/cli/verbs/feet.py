@@ -102,6 +102,7 @@ def _lines(document: "Document", layer: "Layer") -> list[str]:
     lines = []
     for frame, stance in zip(found.frames, found.stances, strict=True):
         planted = [f"({foot.place[0]:.0f}, {foot.place[1]:.0f})" for foot in stance.feet if foot.is_planted]
-        state = " ".join(planted) if planted else f"in the air, {stance.lift_px:.0f} px high" if stance.feet else "-"
+        in_air = f"in the air, {stance.lift_px:.0f} px high" if stance.lift_px > 0 else "no foot carries"
+        state = " ".join(planted) if planted else in_air if stance.feet else "-"
         lines.append(f"{layer.name} {frame}: {state}{'  ?' if stance.doubt else ''}")
     return lines

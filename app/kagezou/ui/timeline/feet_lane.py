@@ -129,7 +129,7 @@ def words_at(shown: FeetOverTime, found: FigureStances, frame: int) -> str:
     planted = sum(foot.is_planted for foot in stance.feet)
     if stance.lift_px > 0:
         words = translate("FeetLane", "In the air, %1 px high").replace("%1", f"{stance.lift_px:.0f}")
-    elif planted:
+    elif stance.feet:
         words = translate("FeetLane", "%1 of %2 feet planted").replace("%1", str(planted))
         words = words.replace("%2", str(len(stance.feet)))
     else:
