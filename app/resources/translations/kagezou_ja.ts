@@ -1552,6 +1552,10 @@
         <translation>キャラクター</translation>
     </message>
     <message>
+        <source>Part of %1, which has the shadow of both</source>
+        <translation>%1 の一部 (影は %1 が両方の分を持ちます)</translation>
+    </message>
+    <message>
         <source>%1 layers together: %2</source>
         <translation>%1 レイヤーをまとめて編集：%2</translation>
     </message>

@@ -376,3 +376,20 @@ def test_a_layer_dropped_on_another_is_a_part_of_its_figure(layers: LayerList, t
     before = session.document
     model.dropMimeData(model.mimeData([model.index(0)]), Qt.DropAction.MoveAction, -1, -1, model.index(0))
     assert session.document is before
+
+
+def test_a_part_of_a_figure_shows_what_is_its_own(inspector: Inspector, trio: OpenProject) -> None:
+    session = trio.bridge.session
+    below, _, top = session.document.layers
+    session.select(top.id)
+    session.edit("Join", edits.join_layer(session.document, top.id, below.id))
+    shown = [
+        row.address.property.name
+        for row in inspector.rows
+        if row.address.layer_id and row.editor.isVisibleTo(inspector)
+    ]
+    assert shown == ["visible", "receives", "position", "anchor", "scale", "rotation"]
+    assert below.name in inspector.chosen.text()
+    session.select(below.id)
+    assert inspector.row("shadow.opacity").editor.isVisibleTo(inspector)
+    assert not inspector.chosen.isVisibleTo(inspector)

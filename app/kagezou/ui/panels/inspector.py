@@ -38,6 +38,9 @@ _SHAPE = (
 )  # fmt: skip
 _SHADOW_OF_SET = (SET_COLOR, SET_OPACITY, SET_BLEND)
 _FADING = (properties.FADE, properties.FADE_CURVE, properties.TIP_COLOR, properties.TIP_DISTANCE)
+_OF_A_PART = frozenset((properties.VISIBLE, properties.RECEIVES, *PLACEMENT_LINES))
+"""What a part of another layer's figure has of its own."""
+
 _GROUPS: Mapping[str, tuple[AnyProperty, ...]] = MappingProxyType({
     "placement": PLACEMENT_LINES, "shape": _SHAPE, "fading": _FADING, "jump": LIFT_LINES, "light": (SHADOWS_UNITE,),
 })  # fmt: skip
@@ -105,7 +108,9 @@ class Inspector(QScrollArea):
         self._show_measured_tilt()
 
     def _follow_selection(self) -> None:
-        wanted = (self._bridge.session, self._bridge.layer_ids, self._bridge.piece_id)
+        ids = self._bridge.layer_ids
+        joins = tuple(self._bridge.document.layer(each).joins for each in ids)
+        wanted = (self._bridge.session, ids, joins, self._bridge.piece_id)
         if wanted == self._built_for:
             return
         self._built_for = wanted
@@ -176,8 +181,14 @@ class Inspector(QScrollArea):
     def _show_several(self) -> None:
         ids = self._bridge.layer_ids
         names = ", ".join(self._bridge.document.layer(each).name for each in ids)
-        self.chosen.setVisible(len(ids) > 1)
-        self.chosen.setText(self.tr("%1 layers together: %2").replace("%1", str(len(ids))).replace("%2", names))
+        document = self._bridge.document
+        figure_id = document.layer(ids[0]).joins if len(ids) == 1 else None
+        self.chosen.setVisible(len(ids) > 1 or figure_id is not None)
+        if figure_id is not None:
+            words = self.tr("Part of %1, which has the shadow of both")
+            self.chosen.setText(words.replace("%1", document.layer(figure_id).name))
+        else:
+            self.chosen.setText(self.tr("%1 layers together: %2").replace("%1", str(len(ids))).replace("%2", names))
 
     def _show_relevant(self) -> None:
         document, frame = self._bridge.document, self._bridge.frame
@@ -186,7 +197,16 @@ class Inspector(QScrollArea):
             prop, piece_id = row.address.property, row.address.piece_id
             needed = _ONLY_FOR_LIGHT.get(prop.name, kind)
             is_of_kind = piece_id is None or matters(prop, kind_of(document.piece(piece_id), frame))
-            row.set_visible(visible=needed == kind and is_of_kind)
+            row.set_visible(visible=needed == kind and is_of_kind and self._is_its_own(prop))
+        for section in self._layer_sections:
+            section.setVisible(any(self._is_its_own(row.address.property) for row in section.rows))
+
+    def _is_its_own(self, prop: AnyProperty) -> bool:
+        """Return whether a property means anything for the layers chosen: a part shares its figure's shadow."""
+        ids, document = self._bridge.layer_ids, self._bridge.document
+        if prop.scope is not Scope.LAYER or prop in _OF_A_PART:
+            return True
+        return any(document.layer(each).joins is None for each in ids)
 
     def _show_measured_tilt(self) -> None:
         """Show the tilt that two grounding points measure, which then cannot be set (spec 2)."""
