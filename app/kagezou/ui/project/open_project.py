@@ -3,7 +3,7 @@
 What takes time comes as a ``Load``: read beside the window, then put in place at once.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -20,6 +20,7 @@ from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.importing.staging import Brought, CharacterSource, Imported, brought, exposed, new_document, put_in
 from kagezou.importing.timesheet_on_document import sheet_of
 from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.reading import Cel
 from kagezou.io.project import file as project_file
 from kagezou.io.project.recovery_file import RecoveredWork
 from kagezou.io.sets.cameras import cameras_of
@@ -203,7 +204,9 @@ class OpenProject(QObject):
         """Decode the drawings of the work area, as many as memory is meant to hold, so that they play smoothly."""
 
         def read(progress: Progress) -> None:
-            _read_ahead(played_drawings(self.bridge.document), self.cels, progress)
+            document, cels = self.bridge.document, self.cels
+            behind = [partial(cels.background, source) for source in played_backgrounds(document)]
+            _read_ahead([*behind, *(partial(cels.cel, source) for source in played_drawings(document))], cels, progress)
 
         return Load(self.tr("the work area"), read, lambda _nothing: None, gives_way=True)
 
@@ -258,12 +261,12 @@ def _read_first(document: Document, cels: CelCache, meshes: MeshCache, progress:
             continue
 
 
-def _read_ahead(sources: tuple[PictureSource, ...], cels: CelCache, progress: Progress) -> None:
+def _read_ahead(reads: Sequence[Callable[[], Cel]], cels: CelCache, progress: Progress) -> None:
     """Decode pictures until memory holds as many as it is meant to."""
-    for index, source in enumerate(sources):
-        progress(LoadPhase.READING, index, len(sources))
+    for index, read in enumerate(reads):
+        progress(LoadPhase.READING, index, len(reads))
         try:
-            size = cels.cel(source).nbytes
+            size = read().nbytes
         except Problem:
             continue
         if cels.nbytes + size > cels.limit_bytes:
@@ -279,6 +282,13 @@ def played_drawings(document: Document) -> tuple[PictureSource, ...]:
     """Return the drawings of the work area, each once, in the order in which they are seen."""
     first, last = document.played
     seen = (layer.cels.drawing_at(frame) for frame in range(first, last + 1) for layer in document.layers)
+    return tuple(dict.fromkeys(drawing.source for drawing in seen if drawing is not None))
+
+
+def played_backgrounds(document: Document) -> tuple[PictureSource, ...]:
+    """Return the pictures of the background in the work area, each once, in the order in which they are seen."""
+    first, last = document.played
+    seen = (document.behind.drawing_at(frame) for frame in range(first, last + 1))
     return tuple(dict.fromkeys(drawing.source for drawing in seen if drawing is not None))
 
 

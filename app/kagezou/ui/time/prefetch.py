@@ -31,6 +31,7 @@ class Prefetch(QObject):
         self._player = player
         self._cels = cels
         self._asked: set[PictureSource] = set()
+        self._asked_behind: set[PictureSource] = set()
         # The viewport meets a broken file when its frame comes, and says what is wrong.
         self._background = Queue[None](lambda _: None)
         player.playing_changed.connect(self._begin)
@@ -43,6 +44,7 @@ class Prefetch(QObject):
 
     def _begin(self, playing: bool) -> None:
         self._asked.clear()
+        self._asked_behind.clear()
         if playing:
             self._go_on()
         else:
@@ -55,14 +57,30 @@ class Prefetch(QObject):
             if source not in self._asked:
                 self._asked.add(source)
                 self._background.ask(partial(self._decode, source))
+        for source in upcoming_backgrounds(self._bridge.document, self._bridge.frame):
+            if source not in self._asked_behind:
+                self._asked_behind.add(source)
+                self._background.ask(partial(self._decode_behind, source))
 
     def _decode(self, source: PictureSource, _turn: Turn[None]) -> None:
         self._cels.cel(source)
 
+    def _decode_behind(self, source: PictureSource, _turn: Turn[None]) -> None:
+        self._cels.background(source)
+
 
 def upcoming(document: Document, frame: int) -> list[PictureSource]:
     """Return the drawings of the frames after ``frame``, around the end, in the order they are needed."""
-    length = document.canvas.length_frames
-    frames = [(frame + ahead - 1) % length + 1 for ahead in range(1, min(AHEAD_FRAMES, length) + 1)]
-    found = (layer.cels.drawing_at(each) for each in frames for layer in document.layers)
+    found = (layer.cels.drawing_at(each) for each in _frames_after(document, frame) for layer in document.layers)
     return list(dict.fromkeys(drawing.source for drawing in found if drawing is not None))
+
+
+def upcoming_backgrounds(document: Document, frame: int) -> list[PictureSource]:
+    """Return the pictures of the background on the same frames."""
+    found = (document.behind.drawing_at(each) for each in _frames_after(document, frame))
+    return list(dict.fromkeys(drawing.source for drawing in found if drawing is not None))
+
+
+def _frames_after(document: Document, frame: int) -> list[int]:
+    length = document.canvas.length_frames
+    return [(frame + ahead - 1) % length + 1 for ahead in range(1, min(AHEAD_FRAMES, length) + 1)]
