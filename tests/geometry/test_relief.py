@@ -333,3 +333,12 @@ def test_a_card_is_not_stood_up_until_it_is_edge_on() -> None:
     near = relief_card(wide, steep, PAIR, HEIGHT, 0.0, 1.0)
     assert 0.0 < near.upright < 1.0
     assert card_for(FLAT, ground_plane((500.0, 850.0), 0.0, 0.0), [], 0.0, HEIGHT, 1.0).upright == 0.0
+
+
+def test_a_card_is_made_once_while_nothing_that_it_is_made_of_changes() -> None:
+    camera, ground = Camera(1000, 1000, 40.0), ground_plane((500.0, 800.0), 0.0, 60.0)
+    feet = [standing(450.0, 820.0), standing(550.0, 790.0)]
+    card = relief_card(camera, ground, feet, 500.0)
+    assert relief_card(camera, ground, tuple(feet), 500.0) is card
+    assert relief_card(camera, ground, feet, 500.0, 10.0) != card
+    assert relief_card(camera, ground, [feet[0], lifted(550.0, 780.0, 790.0)], 500.0) != card

@@ -14,6 +14,7 @@ stay where they are.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import Final
 
@@ -40,6 +41,9 @@ HIP: Final = 0.42
 
 _BESIDE: Final = 0.1
 """A lifted foot nearer than this part of the height, in x, goes over to the depth of the foot that it passes."""
+
+_CARDS_KEPT: Final = 256
+"""Cards of so many frames and figures; a light that is dragged leaves them as they are."""
 
 _SAME_COLUMN_PX: Final = 1e-3
 _FLAT_PX: Final = 1e-6
@@ -121,6 +125,14 @@ def relief_card(
     tilt_deg, upright
         How the body is turned, and how far it is stood up along the ground's normal; planted feet stay.
     """
+    return _card_on(camera, ground, tuple(footholds), height_px, tilt_deg, upright)
+
+
+@lru_cache(_CARDS_KEPT)
+def _card_on(
+    camera: Camera, ground: Plane, footholds: tuple[Foothold, ...], height_px: float, tilt_deg: float, upright: float
+) -> Card:
+    """Return the card as :func:`relief_card` does, the very one while nothing that it is made of changes."""
     found = ((hold, place_on(camera, ground, (hold.place[0], hold.ground_row))) for hold in footholds)
     seen = sorted(((hold, place) for hold, place in found if place is not None), key=lambda each: each[0].place)
     if len(seen) < 2:

@@ -159,29 +159,47 @@ class _SpaceCasts:
     casts: NDArray[np.bool_]
 
 
-def _cast_in_space(camera: Camera, pieces: Sequence[CardPiece], light: Vector4) -> _SpaceCasts:
-    planes, toward = np.array([piece.plane for piece in pieces]), np.asarray(light)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Flats:
+    """Of P pieces what no light changes: planes (P, 4), lengths of normals (P,), edges (K, 3, 1), their owners (K,)."""
+
+    planes: Matrix
+    lengths: Matrix
+    forms: Matrix
+    owners: NDArray[np.intp]
+
+
+@lru_cache(_CASTS_KEPT)
+def _flats_of(pieces: tuple[CardPiece, ...]) -> _Flats:
+    """Return what no light changes; not to be changed by anybody else either."""
+    planes = np.array([piece.plane for piece in pieces])
+    forms = np.array([form for piece in pieces for form in piece.limits]).reshape(-1, 3, 1)
+    owners = np.repeat(np.arange(len(pieces)), [len(piece.limits) for piece in pieces])
+    return _Flats(planes, np.linalg.norm(planes[:, :3], axis=1), forms, owners)
+
+
+def _cast_in_space(camera: Camera, pieces: tuple[CardPiece, ...], light: Vector4) -> _SpaceCasts:
+    flats, toward = _flats_of(pieces), np.asarray(light)
+    planes, forms, owners = flats.planes, flats.forms, flats.owners
     facing = planes @ toward
-    scale = np.linalg.norm(planes[:, :3], axis=1) * max(1.0, float(np.linalg.norm(toward[:3])))
+    scale = flats.lengths * max(1.0, float(np.linalg.norm(toward[:3])))
     # Projection from the light L onto the plane π: X ↦ (π·L) X − (π·X) L; the sign makes w > 0 where L, π and X
     # lie in that order, which is the shadow-map depth test.
     front = np.where(facing > 0, 1.0, -1.0)[:, np.newaxis]
     onto = facing[:, np.newaxis, np.newaxis] * np.eye(4) - planes[:, np.newaxis, :] * toward[:, np.newaxis]
     art = camera.canvas_from_world() @ (front[..., np.newaxis] * onto)
-    forms = np.array([form for piece in pieces for form in piece.limits]).reshape(-1, 3, 1)
-    owners = np.repeat(np.arange(len(pieces)), [len(piece.limits) for piece in pieces])
     own = art[owners]
     limits = forms[:, 0] * own[:, 0] + forms[:, 1] * own[:, 1] + forms[:, 2] * own[:, 2]
     return _SpaceCasts(art, -front * planes, limits, owners, np.abs(facing) >= 1e-9 * scale)
 
 
-def _cast_on(camera: Camera, receiver: Plane, pieces: Sequence[CardPiece], light: Vector4) -> list[Cast]:
+def _cast_on(camera: Camera, receiver: Plane, pieces: tuple[CardPiece, ...], light: Vector4) -> list[Cast]:
     """Return the casts of pieces as :func:`cast_on` does those of one; their numbers say which they are of."""
     lift = world_from_canvas_on(camera, receiver)
     if lift is None or height_over(receiver.equation, light) <= 0:
         return []
     space = _cast_in_space(camera, pieces, light)
-    is_same = coinciding(receiver.equation, [piece.plane for piece in pieces])
+    is_same = coinciding(receiver.equation, _flats_of(pieces).planes)
     arts = space.art_from_world @ lift
     arts = arts / np.abs(arts).max(axis=(1, 2), keepdims=True)
     sides, limits = distance_forms(space.sides @ lift), distance_forms(space.limits @ lift)

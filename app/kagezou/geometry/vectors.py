@@ -33,7 +33,7 @@ def plane_through(point: Vector3, normal: Vector3) -> Vector4:
     return (*normal, -dot(normal, point))
 
 
-def coinciding(plane: Vector4, others: Sequence[Vector4]) -> NDArray[np.bool_]:
+def coinciding(plane: Vector4, others: Sequence[Vector4] | Matrix) -> NDArray[np.bool_]:
     """Return which planes (n, d) of ``others`` are one and the same as ``plane``, whichever way their normals point."""
     first, second = (
         each / np.linalg.norm(each[:, :3], axis=1, keepdims=True) for each in (np.array([plane]), np.array(others))

@@ -3,13 +3,17 @@
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from kagezou.errors import GraphicsProblem
 from kagezou.locations import shader_folder
 from kagezou.render.gpu import program
+from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.context import open_headless_context
 from kagezou.render.gpu.program import Program, shader_source
+from kagezou.render.gpu.targets import Format, Target
+from kagezou.render.prepare.uniforms import Uniform
 
 VERTEX = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n"
 FRAGMENT = """#version 330 core
@@ -69,3 +73,28 @@ def test_every_include_of_the_program_is_there() -> None:
     for path in shader_folder().rglob("*"):
         if path.is_file():
             assert shader_source(path.relative_to(shader_folder()).as_posix()).text
+
+
+def test_each_draw_has_the_uniforms_that_it_was_given_last(folder: Path) -> None:
+    corners = (
+        "#version 330 core\nlayout(location = 0) in vec2 a_place;\nvoid main() { gl_Position = vec4(%s, 0.0, 1.0); }\n"
+    )
+    (folder / "box.vert").write_text(corners % "a_place * 2.0 - 1.0", encoding="utf-8")
+    shown = "#version 330 core\nuniform float u_part;\nuniform vec2 u_pair;\nout float part;\n%s\n"
+    (folder / "part.frag").write_text(shown % "void main() { part = u_part + u_pair.x; }", encoding="utf-8")
+    target, boxes, drawn = Target(1, 1, Format.ALPHA16), Boxes(), Program("box.vert", "part.frag")
+    pairs: list[tuple[float, Uniform]] = [
+        (0.25, (0.0, 0.0)),
+        (0.25, (0.5, 0.0)),
+        (0.25, np.array([0.125, 0.0])),
+        (0.5, (0.5, 0.0)),
+        (0.5, (0.5, 0.0)),
+    ]
+    found = []
+    for part, pair in pairs:
+        target.clear()
+        target.bind(target.box)
+        drawn.use({"u_part": part, "u_pair": pair})
+        boxes.draw_one(target.box)
+        found.append(int(target.read(target.box)[0, 0]) / 65535)
+    assert found == pytest.approx([0.25, 0.75, 0.375, 1.0, 1.0], abs=1e-4)

@@ -86,7 +86,7 @@ def test_every_shaded_pixel_is_drawn_once_a_piece_with_its_own_number(
     assert by_piece.max() == 1
     for number, cast in enumerate(casts):
         u, v, w = np.tensordot(cast.art_from_canvas, places, axes=1)
-        inside = (np.tensordot(limits_of(cast), places, axes=1) > 0).all(axis=0) & (w > 1e-9)
+        inside = (np.tensordot(limits_of([cast])[0], places, axes=1) > 0).all(axis=0) & (w > 1e-9)
         w = np.where(inside, w, 1.0)
         column, row = np.floor(u / w).astype(int) - 170, np.floor(v / w).astype(int) - 95
         on_art = inside & (column >= 0) & (column < 170) & (row >= 0) & (row < 357)
@@ -118,7 +118,7 @@ def test_a_part_as_high_as_the_lamp_is_cut_instead_of_projected() -> None:
 def test_sides_and_limits_are_filled_up() -> None:
     casts, _ = casts_of((100.0, -120.0, 480.0))
     for cast in casts:
-        forms = limits_of(cast)
+        forms = limits_of([cast])[0]
         assert forms.shape == (ENDS, 3)
         assert forms[0] == pytest.approx(cast.side)
         assert (forms[1 + len(cast.limits) :] == (0.0, 0.0, 1e6)).all()

@@ -61,6 +61,8 @@ def measured(document: Document, renderer: Renderer, hills: Path, rounds: int = 
     hills
         The file of a large set.
     """
+    # The sun has no place to be dragged from.
+    document = _with(document, {Address(properties.LIGHT_KIND): "point"})
     changes = dict(_changes(document, hills))
     copies: list[float] = []
     times: dict[str, float] = {}

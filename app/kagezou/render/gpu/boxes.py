@@ -33,8 +33,8 @@ class Boxes:
         GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
         GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
 
-    def draw_numbered(self, boxes: NDArray[np.float64], numbers: NDArray[np.int64]) -> None:
-        """Draw boxes as :meth:`draw` does, each with a number as a third coordinate."""
+    def load_numbered(self, boxes: NDArray[np.float64], numbers: NDArray[np.int64]) -> None:
+        """Hand over boxes as :meth:`draw` does, each with a number as a third coordinate, for :meth:`draw_loaded`."""
         corners = boxes[:, _CORNERS].reshape(len(boxes), 6, 2)
         points = np.empty((len(boxes), 6, 3), np.float32)
         points[..., :2] = corners
@@ -42,7 +42,10 @@ class Boxes:
         GL.glBindVertexArray(self._numbered)
         GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
         GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
-        GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
+
+    def draw_loaded(self, first: int, count: int) -> None:
+        """Draw ``count`` of the boxes handed over last, from ``first`` on, with the program in use."""
+        GL.glDrawArrays(GL.GL_TRIANGLES, first * 6, count * 6)
 
     def draw_one(self, box: Box) -> None:
         """Draw one box with the program in use."""

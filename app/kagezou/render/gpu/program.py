@@ -103,13 +103,14 @@ class Program:
                 )
             )
         self._places: dict[str, int] = {}
+        self._values: dict[int, Uniform | None] = {}
 
     def use(self, uniforms: Mapping[str, Uniform]) -> None:
         """Draw with this program from now on, with these uniforms."""
         GL.glUseProgram(self.id)
         for name, value in uniforms.items():
             place = self._place(name)
-            if place >= 0:
+            if place >= 0 and not self._has(place, value):
                 self._set(place, value)
 
     def close(self) -> None:
@@ -124,6 +125,13 @@ class Program:
             # A driver may drop a uniform that does not matter; it is then at -1.
             place = self._places[name] = int(GL.glGetUniformLocation(self.id, name.encode()))
         return place
+
+    def _has(self, place: int, value: Uniform) -> bool:
+        """Return whether a uniform has a value already; the program keeps them, and to compare arrays costs as much."""
+        known = None if isinstance(value, np.ndarray) else value
+        is_same = known is not None and self._values.get(place) == known
+        self._values[place] = known
+        return is_same
 
     def _set(self, place: int, value: Uniform) -> None:
         if isinstance(value, (bool, int)):

@@ -104,9 +104,15 @@ class JoinedPass:
         limits = edges.limits()
         size = next(each for each in _TABLE_SIZES if each >= len(edges.casts))
         switches |= {f"PIECES {size}"} | (TRANSLUCENT if joined.of.translucent else frozenset())
-        for kind, (boxes, numbers) in tiling.edges.items():
+        if not tiling.edges:
+            return
+        boxes, numbers = (np.concatenate(each) for each in zip(*tiling.edges.values(), strict=True))
+        self._boxes.load_numbered(boxes, numbers)
+        start = 0
+        for kind, (own, _) in tiling.edges.items():
             self._edge[switches | kind.switches].use(uniforms | limits if kind.edge.is_at_limit else uniforms)
-            self._boxes.draw_numbered(boxes, numbers)
+            self._boxes.draw_loaded(start, len(own))
+            start += len(own)
 
 
 @lru_cache(maxsize=16)

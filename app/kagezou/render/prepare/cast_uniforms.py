@@ -147,7 +147,7 @@ class JoinedEdges:
     def limits(self) -> dict[str, Uniform]:
         """Return the uniforms of the variants at a limit."""
         canvas_from_pixel = self.frame.canvas_from_pixel
-        forms = np.concatenate([limits_of(cast) for cast in self.casts]) @ canvas_from_pixel
+        forms = limits_of(self.casts).reshape(-1, 3) @ canvas_from_pixel
         return {
             "u_all_limits": np.pad(forms, ((0, 0), (0, 1))).astype(np.float32),
             "u_horizon": self.casts[0].horizon @ canvas_from_pixel,

@@ -80,7 +80,8 @@ class PieceTiles:
 
     def ends(self) -> tuple[Flags, Codes]:
         """Return which tiles lie wholly beyond an end of their shadow, and which ends run through them, to SEVERAL."""
-        forms = np.array([[*limits_of(cast), cast.horizon] for cast in self.casts])
+        horizons = np.array([[cast.horizon] for cast in self.casts])
+        forms = np.concatenate([limits_of(self.casts), horizons], axis=1)
         # The farthest corner of a tile is as far from each line through its middle as the line's slopes say.
         reaches = np.abs(forms[..., :2]).sum(axis=2, keepdims=True) * (TILE_PX / 2 + MARGIN_PX)
         a, b, c, reach = self.each(np.concatenate([forms, reaches], axis=2).T)
@@ -139,7 +140,11 @@ def regions_of(casts: Sequence[Cast], parts: Sequence[Matrix], art: Box, canvas:
     ]
 
 
-def limits_of(cast: Cast) -> Matrix:
-    """Return the side and the limits of a cast as many forms (ENDS, 3) as any has."""
-    forms = [cast.side, *cast.limits]
-    return np.array(forms + [_NO_LIMIT] * (ENDS - len(forms)))
+def limits_of(casts: Sequence[Cast]) -> Matrix:
+    """Return the sides and the limits of P casts, (P, ENDS, 3), of each as many forms as any has."""
+    forms = np.empty((len(casts), ENDS, 3))
+    forms[:] = _NO_LIMIT
+    for own, cast in zip(forms, casts, strict=True):
+        own[0] = cast.side
+        own[1 : 1 + len(cast.limits)] = cast.limits
+    return forms
