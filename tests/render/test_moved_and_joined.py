@@ -1,5 +1,6 @@
 """Cels that their layer moves, and several cels that are one figure: what they cast and what is seen of them."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from kagezou.geometry.placement import Placement
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
+from kagezou.standing.foot import Foot, FootPin, Verdict
 from tests.render.reference.figures import figure_alpha, standing, with_values, write_figure
 
 WAIST = 660
@@ -178,3 +180,32 @@ def test_the_depth_map_agrees_with_a_moved_figure(renderer: Renderer, whole: Pat
     scene = evaluate(with_values(standing(whole), values), 1)
     literal = renderer.depth_map_coverage(scene, scene.layers[0]) / 65535
     assert iou(renderer.coverage(scene, scene.layers[0]) / 65535, literal) > 0.97
+
+
+FEET_AT = ((440.0, 890.0), (565.0, 868.0))
+
+
+def on_feet(document: Document, *places: tuple[float, float]) -> Document:
+    """The first layer on feet that carry, drawing px."""
+    (drawing,) = document.layers[0].cels.drawings
+    feet = tuple(Foot(track, place) for track, place in enumerate(places))
+    pins = tuple(FootPin(foot.track, Verdict.PLANTED) for foot in feet)
+    standing = replace(drawing, size_px=(1000, 1000), feet=feet, pins=pins)
+    return edits.set_drawings(document, document.layers[0].id, (standing,))
+
+
+@pytest.mark.parametrize("values", [{}, {"camera.fov": 35.0, "ground.roll": 6.0, "layers.A.tilt": 12.0}])
+@pytest.mark.parametrize("simplify", [0.0, 25.0])
+def test_a_mirrored_cel_stands_on_its_feet_as_one_drawn_there(
+    renderer: Renderer, whole: Path, tmp_path: Path, values: dict[str, Any], simplify: float
+) -> None:
+    place = Placement((520.0, 530.0), (500.0, 500.0), (-0.8, 0.8), 4.0)
+    moved = {"layers.A.position": [520.0, 530.0], "layers.A.scale": [-80.0, 80.0], "layers.A.rotation": 4.0}
+    common = values | {"layers.A.shadow.simplify": simplify}
+    mine = with_values(on_feet(standing(whole), *FEET_AT), common | moved)
+    drawn = write_figure(tmp_path / "there.png", figure_alpha(moved=place))
+    there = with_values(on_feet(standing(drawn), *map(place.placed, FEET_AT)), common)
+    first, second = (evaluate(each, 1).layers[0].card for each in (mine, there))
+    assert len(first.pieces) > 3
+    assert np.allclose(first.contacts[0], second.contacts[0]) or np.allclose(first.contacts[0], second.contacts[1])
+    assert iou(coverage(renderer, mine), coverage(renderer, there)) >= 0.99

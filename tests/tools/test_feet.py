@@ -11,7 +11,7 @@ from kagezou.document.model import Document
 from kagezou.geometry.vectors import Point2
 from kagezou.scene.stances import stances_of
 from kagezou.standing.foot import Foot, Verdict
-from kagezou.tools.feet import judged, shown_foot, unpinned, with_foot_at
+from kagezou.tools.feet import carries, judged, kept_in_place, shown_foot, unpinned, with_foot_at
 from kagezou.tools.handle import GuideKind, Handle, HandleShape
 from kagezou.tools.handles import drag_of, handles_of
 from kagezou.tools.pointer import Modifiers, Pointer
@@ -104,3 +104,14 @@ def test_grounding_points_hide_feet(document: Document) -> None:
     assert handles_of(pointed, 1, LAYER, VIEW).find("foot.0") is None
     on_line = set_constant(document, resolve(document, "layers.A.stance"), "line")
     assert handles_of(on_line, 1, LAYER, VIEW).find("foot.0") is None
+
+
+def test_a_foot_is_pinned_as_it_is(document: Document) -> None:
+    for handle_id, expected in (("foot.0", True), ("foot.1", False)):
+        foot = shown_foot(document, found(document, handle_id), 1)
+        assert foot is not None
+        assert carries(document, foot, 1) is expected
+        kept = kept_in_place(document, foot)
+        pin = pin_of(kept.layer(LAYER).cels.drawings[0], foot.track)
+        assert pin is not None
+        assert pin.place == found(document, handle_id).canvas_px

@@ -20,7 +20,7 @@ from kagezou.geometry.vectors import Point2
 from kagezou.message import Message
 from kagezou.scene.figure_card import feet_at
 from kagezou.scene.placing import placement_at
-from kagezou.scene.stances import TRACKS_OF_A_PART, stances_of
+from kagezou.scene.stances import TRACKS_OF_A_PART, feet_of, stances_of
 from kagezou.standing.foot import FootPin, Verdict
 from kagezou.standing.seen import Standing
 from kagezou.tools.drag import Aim
@@ -111,6 +111,21 @@ def shown_foot(document: Document, handle: Handle, frame: int) -> ShownFoot | No
 def judged(document: Document, foot: ShownFoot, verdict: Verdict | None) -> Document:
     """Return the document in which a foot is planted, lifted, none, or what is found."""
     return judge_foot(document, foot.layer.id, foot.index, foot.track, verdict)
+
+
+def carries(document: Document, foot: ShownFoot, frame: int) -> bool:
+    """Return whether a foot is planted on a frame."""
+    figure = _figure(document, foot.layer.id)
+    found = stances_of(document, figure.id)
+    number = [part.id for part in parts_of(document, figure.id)].index(foot.layer.id) * TRACKS_OF_A_PART + foot.track
+    return found is not None and any(each.track == number and each.is_planted for each in found.at(frame).feet)
+
+
+def kept_in_place(document: Document, foot: ShownFoot) -> Document:
+    """Return the document in which a foot stays where it was found, whatever is found later."""
+    drawing = document.layer(foot.layer.id).cels.drawings[foot.index]
+    at = next((each.place for each, _ in feet_of(drawing) if each.track == foot.track), None)
+    return document if at is None else place_foot(document, foot.layer.id, foot.index, foot.track, at)
 
 
 def unpinned(document: Document, foot: ShownFoot) -> Document:

@@ -1282,6 +1282,10 @@
         <translation>足ではない</translation>
     </message>
     <message>
+        <source>Pin as It Is</source>
+        <translation>現在のまま固定</translation>
+    </message>
+    <message>
         <source>As Found (Unpin)</source>
         <translation>見つかったまま (固定を解除)</translation>
     </message>
@@ -1352,6 +1356,10 @@
     <message>
         <source>Remove foot</source>
         <translation>足を削除</translation>
+    </message>
+    <message>
+        <source>Pin foot</source>
+        <translation>足を固定</translation>
     </message>
     <message>
         <source>Unpin foot</source>

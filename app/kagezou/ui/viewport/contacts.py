@@ -7,7 +7,7 @@ from kagezou.errors import Problem
 from kagezou.geometry.vectors import Point2
 from kagezou.scene.figure_card import feet_at
 from kagezou.standing.foot import Verdict
-from kagezou.tools.feet import ShownFoot, judged, shown_foot, unpinned, with_foot_at
+from kagezou.tools.feet import ShownFoot, carries, judged, kept_in_place, shown_foot, unpinned, with_foot_at
 from kagezou.tools.grounding import GROUNDING, add_grounding, remove_grounding
 from kagezou.tools.handle import Handle
 from kagezou.ui.system.bridge import Bridge
@@ -70,6 +70,12 @@ class Contacts(QObject):
             Verdict.NONE: QCoreApplication.translate("HandleController", "Remove foot"),
         }
         self._edit(words[verdict], judged(self._bridge.document, foot, verdict))
+
+    def pin(self, foot: ShownFoot) -> None:
+        """Keep a foot as it is now, whatever is found later: where it is, and whether it carries."""
+        document, frame = self._bridge.document, self._bridge.frame
+        judged_now = judged(document, foot, Verdict.PLANTED if carries(document, foot, frame) else Verdict.LIFTED)
+        self._edit(QCoreApplication.translate("HandleController", "Pin foot"), kept_in_place(judged_now, foot))
 
     def unpin(self, foot: ShownFoot) -> None:
         """Leave a foot to what is found."""

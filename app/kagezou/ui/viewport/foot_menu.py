@@ -26,6 +26,7 @@ def foot_menu(contacts: Contacts, foot: ShownFoot, parent: QWidget) -> QMenu:
         action.setCheckable(True)
         action.setChecked(said is verdict)
     menu.addSeparator()
+    menu.addAction(translate("FootMenu", "Pin as It Is"), partial(contacts.pin, foot))
     unpin = menu.addAction(translate("FootMenu", "As Found (Unpin)"), lambda: contacts.unpin(foot))
     unpin.setEnabled(foot.pin is not None)
     return menu
