@@ -185,12 +185,14 @@ def test_the_depth_map_agrees_with_a_moved_figure(renderer: Renderer, whole: Pat
 FEET_AT = ((440.0, 890.0), (565.0, 868.0))
 
 
-def on_feet(document: Document, *places: tuple[float, float]) -> Document:
-    """The first layer on feet that carry, drawing px."""
+def on_feet(document: Document, alpha: NDArray[np.uint8], *places: tuple[float, float]) -> Document:
+    """The first layer, of this alpha, on feet that carry, drawing px."""
     (drawing,) = document.layers[0].cels.drawings
     feet = tuple(Foot(track, place) for track, place in enumerate(places))
     pins = tuple(FootPin(foot.track, Verdict.PLANTED) for foot in feet)
-    standing = replace(drawing, size_px=(1000, 1000), feet=feet, pins=pins)
+    rows, columns = np.nonzero(alpha.any(axis=1))[0], np.nonzero(alpha.any(axis=0))[0]
+    figure = Box(int(columns[0]), int(rows[0]), int(columns[-1]) + 1, int(rows[-1]) + 1)
+    standing = replace(drawing, size_px=(1000, 1000), figure=figure, feet=feet, pins=pins)
     return edits.set_drawings(document, document.layers[0].id, (standing,))
 
 
@@ -202,10 +204,11 @@ def test_a_mirrored_cel_stands_on_its_feet_as_one_drawn_there(
     place = Placement((520.0, 530.0), (500.0, 500.0), (-0.8, 0.8), 4.0)
     moved = {"layers.A.position": [520.0, 530.0], "layers.A.scale": [-80.0, 80.0], "layers.A.rotation": 4.0}
     common = values | {"layers.A.shadow.simplify": simplify}
-    mine = with_values(on_feet(standing(whole), *FEET_AT), common | moved)
-    drawn = write_figure(tmp_path / "there.png", figure_alpha(moved=place))
-    there = with_values(on_feet(standing(drawn), *map(place.placed, FEET_AT)), common)
+    mine = with_values(on_feet(standing(whole), figure_alpha(), *FEET_AT), common | moved)
+    moved_alpha = figure_alpha(moved=place)
+    drawn = write_figure(tmp_path / "there.png", moved_alpha)
+    there = with_values(on_feet(standing(drawn), moved_alpha, *map(place.placed, FEET_AT)), common)
     first, second = (evaluate(each, 1).layers[0].card for each in (mine, there))
     assert len(first.pieces) > 3
     assert np.allclose(first.contacts[0], second.contacts[0]) or np.allclose(first.contacts[0], second.contacts[1])
-    assert iou(coverage(renderer, mine), coverage(renderer, there)) >= 0.99
+    assert iou(coverage(renderer, mine), coverage(renderer, there)) >= 0.995

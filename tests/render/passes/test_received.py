@@ -1,6 +1,7 @@
 """Shadows of characters on each other: the renderer against float64 rays, and how they are laid and told."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -85,9 +86,8 @@ def test_shadows_on_a_card_agree_with_rays_over_a_sweep(renderer: Renderer, duo:
         if got.sum() < MIN_SHADE_PX:
             continue
         judged += 1
-        agreement = Agreement.of(got, raycast.received(received, cast, arts(), rays=60))
-        if not agreement.is_right:
-            agreement = Agreement.of(got, raycast.received(received, cast, arts(), rays=800))
+        wanted = partial(raycast.received, received, cast, arts(), got)
+        agreement = Agreement.by_rays(got, wanted, 60, 800)
         if not agreement.is_right:
             wrong[seed] = agreement
     assert judged == 16

@@ -20,7 +20,7 @@ from tests.render.reference.figures import figure_alpha, standing, with_values, 
 from tests.render.reference.mesh_scenes import Array
 from tests.render.reference.outlines import Shift
 from tests.render.sets.test_exactness import in_a_set, judged
-from tests.render.test_exactness import MIN_SHADOW_PX, Agreement, random_light
+from tests.render.test_exactness import MIN_SHADOW_PX, RAYS, Agreement, random_light
 
 HEIGHT = 702.0
 Values = Mapping[str, object]
@@ -74,8 +74,7 @@ def random_scene(figure: Path, seed: int, pieces: Mapping[str, Values] | None = 
 
 def agreement(got: Array, cast: ShadowCast) -> Agreement:
     art = raycast.Art(figure_alpha() / 255)
-    found = Agreement.of(got, raycast.coverage(cast, art, got, rays=120))
-    return found if found.is_right else Agreement.of(got, raycast.coverage(cast, art, got, rays=1500))
+    return Agreement.by_rays(got, lambda rays: raycast.coverage(cast, art, got, rays), *RAYS)
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -180,5 +179,5 @@ def test_a_shadow_on_a_relief_is_cut_to_its_pieces(
     arts = raycast.Art(alpha), raycast.Art(np.roll(alpha, (30, -40), axis=(0, 1)))
     got = renderer.received_coverage(scene, first) / 65535
     assert got.sum() > 1500
-    wanted = raycast.received(first.received, caster, arts, rays=400)
+    wanted = raycast.received(first.received, caster, arts, got, rays=400)
     assert Agreement.of(got, wanted).is_right

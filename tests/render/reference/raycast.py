@@ -1,6 +1,7 @@
 """The float64 reference: every ray followed in the world, sharing no formula with the renderer's homographies."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import radians, sin
 
 import numpy as np
@@ -21,9 +22,14 @@ class Art:
     left: int = 0
     top: int = 0
 
+    @cached_property
+    def rim(self) -> Array:
+        """The alpha with a clear texel around it, (H + 2, W + 2); made once for all rays."""
+        return np.pad(self.alpha, 1)
+
     def at(self, x: Array, y: Array) -> Array:
         """Bilinear alpha at canvas points; nothing lies beyond the drawing."""
-        rim = np.pad(self.alpha, 1)
+        rim = self.rim
         px = np.clip(x - self.left + 0.5, 0.0, rim.shape[1] - 1.000001)
         py = np.clip(y - self.top + 0.5, 0.0, rim.shape[0] - 1.000001)
         i, j = px.astype(np.intp), py.astype(np.intp)
@@ -76,8 +82,8 @@ def shade_from(cast: ShadowCast, art: Art, light: Vector4, point: Array) -> Arra
         v = hit[..., 1] if ew == 0 else ey + (hit[..., 1] - ey) * k
         for a, b, c in piece.limits:
             hits &= a * u + b * v + c >= 0
-        alpha = art.at(np.where(hits, u, -1e6), np.where(hits, v, -1e6))
-        total = np.maximum(total, alpha if cast.translucent else (alpha >= 0.5).astype(np.float64))
+        alpha = art.at(u[hits], v[hits])
+        total[hits] = np.maximum(total[hits], alpha if cast.translucent else alpha >= 0.5)
     return total
 
 
@@ -108,13 +114,19 @@ def coverage(cast: ShadowCast, art: Art, hint: Array, rays: int = 160) -> Array:
 
     y, x = np.mgrid[top:bottom, left:right].astype(np.float64)
     coarse = shade(cast, art, x + 0.5, y + 0.5)
-    rim = np.pad(coarse, 1, mode="edge")
-    around = np.stack([rim[j : j + coarse.shape[0], i : i + coarse.shape[1]] for j in range(3) for i in range(3)])
-    fine = (around.max(axis=0) - around.min(axis=0) > 1e-6) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
+    fine = _near_an_edge(coarse) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
     px, py = x[fine], y[fine]
     coarse[fine] = sum(shade(cast, art, px + dx, py + dy) for dx, dy in spread(rays)) / rays
     result[top:bottom, left:right] = coarse
     return result
+
+
+def _near_an_edge(shade: Array) -> NDArray[np.bool_]:
+    """Return which pixels (H, W) differ from any of their eight neighbours."""
+    height, width = shade.shape
+    rim = np.pad(shade, 1, mode="edge")
+    around = np.stack([rim[j : j + height, i : i + width] for j in range(3) for i in range(3)])
+    return np.asarray(around.max(axis=0) - around.min(axis=0) > 1e-6)
 
 
 def spread(count: int) -> Array:
@@ -152,11 +164,17 @@ def received_at(received: Received, caster: ShadowCast, arts: tuple[Art, Art], x
     return total
 
 
-def received(found: Received, caster: ShadowCast, arts: tuple[Art, Art], rays: int = 160) -> Array:
-    """Return the part of every pixel of a character (H, W) that another shades, cut to the character's alpha."""
+def received(found: Received, caster: ShadowCast, arts: tuple[Art, Art], hint: Array, rays: int = 160) -> Array:
+    """Return the part of every pixel of a character (H, W) that another shades, cut to the character's alpha.
+
+    As in :func:`coverage`, pixels near an edge and those where ``hint``, what is to be judged, says otherwise get
+    ``rays`` each, all others one.
+    """
     alpha = arts[0].alpha
-    y, x = np.nonzero(alpha)
-    part = sum(received_at(found, caster, arts, x + dx, y + dy) for dx, dy in spread(rays)) / rays
-    result = np.zeros_like(alpha)
-    result[y, x] = part * alpha[y, x]
-    return result
+    height, width = alpha.shape
+    y, x = np.mgrid[0:height, 0:width].astype(np.float64)
+    part = received_at(found, caster, arts, x + 0.5, y + 0.5)
+    fine = (_near_an_edge(part) | (np.abs(part * alpha - hint) > 1e-3)) & (alpha > 0)
+    px, py = x[fine], y[fine]
+    part[fine] = sum(received_at(found, caster, arts, px + dx, py + dy) for dx, dy in spread(rays)) / rays
+    return part * alpha

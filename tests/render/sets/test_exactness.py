@@ -59,8 +59,7 @@ def own_rays_of(scene: Scene) -> Callable[[Array, Array], Array]:
 
 def judged(got: Array, rays: Callable[[Array, Array], Array]) -> Agreement:
     """Compare with rays; with more of them where few leave it in doubt."""
-    agreement = Agreement.of(got, set_raycast.coverage(rays, got, rays=40))
-    return agreement if agreement.is_right else Agreement.of(got, set_raycast.coverage(rays, got, rays=240))
+    return Agreement.by_rays(got, lambda count: set_raycast.coverage(rays, got, count), 40, 240)
 
 
 def random_piece(rng: np.random.Generator, kind: str) -> dict[str, object]:
