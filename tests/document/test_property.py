@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kagezou.animation.track import components_of
@@ -119,6 +119,7 @@ def test_names_are_unique_and_sorted_into_three_tables() -> None:
 
 
 @props
+@settings(max_examples=25)
 @given(st.data())
 def test_valid_values_stay_as_they_are(prop: AnyProperty, data: st.DataObject) -> None:
     value = data.draw(values(prop))
@@ -133,6 +134,7 @@ json_values: st.SearchStrategy[Any] = st.recursive(
 
 
 @props
+@settings(max_examples=25)
 @given(json_values)
 def test_anything_is_taken_or_refused_and_what_is_taken_is_stable(prop: AnyProperty, raw: object) -> None:
     try:

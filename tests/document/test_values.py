@@ -3,7 +3,7 @@
 from types import MappingProxyType
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kagezou.animation.track import Track
@@ -17,6 +17,7 @@ props = pytest.mark.parametrize("prop", TABLE, ids=lambda prop: f"{prop.scope}-{
 
 
 @props
+@settings(max_examples=25)
 @given(st.data(), st.floats(1, 1001))
 def test_the_value_is_that_of_the_track(prop: AnyProperty, data: st.DataObject, frame: float) -> None:
     track = data.draw(tracks(prop))
