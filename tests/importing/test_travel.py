@@ -14,7 +14,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.light import lamp, sun
-from kagezou.importing.lighting import relit
+from kagezou.importing.lighting import relit, turning_note
 from kagezou.importing.staging import CharacterSource, new_document
 from kagezou.importing.travel import Station, stations, turn_of_shadows
 from kagezou.scene.evaluate import camera_at, evaluate, ground_at, light_at
@@ -100,6 +100,21 @@ def test_layers_that_are_moved_across_the_canvas_get_the_sun_while_the_first_lam
     assert relit(touched) == (touched, ())
     little = set_key(set_key(document, position, 1, (450.0, 200.0)), position, 4, (455.0, 200.0))
     assert relit(little) == (little, ())
+
+
+def test_a_lamp_somebody_set_stays_and_what_it_does_to_a_travelling_figure_is_said_once(tmp_path: Path) -> None:
+    document = new(walk(tmp_path / "walk", [430, 430, 430, 430]))
+    position = resolve(document, "layers.A.position")
+    touched = set_constant(document, resolve(document, "light.position"), (400.0, -100.0, 300.0))
+    moved = set_key(set_key(touched, position, 1, (100.0, 200.0)), position, 4, (800.0, 200.0))
+    assert "turns round" in str(turning_note(touched, moved))
+    farther = set_key(moved, position, 4, (810.0, 200.0))
+    assert turning_note(moved, farther) is None
+    assert turning_note(moved, set_constant(moved, resolve(moved, "layers.A.shadow.opacity"), 0.5)) is None
+    sunny = set_constant(touched, resolve(touched, "light.kind"), "sun")
+    assert turning_note(sunny, set_key(sunny, position, 4, (810.0, 200.0))) is None
+    on_its_way = set_key(moved, resolve(moved, "light.position"), 4, (900.0, -100.0, 300.0))
+    assert turning_note(touched, on_its_way) is None
 
 
 def test_a_jump_keeps_its_ground_and_a_way_into_the_depth_does_not() -> None:

@@ -26,7 +26,7 @@ from kagezou.importing.first_light import MOST_TURN_DEG, FirstLight, first_light
 from kagezou.importing.placed_figures import placed_figure
 from kagezou.importing.travel import Station, stations, turn_of_shadows
 from kagezou.message import Message
-from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.scene.evaluate import camera_at, ground_at, light_at
 from kagezou.scene.placing import PLACING, figure_box, placement_at
 
 _MOST_FRAMES: Final = 64
@@ -70,6 +70,37 @@ def relit(document: Document) -> tuple[Document, tuple[Message, ...]]:
     light = _light(document, figures, np.concatenate(list(_moved_outlines(document, looks))), ways)
     note = Message("the light is the sun now: near a lamp the shadow would turn round while the figure travels")
     return _lit(document, light), (note,)
+
+
+def turning_note(before: Document, after: Document) -> Message | None:
+    """Return what to say of a lamp near the way on which layers are made to travel by a step; None where all is well.
+
+    Only a lamp that stands still counts: one that is moved may well turn the shadows on purpose.
+    """
+    if _placing(before) == _placing(after):
+        return None
+    if _turn(after) <= MOST_TURN_DEG or _turn(before) > MOST_TURN_DEG:
+        return None
+    return Message(
+        "near the lamp the shadow turns round while the figure travels; the sun, or a lamp farther off, keeps its "
+        "direction"
+    )
+
+
+def _placing(document: Document) -> tuple[object, ...]:
+    """Return what moves the drawings of a document."""
+    return tuple(layer.tracks.get(name) for layer in document.layers for name in sorted(PLACING))
+
+
+def _turn(document: Document) -> float:
+    """Return by how many degrees the shadows of moved figures turn under a lamp that stands still; 0 under others."""
+    place = document.tracks.get(LIGHT_POSITION.name)
+    kind = document.tracks.get(LIGHT_KIND.name)
+    if (place is not None and place.is_keyed) or (kind is not None and kind.is_keyed):
+        return 0.0
+    ground = ground_at(document, 1)
+    light = light_at(document, 1, ground)
+    return 0.0 if light[3] == 0 else turn_of_shadows(camera_at(document, 1), ground, light, _shown_ways(document))
 
 
 def grounded_as_shown(document: Document) -> Document:

@@ -3716,6 +3716,10 @@ Drop a folder of cels here.</source>
         <translation>layers.{layer}: 動画ごとに紙の扱いが違います</translation>
     </message>
     <message>
+        <source>near the lamp the shadow turns round while the figure travels; the sun, or a lamp farther off, keeps its direction</source>
+        <translation>ランプが近いため、人物の移動につれて影の向きが回ります。太陽光にするか、ランプを遠ざけると向きが保たれます</translation>
+    </message>
+    <message>
         <source>no alpha channel: white that reaches the border was taken as clear</source>
         <translation>アルファチャンネルがないため、画像の縁につながる白を透明として扱いました</translation>
     </message>

@@ -1,7 +1,7 @@
 """What the window says of how figures stand after a step."""
 
 from kagezou.document.address import resolve
-from kagezou.document.edits import set_constant
+from kagezou.document.edits import set_constant, set_key
 from kagezou.ui.window.main_window import MainWindow
 
 
@@ -31,3 +31,14 @@ def test_a_figure_that_is_pushed_through_a_wall_is_said_once(walking: MainWindow
     after = bridge.document
     bridge.session.edit("Fade", set_constant(after, resolve(after, f"layers.{name}.shadow.opacity"), 0.3))
     assert len(said) == 1
+
+
+def test_a_figure_that_is_made_to_travel_beside_the_lamp_is_said(walking: MainWindow) -> None:
+    bridge = walking.parts.open_project.bridge
+    document = bridge.document
+    canvas = document.canvas
+    position = resolve(document, f"layers.{document.layers[0].name}.position")
+    middle = canvas.height_px / 2
+    moved = set_key(document, position, 1, (0.1 * canvas.width_px, middle))
+    bridge.session.edit("Slide", set_key(moved, position, canvas.length_frames, (0.9 * canvas.width_px, middle)))
+    assert "turns round while the figure travels" in walking.parts.bar.text

@@ -59,10 +59,11 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if document is before:
         return 0
     if _are_moved(before, document):
-        from kagezou.importing.lighting import relit
+        from kagezou.importing.lighting import relit, turning_note
 
         document, said = relit(document)
-        for sentence in said:
+        turning = turning_note(before, document)
+        for sentence in said if turning is None else (*said, turning):
             note(sentence)
     for misfit in new_misfits(misfits_of(before), misfits_of(document)):
         note(misfit.message)

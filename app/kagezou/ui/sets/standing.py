@@ -1,9 +1,10 @@
-"""What one should know of how figures stand after a step: upright with the set, through it, or as a sliver."""
+"""What one should know of how figures stand after a step: upright with the set, through it, as a sliver, turning."""
 
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import stood_up_notes
+from kagezou.importing.lighting import turning_note
 from kagezou.scene.misfits import Misfit, misfits_at, new_misfits
 from kagezou.ui.system.bridge import Bridge
 
@@ -40,4 +41,6 @@ class StandingNotes(QObject):
                 self.noted.emit(note)
         for misfit in new_misfits(self._known, found):
             self.noted.emit(misfit.message)
+        if (turning := turning_note(before, document)) is not None:
+            self.noted.emit(turning)
         self._document, self._known = document, found
