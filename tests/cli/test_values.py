@@ -141,8 +141,11 @@ def test_info_lists_every_property(shell: Shell, project: Path) -> None:
     shell("piece", project, "add", "back", "wall")
     text = shell.ok("info", project, "--properties")
     rows = shell.json("info", project, "--properties", "--json")["properties"]
-    assert len(rows) == len(table)
-    for line, row in zip(table, rows, strict=True):
+    assert [row["path"] for row in rows[len(table) :]] == ["layers.Hero.joins", "layers.Hero.paper"]
+    assert 'layers.Hero.joins = ""  (""; no keys)' in text
+    assert 'layers.Hero.paper = "white"  (white | border; no keys)' in text
+    assert all(row["help_ja"] != row["help"] for row in rows)
+    for line, row in zip(table, rows[: len(table)], strict=True):
         assert row["path"].endswith(line.name)
         assert row["path"] + " = " in text
         assert row["help_ja"]

@@ -8,7 +8,7 @@ import pytest
 from kagezou.document import edits
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
-from kagezou.document.paper import layer_of_paper, paper_of, set_paper, typed_paper
+from kagezou.document.paper import paper_of, set_paper, typed_paper
 from kagezou.errors import ProjectProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.picture_source import OutlinedPicture, Paper, PicturePart, file_of
@@ -40,10 +40,7 @@ def test_drawings_on_different_paper_are_refused() -> None:
         check(replace(document, layers=(replace(document.layers[0], cels=mixed),)))
 
 
-def test_its_path_and_its_words() -> None:
-    document = cut()
-    assert layer_of_paper(document, "layers.A.1.paper") is document.layers[0]
-    assert layer_of_paper(document, "layers.A.paper") is None
+def test_its_words() -> None:
     assert typed_paper("border") is Paper.BORDER
     with pytest.raises(UsageProblem, match="paper is one of white, border, not 7"):
         typed_paper(7)

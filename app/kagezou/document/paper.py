@@ -13,11 +13,6 @@ def paper_of(layer: Layer) -> Paper:
     return layer.cels.drawings[0].paper if layer.cels.drawings else Paper.WHITE
 
 
-def layer_of_paper(document: Document, path: str) -> Layer | None:
-    """Return whose paper a path such as ``layers.A.paper`` names; None where it names something else."""
-    return next((layer for layer in document.layers if path == f"layers.{layer.name}.paper"), None)
-
-
 def typed_paper(text: object) -> Paper:
     """Return a paper by its name.
 

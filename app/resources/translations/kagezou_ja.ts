@@ -3652,6 +3652,10 @@ Drop a folder of cels here.</source>
         <translation>立ち方</translation>
     </message>
     <message>
+        <source>The layer whose figure this one is a part of; empty for a figure of its own.</source>
+        <translation>このレイヤーが属する人物のレイヤー。空なら独立した人物になります。</translation>
+    </message>
+    <message>
         <source>The point of the drawing that is laid on the position; drawings turn and grow about it.</source>
         <translation>位置に置かれる作画上の点。作画はこの点を中心に回転・拡大します。</translation>
     </message>
@@ -3682,6 +3686,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>What the figure stands on: its feet where they were found, its grounding points, or the ground line.</source>
         <translation>キャラクターが何で立つか: 見つかった足、接地点、または接地線。</translation>
+    </message>
+    <message>
+        <source>Where drawings have no alpha, white is clear everywhere, or only where it reaches the border.</source>
+        <translation>アルファのない絵で白を透明にする範囲。すべての白（white）か、縁につながる白だけ（border）か。</translation>
     </message>
     <message>
         <source>Where the anchor of the layer&apos;s drawings lies on the canvas.</source>
@@ -3830,10 +3838,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>video needs PyAV, which is not installed: pip install &apos;kagezou[video]&apos;</source>
         <translation>動画には PyAV が要りますが、入っていません：pip install &apos;kagezou[video]&apos;</translation>
-    </message>
-    <message>
-        <source>what a layer joins holds for the whole cut and has no keys</source>
-        <translation>レイヤーの結合先はカット全体で一つで、キーは持てません</translation>
     </message>
     <message>
         <source>with {megabytes} MB it is larger than can be read</source>
@@ -4002,6 +4006,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path} is not an export preset: {cause}</source>
         <translation>{path} は書き出しプリセットではありません：{cause}</translation>
+    </message>
+    <message>
+        <source>{path} is the same on every frame and has no keys</source>
+        <translation>{path} は全フレーム共通で、キーは打てません</translation>
     </message>
     <message>
         <source>{path}: &apos;{path_suffix}&apos; cannot be written, only {formats}</source>

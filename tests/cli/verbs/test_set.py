@@ -21,5 +21,6 @@ def test_a_lamp_that_was_set_stays(shell: Shell, tmp_path: Path) -> None:
     assert shell("new", project, "--character", f"A={make_drawings(tmp_path / 'walk', 4, (640, 360))}") == 0
     shell.ok("set", project, "light.position=[320,-100,300]")
     shell.ok("set", project, "layers.A.position=[0,180]", "--frame", 1)
-    shell.ok("set", project, "layers.A.position=[600,180]", "--frame", 4)
+    assert shell("set", project, "layers.A.position=[600,180]", "--frame", 4) == 0
+    assert "turns round while the figure travels" in shell.said
     assert shell.json("get", project, "light.kind") == "point"

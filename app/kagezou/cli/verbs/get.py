@@ -31,42 +31,37 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load the project and print the value."""
-    from kagezou.cli.values import json_of_keys, json_of_value
-    from kagezou.document.address import resolve, track_of
-    from kagezou.document.joining import join_path, joins
-    from kagezou.document.paper import layer_of_paper, paper_of
+    from kagezou.document.whole_cut import saying_at
     from kagezou.io.project.file import load
 
     document = load(options.project)
-    joining, layer = join_path(document, options.path), layer_of_paper(document, options.path)
-    if joining is not None or layer is not None:
-        word = joins(document, joining) if joining is not None else paper_of(layer).value if layer else ""
-        table: dict[str, Json] = {"path": options.path, "unit": "", "frame": options.frame, "value": word, "keys": []}
-        give_json(table if options.json else word)
-        return 0
-    address = resolve(document, options.path)
-    track = track_of(document, address)
-    keys = json_of_keys(track)
-    if options.frame is not None:
-        value = json_of_value(track.value_at(options.frame))
+    said = saying_at(document, options.path)
+    about: dict[str, Json] = {"path": options.path, "unit": "", "frame": options.frame}
+    if said is None:
+        found = about | _of_property(document, options.path, options.frame)
     else:
-        value = keys if track.is_keyed else json_of_value(track.constant)
-    measured = _measured_tilt(document, address, options.frame or 1)
-    if measured is not None:
-        value = measured
+        found = about | {"value": said.value, "keys": []}
     if options.json:
-        is_list = track.is_keyed and options.frame is None and measured is None
-        table = {
-            "path": options.path,
-            "unit": address.property.unit,
-            "frame": options.frame,
-            "value": None if is_list else value,
-            "keys": keys,
-        }
-        give_json({**table, "measured": True} if measured is not None else table)
+        give_json(found)
     else:
-        give_json(value)
+        give_json(found["keys"] if found["value"] is None else found["value"])
     return 0
+
+
+def _of_property(document: "Document", path: str, frame: int | None) -> dict[str, Json]:
+    """Return unit, value and keys of a property; no value where it is keyed and no frame is asked for."""
+    from kagezou.cli.values import json_of_keys, json_of_value
+    from kagezou.document.address import resolve, track_of
+
+    address = resolve(document, path)
+    track = track_of(document, address)
+    keys: Json = json_of_keys(track)
+    measured = _measured_tilt(document, address, frame or 1)
+    if measured is not None:
+        return {"unit": address.property.unit, "value": measured, "keys": keys, "measured": True}
+    value = json_of_value(track.constant) if frame is None else json_of_value(track.value_at(frame))
+    is_list = track.is_keyed and frame is None
+    return {"unit": address.property.unit, "value": None if is_list else value, "keys": keys}
 
 
 def _measured_tilt(document: "Document", address: "Address", frame: int) -> float | None:

@@ -12,6 +12,8 @@ from kagezou.cli.terminal import Json, give, give_json, one_line
 if TYPE_CHECKING:
     from kagezou.document.address import Address
     from kagezou.document.model import Document, Layer, Piece
+    from kagezou.document.whole_cut import SaidOf
+    from kagezou.message import Translate
 
 DESCRIPTION = "Say what is in a project: canvas, layers, drawings, missing files, and which properties have keys."
 EXAMPLES = """\
@@ -174,6 +176,7 @@ def _property_table(document: "Document") -> Json:
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import addresses, path_of, track_of, usual_value
     from kagezou.document.property import Kind
+    from kagezou.document.whole_cut import sayings
     from kagezou.io.clips.catalogues import messages_in
 
     japanese = messages_in("ja")
@@ -195,7 +198,21 @@ def _property_table(document: "Document") -> Json:
         if prop.choices:
             row["choices"] = list(prop.choices)
         table.append(row)
-    return table
+    return [*table, *(_said_row(said, japanese) for said in sayings(document))]
+
+
+def _said_row(said: "SaidOf", japanese: "Translate") -> Json:
+    return {
+        "path": said.path,
+        "kind": "choice",
+        "unit": "",
+        "default": said.choices[0],
+        "value": said.value,
+        "keys": [],
+        "help": str(said.saying.help),
+        "help_ja": said.saying.help.formatted(japanese),
+        "choices": list(said.choices),
+    }
 
 
 def _property_lines(document: "Document") -> Iterator[str]:
@@ -204,6 +221,7 @@ def _property_lines(document: "Document") -> Iterator[str]:
     from kagezou.cli.values import json_of_value
     from kagezou.document.address import addresses, path_of, track_of
     from kagezou.document.property import Kind
+    from kagezou.document.whole_cut import sayings
 
     for address in addresses(document):
         prop, track = address.property, track_of(document, address)
@@ -214,3 +232,7 @@ def _property_lines(document: "Document") -> Iterator[str]:
         limits = " ".join(part for part in (allowed, prop.unit) if part)
         yield f"{path_of(document, address)} = {shown}" + (f"  ({limits})" if limits else "")
         yield f"    {prop.help}"
+    for said in sayings(document):
+        choices = " | ".join(word or '""' for word in said.choices)
+        yield f"{said.path} = {json.dumps(said.value, ensure_ascii=False)}  ({choices}; no keys)"
+        yield f"    {said.saying.help}"

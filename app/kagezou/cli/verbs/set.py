@@ -84,20 +84,14 @@ def _assigned(document: "Document", text: str, frame: int | None, interpolation:
     from kagezou.cli.values import NotJson, value_of_text
     from kagezou.document.address import resolve
     from kagezou.document.edits import set_constant, set_key
-    from kagezou.document.joining import join_path, joined
-    from kagezou.document.paper import layer_of_paper, set_paper, typed_paper
+    from kagezou.document.whole_cut import saying_at
 
     problem: UsageProblem | None = None
     for path, value in _halves(text):
-        layer = layer_of_paper(document, path)
-        if layer is not None:
-            if frame is not None:
-                raise UsageProblem(Message("{path} is the same on every frame and has no keys", path=path))
-            return set_paper(document, layer.id, typed_paper(value_of_text(path, value)))
+        said = saying_at(document, path)
+        if said is not None:
+            return said.changed(value_of_text(path, value), frame)
         try:
-            joining = join_path(document, path)
-            if joining is not None:
-                return joined(document, joining, value_of_text(path, value), frame)
             address, raw = resolve(document, path), value_of_text(path, value)
         except NotJson:
             raise
