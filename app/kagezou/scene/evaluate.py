@@ -14,6 +14,7 @@ from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
 from kagezou.scene.figure_card import Moment, card_of
+from kagezou.scene.filters import Edge, Simplify, Water
 from kagezou.scene.lift import Lift, faded, lift_at, lowered_cel
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
 from kagezou.scene.placing import background_at, drawing_of, shown_parts
@@ -21,16 +22,13 @@ from kagezou.scene.poses import casting_of
 from kagezou.scene.receiving import with_received
 from kagezou.scene.round_shadow import rounded
 from kagezou.scene.scene import (
-    Edge,
     Fade,
     LayerScene,
     Scene,
     SetShadow,
     ShadowCast,
     ShadowLook,
-    Simplify,
     Tip,
-    Water,
 )
 
 LEAST_PX = 0.01

@@ -14,7 +14,7 @@ from kagezou.render.prepare.band_atlas import Strip
 from kagezou.render.prepare.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.prepare.filter_job import BlurView, FilterJob
 from kagezou.render.prepare.uniforms import Uniform
-from kagezou.scene.scene import Edge, Water
+from kagezou.scene.filters import Edge, Water
 
 MAX_BANDS = 48
 MAX_JOINS = 16
