@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kagezou.geometry.camera import Camera, project
 from kagezou.geometry.card import Card
 from kagezou.geometry.contact import contact_plane
-from kagezou.geometry.disc import Ellipse, ellipse_of_circle, floating_disc, light_over
+from kagezou.geometry.disc import Ellipse, GroundDisc, ellipse_of_circle, floating_discs, light_over
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over
 from kagezou.geometry.shadow import cast_card
@@ -48,9 +48,9 @@ def test_it_casts_the_disc_below_it(
 ) -> None:
     camera, ground = Camera(1000, 800, fov), ground_plane((480.0, 700.0), roll, declination)
     middle = ground.point(*at)
-    found = floating_disc(camera, ground, middle, 90.0, height)
+    found = floating_discs(camera, ground, [GroundDisc(middle, 90.0)], height)
     assert found is not None
-    card, ellipse = found
+    card, (ellipse,) = found
     rim = below(camera, ground, card, ellipse) - of_plane(ground, middle)
     assert np.hypot(*rim.T) == pytest.approx(90.0, rel=1e-4)
     assert height_over(ground.equation, (*card.pieces[0].place, 1.0)) <= height * (1 + 1e-9)
@@ -59,9 +59,9 @@ def test_it_casts_the_disc_below_it(
 
 def test_straight_on_the_roundness_is_the_ground_s_declination() -> None:
     camera, ground = Camera(1000, 800), ground_plane((500.0, 700.0), 0.0, 70.0)
-    found = floating_disc(camera, ground, ground.origin, 100.0, 300.0)
+    found = floating_discs(camera, ground, [GroundDisc(ground.origin, 100.0)], 300.0)
     assert found is not None
-    card, ellipse = found
+    card, (ellipse,) = found
     assert ellipse.half_axes == pytest.approx((100.0, 100.0 * cos(radians(70.0))))
     assert ellipse.middle == pytest.approx((500.0, 700.0 - 300.0 * sin(radians(70.0))))
     assert abs(ellipse.rotation_deg) % 180 == 0
@@ -72,24 +72,24 @@ def test_straight_on_the_roundness_is_the_ground_s_declination() -> None:
 
 def test_it_turns_with_the_ground() -> None:
     camera, ground = Camera(1000, 800), ground_plane((500.0, 700.0), 20.0, 70.0)
-    found = floating_disc(camera, ground, ground.origin, 100.0, 300.0)
+    found = floating_discs(camera, ground, [GroundDisc(ground.origin, 100.0)], 300.0)
     assert found is not None
-    assert found[1].rotation_deg % 180 == pytest.approx(20.0)
+    assert found[1][0].rotation_deg % 180 == pytest.approx(20.0)
 
 
 def test_edge_on_there_is_nothing_to_be_seen() -> None:
     ground = ground_plane((500.0, 700.0), 0.0, 90.0)
-    assert floating_disc(Camera(1000, 800), ground, ground.origin, 100.0, 300.0) is None
-    assert floating_disc(Camera(1000, 800, 40.0), ground, ground.origin, 100.0, 300.0) is not None
+    assert floating_discs(Camera(1000, 800), ground, [GroundDisc(ground.origin, 100.0)], 300.0) is None
+    assert floating_discs(Camera(1000, 800, 40.0), ground, [GroundDisc(ground.origin, 100.0)], 300.0) is not None
 
 
 def test_what_would_reach_behind_the_eye_is_smaller() -> None:
     camera = Camera(1000, 800, 60.0)
     ground = ground_plane((500.0, 700.0), 0.0, 80.0)
     near = ground.point(0.0, 500.0)
-    found = floating_disc(camera, ground, near, 5000.0, 300.0)
+    found = floating_discs(camera, ground, [GroundDisc(near, 5000.0)], 300.0)
     assert found is not None
-    card, ellipse = found
+    card, (ellipse,) = found
     rim = below(camera, ground, card, ellipse) - of_plane(ground, near)
     radius = np.hypot(*rim.T)
     assert radius == pytest.approx(radius[0], rel=1e-3)
@@ -101,7 +101,7 @@ def test_from_below_the_ground_the_eye_does_not_lower_it() -> None:
     camera = Camera(1000, 800, 40.0)
     ground = ground_plane((500.0, 100.0), 0.0, 85.0)
     assert height_over(ground.equation, camera.eye) < 0
-    found = floating_disc(camera, ground, ground.point(0.0, -100.0), 50.0, 20.0)
+    found = floating_discs(camera, ground, [GroundDisc(ground.point(0.0, -100.0), 50.0)], 20.0)
     assert found is not None
     assert height_over(ground.equation, (*found[0].pieces[0].place, 1.0)) == pytest.approx(20.0)
 

@@ -6,6 +6,7 @@ A new property is one line here.
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from kagezou.document.companion_properties import CONTACT_LINES, REFLECTION_LINES
 from kagezou.document.figure_properties import (
     BACKGROUND_POSITION,
     LEAST_PART,
@@ -273,6 +274,7 @@ TABLE: tuple[AnyProperty, ...] = (
     COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE, *LIFT_LINES,
     WAVES_ON, WAVE1.amplitude, WAVE1.wavelength, WAVE1.direction, WAVE1.velocity,
     WAVE2.amplitude, WAVE2.wavelength, WAVE2.direction, WAVE2.velocity, WAVE_ANCHOR, WAVE_SEED,
+    *CONTACT_LINES, *REFLECTION_LINES,
     *SET_LINES,
 )  # fmt: skip
 """Every property, in the order in which people read them."""

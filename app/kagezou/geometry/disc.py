@@ -4,6 +4,7 @@ The light along the ground's normal casts a disc that floats over the ground exa
 more silhouette on a card, and everything that is done to shadows goes on from there.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import atan2, degrees, sqrt
 from typing import Final
@@ -43,40 +44,75 @@ def light_over(ground: Plane) -> Vector4:
     return (*ground.normal, 0.0)
 
 
-def floating_disc(
-    camera: Camera, ground: Plane, middle: Vector3, radius_px: float, height_px: float
-) -> tuple[Card, Ellipse] | None:
-    """Return the card of a disc that floats over the ground, and how the disc is seen; None where that is edge-on.
+@dataclass(frozen=True, slots=True)
+class GroundDisc:
+    """A disc that lies on the ground.
+
+    Parameters
+    ----------
+    middle
+        A place on the ground before the eye, world px.
+    radius_px
+        Less counts where a part of it would not be before the eye.
+    """
+
+    middle: Vector3
+    radius_px: float
+
+
+def floating_discs(
+    camera: Camera, ground: Plane, discs: Sequence[GroundDisc], height_px: float
+) -> tuple[Card, tuple[Ellipse, ...]] | None:
+    """Return the card of discs that float over the ground, and how each is seen; None where that is edge-on.
 
     Parameters
     ----------
     camera, ground
-        What it is seen with, and over which it floats.
-    middle
-        Of the disc below it, a place on the ground before the eye, world px.
-    radius_px
-        Its radius; less where a part of it would not be before the eye.
+        What they are seen with, and over which they float.
+    discs
+        Those below them, at least one.
     height_px
-        How high it floats, over 0; less where the eye would not look down on all of it.
+        How high they float, over 0; less where the eye would not look down on all of them.
     """
+    radii = [_radius_before_eye(camera, ground, disc) for disc in discs]
+    height = min(
+        _height_below_eye(camera, ground, disc.middle, radius, height_px)
+        for disc, radius in zip(discs, radii, strict=True)
+    )
+    ellipses = []
+    for disc, radius in zip(discs, radii, strict=True):
+        above = _above(ground, disc.middle, height)
+        world_from_unit = np.array(
+            [[*(radius * np.array(ground.u)), 0.0], [*(radius * np.array(ground.v)), 0.0], [*above, 1.0]]
+        ).T
+        ellipse = ellipse_of_circle(camera.canvas_from_world() @ world_from_unit)
+        if min(ellipse.half_axes) < 1e-6 * max(ellipse.half_axes):
+            return None
+        ellipses.append(ellipse)
+    first = discs[0].middle
+    piece = CardPiece(_above(ground, first, height), ground.normal)
+    return Card((piece,), tuple(disc.middle for disc in discs), contact_line=(first, ground.u)), tuple(ellipses)
+
+
+def _above(ground: Plane, place: Vector3, height: float) -> Vector3:
+    x, y, z = (at + height * up for at, up in zip(place, ground.normal, strict=True))
+    return (x, y, z)
+
+
+def _radius_before_eye(camera: Camera, ground: Plane, disc: GroundDisc) -> float:
     _, _, distance, w = camera.eye
-    radius, height = radius_px, height_px
-    _, _, forward = ground.v
-    _, _, rising = ground.normal
-    if w:
-        room = distance - middle[2]
-        radius = min(radius, (1 - _NEAREST) * room / max(forward, 1e-9))
-        height = min(height, (room - radius * forward) / 2 / max(rising, 1e-9))
-        over = height_over(ground.equation, camera.eye)
-        height = min(height, over / 2) if over > 0 else height
-    x, y, z = (place + height * up for place, up in zip(middle, ground.normal, strict=True))
-    world_from_unit = np.array(
-        [[*(radius * np.array(ground.u)), 0.0], [*(radius * np.array(ground.v)), 0.0], [x, y, z, 1.0]]
-    ).T
-    ellipse = ellipse_of_circle(camera.canvas_from_world() @ world_from_unit)
-    if min(ellipse.half_axes) < 1e-6 * max(ellipse.half_axes):
-        return None
-    return Card((CardPiece((x, y, z), ground.normal),), (middle,), contact_line=(middle, ground.u)), ellipse
+    if not w:
+        return disc.radius_px
+    return min(disc.radius_px, (1 - _NEAREST) * (distance - disc.middle[2]) / max(ground.v[2], 1e-9))
+
+
+def _height_below_eye(camera: Camera, ground: Plane, middle: Vector3, radius: float, height: float) -> float:
+    _, _, distance, w = camera.eye
+    if not w:
+        return height
+    height = min(height, (distance - middle[2] - radius * ground.v[2]) / 2 / max(ground.normal[2], 1e-9))
+    over = height_over(ground.equation, camera.eye)
+    return min(height, over / 2) if over > 0 else height
 
 
 def ellipse_of_circle(canvas_from_unit: Matrix) -> Ellipse:

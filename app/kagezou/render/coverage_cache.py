@@ -21,6 +21,7 @@ from kagezou.render.passes.received import ReceivedCoverage, ReceivedLayers
 from kagezou.render.prepare.least_parts import without_least_parts
 from kagezou.render.sets.distance import DistancePass
 from kagezou.render.sets.set_pass import SetPass
+from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
@@ -135,7 +136,8 @@ class CoverageCache:
         """Give back the memory of layers that the scene no longer has, and of meshes where it has none."""
         if not any(piece.mesh for piece in scene.pieces):
             self._set.forget_meshes()
-        alive = {layer.id for layer in scene.layers}
+        patches = map(contact_layer, scene.layers)
+        alive = {layer.id for layer in (*scene.layers, *patches) if layer is not None}
         for layer_id in [each for each in self._by_layer if each not in alive]:
             self._by_layer.pop(layer_id).close()
         self._received.forget_except(alive)

@@ -4,33 +4,28 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Steps
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.sets.mesh_cache import MeshCache
-from kagezou.message import Message
+from kagezou.render.composites import Composites
 from kagezou.render.coverage_cache import Coverage, CoverageCache
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.info import read_info
 from kagezou.render.gpu.presenter import Presenter, WindowView
 from kagezou.render.gpu.targets import Format, Target
-from kagezou.render.meshes.display import Display
 from kagezou.render.passes.depth_map import DepthMapPass
-from kagezou.render.passes.picture import PicturePass
 from kagezou.render.passes.received import ReceivedCoverage
 from kagezou.render.passes.shadow_image import Coloring, Drawn, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.mixing import mixed
-from kagezou.render.united_shadows import UnitedShadows
+from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
 
 MATTE_BUDGET_BYTES = 256 << 20
-_SQUARE_PX = 16
-"""The checkered backdrop's, canvas px."""
 
 _WHITE_MATTE = ShadowLook((255, 255, 255), 1.0, multiply=False)
 
@@ -56,14 +51,11 @@ class Renderer:
 
     def __init__(self, cels: CelSource, meshes: MeshCache | None = None, divisor: int = 1) -> None:
         self.info = read_info()
-        self._cels = cels
-        self._divisor = divisor
         self._boxes = Boxes()
         self._shadows = CoverageCache(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
-        self._united = UnitedShadows(self._boxes, self._shadows)
+        self._composites = Composites(self._boxes, cels, self._shadows, divisor)
         self._images = ShadowImages(self._boxes)
         self._presenter = Presenter(self._boxes)
-        self._picture: PicturePass | None = None
         check("setting up")
 
     @property
@@ -99,7 +91,7 @@ class Renderer:
 
     def united_shadow(self, scene: Scene, layers: Sequence[LayerScene], depth: int = 8) -> ShadowImage:
         """Return the shadows of layers of one look, at least one, as one, otherwise as :meth:`shadow` does."""
-        return self._images.united(scene.canvas, self._united.drawn(scene, layers), layers[0].look, depth)
+        return self._images.united(scene.canvas, self._composites.united.drawn(scene, layers), layers[0].look, depth)
 
     def received(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are."""
@@ -109,6 +101,24 @@ class Renderer:
             return self._images.image(scene.canvas, None, Coloring(looks[0] if looks else layer.look), depth)
         images = [self._images.image(scene.canvas, drawn(shade), Coloring(shade.look), depth) for shade in shades]
         return mixed(images, multiply=shades[0].look.multiply)
+
+    def contact(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
+        """Return the patches under a figure's feet as :meth:`shadow` does its shadow."""
+        patches = contact_layer(layer)
+        if patches is None:
+            return self._images.image(scene.canvas, None, Coloring(layer.look), depth)
+        return self.shadow(scene, patches, depth)
+
+    def reflection(self, scene: Scene, layer: LayerScene, depth: int = 8) -> Steps:
+        """Return a figure as the ground mirrors it, (H, W, 4), straight sRGB, 8 or 16 bit."""
+        mirrored = self._composites.mirrors.mirrored(scene, layer)
+        shape = (scene.canvas.height, scene.canvas.width, 4)
+        shown: Steps = np.zeros(shape, np.uint8) if depth == 8 else np.zeros(shape, np.uint16)
+        if mirrored is not None and mirrored.box is not None:
+            box, pixels = mirrored.box, mirrored.target.read(mirrored.box)
+            shown[box.top : box.bottom, box.left : box.right] = pixels if depth == 16 else (pixels + 128.0) // 257
+            check("mirroring a figure")
+        return shown
 
     def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
         """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""
@@ -164,42 +174,22 @@ class Renderer:
         With ``line_px`` over 0 the shadows are drawn as their outlines over everything, of twice that width. With
         ``wireframes`` imported sets show theirs, where that is asked of them.
         """
-        form = Format.RGBA8 if depth == 8 else Format.RGBA16
-        picture = self._picture_for(scene.canvas, form)
-        displays = (Display.CLAY, Display.WIREFRAME) if wireframes else (Display.CLAY,)
-        picture.begin(backdrop, scene.background, self._shadows.set_pictures(scene, displays))
-        self._lay_set_shadow(picture, scene)
-        self._shadows.forget_except(scene)
-        # Whole drawings first: each then serves its matte too, and no file is read twice.
-        cels = {each.id: self._cels.cel(each.drawing.source) for each in scene.layers if each.drawing is not None}
-        outlines = list(self._united.outlined(scene)) if line_px else []
-        if not line_px:
-            self._united.lay(picture, scene)
-        for layer in scene.layers:
-            if layer.drawing is not None:
-                picture.lay_cel(cels[layer.id], layer.drawing.placement)
-            for shade in self._shadows.received(scene, layer):
-                if line_px and shade.box is not None:
-                    outlines.append((shade.target.texture, shade.box))
-                elif shade.box is not None:
-                    picture.lay_shadow(shade.target.texture, shade.box, None, shade.look)
-        for texture, box in outlines:
-            picture.lay_outline(texture, box, line_px)
+        self._composites.draw(scene, backdrop, depth, line_px, wireframes=wireframes)
         check("drawing the picture")
 
     def read_picture(self) -> Steps:
         """Return the picture drawn last, (H, W, 4), straight sRGB, in the depth it was drawn with."""
-        target = self._drawn().target
+        target = self._composites.drawn.target
         return target.read(target.box)
 
     def present(self, view: WindowView) -> None:
         """Place the picture drawn last in a window."""
-        self._presenter.draw(self._drawn().target.texture, view)
+        self._presenter.draw(self._composites.drawn.target.texture, view)
         check("showing the picture")
 
     def copy_picture(self) -> None:
         """Draw the whole picture once into another target, one texel a pixel: the unit of cost of a benchmark."""
-        self._drawn().copy_whole()
+        self._composites.drawn.copy_whole()
 
     def finish(self) -> None:
         """Wait until everything asked for is drawn."""
@@ -207,32 +197,11 @@ class Renderer:
 
     def close(self) -> None:
         """Give the memory back; the context must be current."""
-        if self._picture is not None:
-            self._picture.close()
-        self._united.close()
+        self._composites.close()
         self._shadows.close()
         self._images.close()
         self._presenter.close()
         self._boxes.close()
-
-    def _lay_set_shadow(self, picture: PicturePass, scene: Scene) -> None:
-        coverage = self._shadows.set_coverage(scene)
-        if coverage is not None and coverage.box is not None and scene.set_shadow is not None:
-            picture.lay_shadow(coverage.target.texture, coverage.box, None, scene.set_shadow.look)
-
-    def _drawn(self) -> PicturePass:
-        if self._picture is None:
-            raise GraphicsProblem(Message("there is no picture yet"))
-        return self._picture
-
-    def _picture_for(self, canvas: Box, form: Format) -> PicturePass:
-        old = self._picture
-        if old is not None and (old.target.box != canvas or old.target.texture.form is not form):
-            old.close()
-            self._picture = None
-        if self._picture is None:
-            self._picture = PicturePass(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
-        return self._picture
 
 
 def drawn(coverage: Coverage | ReceivedCoverage | None) -> Drawn | None:

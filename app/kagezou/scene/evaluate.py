@@ -13,9 +13,11 @@ from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.geometry.waves import Wave
+from kagezou.scene.contact_patches import contact_at
 from kagezou.scene.figure_card import Moment, card_of
 from kagezou.scene.filters import Edge, Simplify, Water
 from kagezou.scene.lift import Lift, faded, lift_at, lowered_cel
+from kagezou.scene.mirroring import reflection_at
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
 from kagezou.scene.placing import background_at, drawing_of, shown_parts
 from kagezou.scene.poses import casting_of
@@ -24,6 +26,7 @@ from kagezou.scene.round_shadow import rounded
 from kagezou.scene.scene import (
     Fade,
     LayerScene,
+    PlacedDrawing,
     Scene,
     SetShadow,
     ShadowCast,
@@ -95,18 +98,33 @@ def _layer_scene(on: Moment, layer: Layer) -> LayerScene:
     waits = value_at(figure.tracks, properties.TIMING, on.frame) == "exposures"
     moment = max(part.cels.exposed_since(on.frame) for part in parts) if waits else on.frame
     card, lift = card_of(on, figure, moment), lift_at(on.document, figure, on.frame, moment)
-    cast, look = None, _look(figure.tracks, moment)
-    if layer is figure:
-        cast = _cast(on, figure, moment, lift)
-    return LayerScene(layer.id, layer.name, drawing, cast, look if lift is None else faded(lift, look), card, figure.id)
+    look = _look(figure.tracks, moment)
+    look = look if lift is None else faded(lift, look)
+    cels = _cels_of(on, figure) if layer is figure else ()
+    cast = _cast(on, figure, moment, lift, cels) if cels else None
+    return LayerScene(
+        layer.id,
+        layer.name,
+        drawing,
+        cast,
+        look,
+        card,
+        figure.id,
+        contact=None if cast is None else contact_at(on, figure, moment, card),
+        reflection=reflection_at(on, figure, moment, cels, _water(figure.tracks, moment)),
+    )
 
 
-def _cast(on: Moment, figure: Layer, moment: int, lift: Lift | None) -> ShadowCast | None:
-    """Return what the cels of a figure cast together, None where all are empty."""
+def _cels_of(on: Moment, figure: Layer) -> tuple[PlacedDrawing, ...]:
+    """Return what is seen of the cels of a figure, from the bottom."""
     parts = shown_parts(on.document, figure.id, on.frame)
-    cels = tuple(cel for part in parts if (cel := drawing_of(on.document, part, on.frame)) is not None)
-    if not cels:
-        return None
+    return tuple(cel for part in parts if (cel := drawing_of(on.document, part, on.frame)) is not None)
+
+
+def _cast(
+    on: Moment, figure: Layer, moment: int, lift: Lift | None, cels: tuple[PlacedDrawing, ...]
+) -> ShadowCast | None:
+    """Return what the cels of a figure cast together, at least one; None where a disc is seen edge-on."""
     light = light_at(on.document, moment, on.ground)
     card, lowered = casting_of(on, figure, moment, light)
     if lowered is not None:
@@ -130,9 +148,15 @@ def _cast(on: Moment, figure: Layer, moment: int, lift: Lift | None) -> ShadowCa
 
 
 def _on_set(layer: LayerScene, pieces: tuple[PieceScene, ...], *, has_ground: bool) -> LayerScene:
-    if layer.cast is None or (not pieces and has_ground):
+    if not pieces and has_ground:
         return layer
-    return replace(layer, cast=replace(layer.cast, pieces=pieces, ground_receives=has_ground))
+    cast, contact, mirrored = layer.cast, layer.contact, layer.reflection
+    return replace(
+        layer,
+        cast=cast and replace(cast, pieces=pieces, ground_receives=has_ground),
+        contact=contact and replace(contact, cast=replace(contact.cast, pieces=pieces, ground_receives=has_ground)),
+        reflection=mirrored and replace(mirrored, pieces=pieces, ground_receives=has_ground),
+    )
 
 
 def _set_shadow(document: Document, frame: int, dark: SetCast) -> SetShadow | None:

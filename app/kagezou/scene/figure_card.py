@@ -30,7 +30,7 @@ def card_at(document: Document, layer: Layer, frame: int, camera: Camera, ground
     return card_of(Moment(document, frame, camera, ground), figure, frame)
 
 
-def card_of(on: Moment, figure: Layer, since: int) -> Card:
+def card_of(on: Moment, figure: Layer, since: int, stood_up: float = 0.0) -> Card:
     """Return the card of a figure.
 
     Parameters
@@ -41,20 +41,29 @@ def card_of(on: Moment, figure: Layer, since: int) -> Card:
         A layer with a figure of its own.
     since
         The frame whose grounding points, tilt and the like count: they may wait for the next drawing.
+    stood_up
+        How much more it is stood up than the figure's own card, 0 to 1 for all the way.
     """
     standing = feet_at(on.document, figure, on.frame, since)
     if standing is not None:
-        return card_on_feet(on, figure, since, standing)
-    tilt, upright = (value_at(figure.tracks, prop, since) for prop in (TILT, UPRIGHT))
+        return card_on_feet(on, figure, since, standing, stood_up)
+    tilt, upright = _lean_at(figure, since, stood_up)
     is_on_line = value_at(figure.tracks, STANCE, since) == "line"
     points = () if is_on_line else value_at(figure.tracks, GROUNDING, since)
     return card_for(on.camera, on.ground, points, tilt, figure.figure.height, upright)
 
 
-def card_on_feet(on: Moment, figure: Layer, since: int, standing: tuple[Sequence[Foothold], float]) -> Card:
+def card_on_feet(
+    on: Moment, figure: Layer, since: int, standing: tuple[Sequence[Foothold], float], stood_up: float = 0.0
+) -> Card:
     """Return the card of a figure as :func:`card_of` does, on given feet; ``standing`` are they and its height, px."""
+    return relief_card(on.camera, on.ground, *standing, *_lean_at(figure, since, stood_up))
+
+
+def _lean_at(figure: Layer, since: int, stood_up: float) -> tuple[float, float]:
+    """Return by which angle the card is turned, and how far it is stood up, 0 to 1."""
     tilt, upright = (value_at(figure.tracks, prop, since) for prop in (TILT, UPRIGHT))
-    return relief_card(on.camera, on.ground, *standing, tilt, upright)
+    return tilt, upright + stood_up * (1 - upright)
 
 
 def feet_at(

@@ -57,3 +57,8 @@ class Water:
 
     ripples: tuple[Ripple, ...]
     anchor_px: float
+
+    @property
+    def reach_px(self) -> float:
+        """How far the waves move a place at most, px of the receiver."""
+        return sum(ripple.wave.amplitude_px for ripple in self.ripples)

@@ -3,7 +3,7 @@
 from collections.abc import Collection
 from dataclasses import replace
 
-from kagezou.scene.scene import Scene, ShadowCast
+from kagezou.scene.scene import LayerScene, Scene, ShadowCast
 
 
 def without_pieces(scene: Scene, ids: Collection[str]) -> Scene:
@@ -13,7 +13,17 @@ def without_pieces(scene: Scene, ids: Collection[str]) -> Scene:
     def without(cast: ShadowCast) -> ShadowCast:
         return replace(cast, pieces=pieces, ground_receives=cast.ground_receives or not pieces)
 
-    layers = tuple(layer if layer.cast is None else replace(layer, cast=without(layer.cast)) for layer in scene.layers)
+    def without_them(layer: LayerScene) -> LayerScene:
+        contact, mirrored = layer.contact, layer.reflection
+        return replace(
+            layer,
+            cast=layer.cast and without(layer.cast),
+            contact=contact and replace(contact, cast=without(contact.cast)),
+            reflection=mirrored
+            and replace(mirrored, pieces=pieces, ground_receives=mirrored.ground_receives or not pieces),
+        )
+
+    layers = tuple(map(without_them, scene.layers))
     dark = scene.set_shadow
     if dark is not None:
         casts = any(piece.casts for piece in pieces)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from kagezou.picture_source import PictureSource
 from kagezou.scene.disc import Disc
-from kagezou.scene.scene import LayerScene, Received, Shade, ShadowCast, ShadowLook
+from kagezou.scene.scene import LayerScene, Received, Reflection, Shade, ShadowCast, ShadowLook
 
 
 def with_received(layers: tuple[LayerScene, ...], receiving: Set[str]) -> tuple[LayerScene, ...]:
@@ -23,6 +23,7 @@ def without_drawings(layer: LayerScene, lost: Set[PictureSource]) -> LayerScene:
         return layer
     drawing = None if layer.drawing is None or layer.drawing.source in lost else layer.drawing
     cast = None if layer.cast is None else _without(layer.cast, lost)
+    layer = replace(layer, reflection=_mirrored_without(layer.reflection, lost))
     if layer.received is None or drawing is None:
         return replace(layer, drawing=drawing, cast=cast, received=None)
     shades = []
@@ -36,6 +37,13 @@ def without_drawings(layer: LayerScene, lost: Set[PictureSource]) -> LayerScene:
 def _without(cast: ShadowCast, lost: Set[PictureSource]) -> ShadowCast | None:
     figure = tuple(part for part in cast.figure if isinstance(part, Disc) or part.source not in lost)
     return replace(cast, figure=figure) if figure else None
+
+
+def _mirrored_without(reflection: Reflection | None, lost: Set[PictureSource]) -> Reflection | None:
+    if reflection is None:
+        return None
+    figure = tuple(cel for cel in reflection.figure if cel.source not in lost)
+    return replace(reflection, figure=figure) if figure else None
 
 
 def _receiving(layer: LayerScene, layers: tuple[LayerScene, ...]) -> LayerScene:

@@ -9,7 +9,7 @@ from kagezou.document.model import Layer
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.card import Card
 from kagezou.geometry.contact import contact_plane
-from kagezou.geometry.disc import floating_disc, light_over
+from kagezou.geometry.disc import Ellipse, GroundDisc, floating_discs, light_over
 from kagezou.geometry.ground import place_on
 from kagezou.geometry.placement import Placement
 from kagezou.geometry.relief import Foothold
@@ -62,21 +62,35 @@ def rounded(on: Moment, figure: Layer, since: int, lift: Lift | None, cast: Shad
     standing, found = feet_at(on.document, figure, on.frame, since), stances_of(on.document, figure.id)
     tall = float(figure.figure.height) if found is None else found.height_px
     own = _places(on, standing[0], tall) if standing else []
-    own = own or [(place, 1.0) for place in cast.card.contacts or (_below_box(on, figure, cast.card),)]
+    own = own or [(place, 1.0) for place in cast.card.contacts or (below_box(on, figure, cast.card),)]
     around = (_around(on, found) if standing and found else []) or [own]
     middle = _mean([(_mean(places), 1.0) for places in around])
     usual = sum(_reach(_mean(places), places) for places in around) / len(around)
     radius = max(_BODY_OF_FIGURE * tall + _OF_REACH * usual, _reach(middle, own) + _BEYOND_FEET * tall)
     size = 1.0 if lift is None else lift.size
-    seen = floating_disc(on.camera, on.ground, middle, max(size * radius, 1.0), max(tall, 1.0))
+    return cast_by_discs(on, [GroundDisc(middle, max(size * radius, 1.0))], max(tall, 1.0), cast)
+
+
+def cast_by_discs(on: Moment, discs: Sequence[GroundDisc], height_px: float, cast: ShadowCast) -> ShadowCast | None:
+    """Return a cast with discs on the ground instead of cels; None where the ground is seen edge-on.
+
+    Parameters
+    ----------
+    on
+        The frame.
+    discs
+        At least one.
+    height_px
+        How high over the ground the discs float that cast them.
+    cast
+        What is kept but for the silhouette, its card and the lights.
+    """
+    seen = floating_discs(on.camera, on.ground, discs, height_px)
     if seen is None:
         return None
-    card, ellipse = seen
-    first, second = ellipse.half_axes
-    scale = (first / DISC_RADIUS_PX, second / DISC_RADIUS_PX)
-    placement = Placement(ellipse.middle, _disc_middle(on), scale, ellipse.rotation_deg)
-    light = light_over(on.ground)
-    return replace(cast, figure=(Disc(placement),), translucent=False, card=card, lights=(light,))
+    card, ellipses = seen
+    figure = tuple(Disc(_laid(on, ellipse)) for ellipse in ellipses)
+    return replace(cast, figure=figure, translucent=False, card=card, lights=(light_over(on.ground),))
 
 
 def _around(on: Moment, found: FigureStances) -> list[list[_Weighted]]:
@@ -85,7 +99,7 @@ def _around(on: Moment, found: FigureStances) -> list[list[_Weighted]]:
     return [places for stance in stances if (places := _places(on, stance.feet, found.height_px))]
 
 
-def _below_box(on: Moment, figure: Layer, card: Card) -> Vector3:
+def below_box(on: Moment, figure: Layer, card: Card) -> Vector3:
     """Return the place of the contact line that is seen under the middle of the boxes around a figure, world px."""
     frames = _held_around(figure, on.frame, _AROUND_S * float(on.document.canvas.frame_rate))
     x = sum(figure_box(on.document, figure.id, frame).middle[0] for frame in frames) / len(frames)
@@ -130,6 +144,13 @@ def _mean(places: Sequence[_Weighted]) -> Vector3:
 def _reach(middle: Vector3, places: Sequence[_Weighted]) -> float:
     """Return how far the outermost foot is from a place."""
     return max(min(weight, 1.0) * dist(middle, place) for place, weight in places)
+
+
+def _laid(on: Moment, ellipse: Ellipse) -> Placement:
+    """Return how the unit disc lies on the canvas where it is seen as an ellipse."""
+    first, second = ellipse.half_axes
+    scale = (first / DISC_RADIUS_PX, second / DISC_RADIUS_PX)
+    return Placement(ellipse.middle, _disc_middle(on), scale, ellipse.rotation_deg)
 
 
 def _disc_middle(on: Moment) -> Point2:

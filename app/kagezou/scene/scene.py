@@ -180,6 +180,54 @@ class Received:
 
 
 @dataclass(frozen=True, slots=True)
+class Contact:
+    """The dark patches under the feet of a figure, and how they are laid on the picture."""
+
+    cast: ShadowCast
+    look: ShadowLook
+
+
+@dataclass(frozen=True, slots=True)
+class Reflection:
+    """A figure as it is mirrored in the flat ground.
+
+    Parameters
+    ----------
+    figure
+        Its cels, from the bottom, at least one.
+    camera, ground, card
+        What it is seen with, what mirrors it, and the surface it stands on.
+    opacity
+        0 to 1.
+    color, tone
+        sRGB 0 to 255, and how much of it the figure has instead of its own colours, 0 to 1.
+    fade
+        How opacity falls with the distance from the contact line; None for not at all.
+    water
+        The waves that move it; None for still ground.
+    pieces, ground_receives
+        The set, which hides ground, and whether there is ground.
+    """
+
+    figure: tuple[PlacedDrawing, ...]
+    camera: Camera
+    ground: Plane
+    card: Card
+    opacity: float
+    color: tuple[int, int, int]
+    tone: float
+    fade: Fade | None = None
+    water: Water | None = None
+    pieces: tuple[PieceScene, ...] = ()
+    ground_receives: bool = True
+
+    @property
+    def sources(self) -> tuple[PictureSource, ...]:
+        """What its cels are read from."""
+        return tuple(dict.fromkeys(cel.source for cel in self.figure))
+
+
+@dataclass(frozen=True, slots=True)
 class LayerScene:
     """One visible character layer.
 
@@ -199,6 +247,8 @@ class LayerScene:
         The layer whose figure it is a part of; its own id for a figure of its own.
     received
         What others cast on it, None where it does not receive.
+    contact, reflection
+        What its figure has beside its shadow, None where that is not asked for.
     """
 
     id: str
@@ -209,6 +259,8 @@ class LayerScene:
     card: Card
     figure_id: str
     received: Received | None = None
+    contact: Contact | None = None
+    reflection: Reflection | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,6 @@
 """The finished picture: backdrop, background, shadows and characters, laid one over the other in that order."""
 
 from dataclasses import dataclass
-from functools import partial
 
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.placement import Placement, around_placed
@@ -9,10 +8,10 @@ from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Cel
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
-from kagezou.render.gpu.made_of_cache import MadeOfCache
 from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.display import Display, SetPicture
+from kagezou.render.passes.cel_textures import CelTextures
 from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
 from kagezou.render.passes.unite import MOST_TAKEN
 from kagezou.render.prepare.backdrop import Backdrop
@@ -52,7 +51,7 @@ class PicturePass:
         self._target = Target(canvas.width, canvas.height, form)
         self._base_target = Target(canvas.width, canvas.height, form)
         self._under_target = Target(canvas.width, canvas.height, form)
-        self._colors: MadeOfCache[Texture] = MadeOfCache(COLOR_BUDGET_BYTES)
+        self._colors = CelTextures(COLOR_BUDGET_BYTES)
         self._base: _Base | None = None
         self._drawn_over: list[Box] = []
 
@@ -106,6 +105,17 @@ class PicturePass:
             "u_multiply": look.multiply,
         }
         self._lay(self._target, box, united, uniforms, MOST_TAKEN if look.tip else frozenset())
+
+    def lay_reflection(self, mirrored: Texture, box: Box) -> None:
+        """Lay a picture of the canvas' size, straight colour and alpha, over the picture."""
+        uniforms: dict[str, Uniform] = {
+            "u_source_corner_px": (0.0, 0.0),
+            "u_is_picture": True,
+            "u_color": _NO_COLOR,
+            "u_opacity": 1.0,
+            "u_multiply": False,
+        }
+        self._lay(self._target, box, mirrored, uniforms)
 
     def lay_outline(self, coverage: Texture, box: Box, line_px: int) -> None:
         """Lay a shadow's outline over the picture as a line that reaches ``line_px`` to both sides of it."""
@@ -180,8 +190,7 @@ class PicturePass:
         seat = _seat_of(cel, placement, target.box)
         if seat is None or cel.matte.box is None:
             return
-        # Only the figure travels to the graphics card.
-        texture = self._colors.made_of(cel, partial(_uploaded, cel, cel.matte.box))
+        texture = self._colors.texture(cel)
         uniforms: dict[str, Uniform] = {
             "u_is_picture": True,
             "u_color": _NO_COLOR,
@@ -242,10 +251,3 @@ def _seat_of(cel: Cel, placement: Placement | None, canvas: Box) -> _Seat | None
     # What lies between the outermost texels and nothing reaches half a texel further.
     box = around_placed(figure.grown(1), way).intersection(canvas)
     return None if box is None else _Seat(box, moved_uniforms(way @ moved_by(*corner)), MOVED)
-
-
-def _uploaded(cel: Cel, box: Box) -> Texture:
-    form = Format.RGBA8 if cel.rgba.dtype.itemsize == 1 else Format.RGBA16
-    texture = Texture(box.width, box.height, form)
-    texture.upload_part(cel.rgba, box)
-    return texture

@@ -1,6 +1,5 @@
 """The numbers of a filtered shadow as ``passes/shape.frag`` wants them."""
 
-from math import pi
 from statistics import NormalDist
 
 import numpy as np
@@ -14,11 +13,11 @@ from kagezou.render.prepare.band_atlas import Strip
 from kagezou.render.prepare.cast_uniforms import FULL_STRENGTH, Frame, Grazing
 from kagezou.render.prepare.filter_job import BlurView, FilterJob
 from kagezou.render.prepare.uniforms import Uniform
-from kagezou.scene.filters import Edge, Water
+from kagezou.render.prepare.wave_uniforms import wave_uniforms
+from kagezou.scene.filters import Edge
 
 MAX_BANDS = 48
 MAX_JOINS = 16
-_MAX_RIPPLES = 2
 _NONE: frozenset[str] = frozenset()
 
 Uniforms = dict[str, Uniform]
@@ -65,7 +64,8 @@ def shape_uniforms(view: BlurView, box: Box, level: float) -> tuple[frozenset[st
         uniforms |= join_uniforms(view)
     if job.cast.water is not None:
         switches |= {"WAVES"}
-        uniforms |= _wave_uniforms(job, job.cast.water)
+        anchor = job.cast.water.anchor_px / float(job.ground_from_blurred[1, 1])
+        uniforms |= wave_uniforms(job.cast.water, job.receiver_from_blurred, anchor)
     if job.cast.edge is not None:
         switches |= {"EDGE"}
         uniforms |= _edge_uniforms(job, job.cast.edge, level)
@@ -101,22 +101,6 @@ def inverse(matrix: Matrix) -> Matrix:
 def _frame(view: BlurView, box: Box) -> Frame:
     """Return the part of a canvas box in which the receiver is seen."""
     return Frame(clipped(box_polygon(box), shifted(distance_form(view.blurred_from_canvas[2]), -0.01)))
-
-
-def _wave_uniforms(job: FilterJob, water: Water) -> Uniforms:
-    """Return what ``common/waves.glsl`` wants: the ripples of the receiver, told in u and v of the blur."""
-    to_receiver = job.receiver_from_blurred
-    ripples = np.zeros((_MAX_RIPPLES, 4))
-    for index, ripple in enumerate(water.ripples):
-        k = np.array(ripple.k)
-        phase = (ripple.phase + float(k @ to_receiver[:, 2])) % (2 * pi)
-        ripples[index] = (*(k @ to_receiver[:, :2]), phase, ripple.wave.amplitude_px)
-    return {
-        "u_ripple_count": len(water.ripples),
-        "u_ripples": ripples,
-        "u_heave": job.heave.ravel(),
-        "u_anchor_px": water.anchor_px / float(job.ground_from_blurred[1, 1]),
-    }
 
 
 def _edge_uniforms(job: FilterJob, edge: Edge, level: float) -> Uniforms:

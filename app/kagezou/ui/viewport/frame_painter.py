@@ -16,6 +16,7 @@ from kagezou.picture_source import PictureSource, file_of
 from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
+from kagezou.scene.companions import without_companions
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.left_out import without_pieces
 from kagezou.scene.receiving import without_drawings
@@ -131,9 +132,7 @@ class FramePainter:
         """Return a layer alone on nothing, (H, W, 4); what is on screen is drawn anew next time."""
         scene = self._readable(evaluate(document, frame))
         layers = tuple(
-            layer if with_shadow else replace(layer, cast=None, received=None)
-            for layer in scene.layers
-            if layer.id == layer_id
+            layer if with_shadow else without_companions(layer) for layer in scene.layers if layer.id == layer_id
         )
         self._renderer.draw_picture(replace(scene, background=None, layers=layers), Backdrop.TRANSPARENT)
         self._drawn = None
@@ -184,7 +183,8 @@ class FramePainter:
 
         drawings = [layer.drawing.source for layer in scene.layers if layer.drawing is not None]
         casting = [source for layer in scene.layers if layer.cast is not None for source in layer.cast.sources]
-        for source in dict.fromkeys((*drawings, *casting)):
+        mirrored = [source for layer in scene.layers if layer.reflection for source in layer.reflection.sources]
+        for source in dict.fromkeys((*drawings, *casting, *mirrored)):
             can_be_read(source)
         lost = {
             piece.id

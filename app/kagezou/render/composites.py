@@ -1,0 +1,112 @@
+"""Finished pictures: what is laid over what, from the backdrop up."""
+
+from kagezou.errors import GraphicsProblem
+from kagezou.geometry.box import Box
+from kagezou.io.images.cel_cache import CelSource
+from kagezou.message import Message
+from kagezou.render.coverage_cache import CoverageCache
+from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.targets import Format
+from kagezou.render.meshes.display import Display
+from kagezou.render.mirrors import Mirrors
+from kagezou.render.passes.picture import PicturePass
+from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.render.united_shadows import UnitedShadows
+from kagezou.scene.companions import contact_layer
+from kagezou.scene.scene import Scene
+
+_SQUARE_PX = 16
+"""The checkered backdrop's, canvas px."""
+
+
+class Composites:
+    """Draws pictures; the last one stays until the next.
+
+    Parameters
+    ----------
+    boxes
+        What draws.
+    cels
+        Where drawings come from.
+    shadows
+        Where the covered parts of shadows come from.
+    divisor
+        As of `Renderer`.
+    """
+
+    def __init__(self, boxes: Boxes, cels: CelSource, shadows: CoverageCache, divisor: int) -> None:
+        self._boxes, self._cels, self._shadows, self._divisor = boxes, cels, shadows, divisor
+        self.united = UnitedShadows(boxes, shadows)
+        self.mirrors = Mirrors(boxes, cels, shadows)
+        self._picture: PicturePass | None = None
+
+    @property
+    def drawn(self) -> PicturePass:
+        """The picture drawn last.
+
+        Raises
+        ------
+        GraphicsProblem
+            There is none yet.
+        """
+        if self._picture is None:
+            raise GraphicsProblem(Message("there is no picture yet"))
+        return self._picture
+
+    def draw(self, scene: Scene, backdrop: Backdrop, depth: int, line_px: int, *, wireframes: bool) -> None:
+        """Draw a scene as `Renderer.draw_picture` says."""
+        form = Format.RGBA8 if depth == 8 else Format.RGBA16
+        picture = self._picture_for(scene.canvas, form)
+        displays = (Display.CLAY, Display.WIREFRAME) if wireframes else (Display.CLAY,)
+        picture.begin(backdrop, scene.background, self._shadows.set_pictures(scene, displays))
+        self._lay_set_shadow(picture, scene)
+        self._shadows.forget_except(scene)
+        self.mirrors.forget_except(scene.layers)
+        # Whole drawings first: each then serves its matte too, and no file is read twice.
+        cels = {each.id: self._cels.cel(each.drawing.source) for each in scene.layers if each.drawing is not None}
+        outlines = list(self.united.outlined(scene)) if line_px else []
+        if not line_px:
+            self.united.lay(picture, scene)
+            self._lay_beside(picture, scene)
+        for layer in scene.layers:
+            if layer.drawing is not None:
+                picture.lay_cel(cels[layer.id], layer.drawing.placement)
+            for shade in self._shadows.received(scene, layer):
+                if line_px and shade.box is not None:
+                    outlines.append((shade.target.texture, shade.box))
+                elif shade.box is not None:
+                    picture.lay_shadow(shade.target.texture, shade.box, None, shade.look)
+        for texture, box in outlines:
+            picture.lay_outline(texture, box, line_px)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        if self._picture is not None:
+            self._picture.close()
+        self.mirrors.close()
+        self.united.close()
+
+    def _lay_set_shadow(self, picture: PicturePass, scene: Scene) -> None:
+        coverage = self._shadows.set_coverage(scene)
+        if coverage is not None and coverage.box is not None and scene.set_shadow is not None:
+            picture.lay_shadow(coverage.target.texture, coverage.box, None, scene.set_shadow.look)
+
+    def _lay_beside(self, picture: PicturePass, scene: Scene) -> None:
+        """Lay what figures have beside their shadows: patches under their feet, and over them their reflections."""
+        for patches in map(contact_layer, scene.layers):
+            coverage = None if patches is None else self._shadows.coverage(scene, patches)
+            if patches is not None and coverage is not None and coverage.box is not None:
+                picture.lay_shadow(coverage.target.texture, coverage.box, patches.cast, patches.look)
+        for layer in scene.layers:
+            mirrored = self.mirrors.mirrored(scene, layer)
+            if mirrored is not None and mirrored.box is not None:
+                picture.lay_reflection(mirrored.target.texture, mirrored.box)
+
+    def _picture_for(self, canvas: Box, form: Format) -> PicturePass:
+        old = self._picture
+        if old is not None and (old.target.box != canvas or old.target.texture.form is not form):
+            old.close()
+            self._picture = None
+        if self._picture is None:
+            self._picture = PicturePass(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
+        return self._picture
