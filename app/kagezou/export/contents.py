@@ -7,51 +7,29 @@ first scene that shows them, does not count for that.
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Self
+from typing import Self, TypeAlias
 
 import numpy as np
 
 from kagezou.export.painter import Painter
 from kagezou.export.pictures import FlatPicture, Picture, ShadowPicture
+from kagezou.export.sources import Sources
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.io.images.writing import ShadowImage
-from kagezou.picture_source import PictureSource, file_of
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.scene.pieces import PieceScene, SetCast
-from kagezou.scene.scene import LayerScene, PlacedDrawing, Received, Scene, SetShadow, ShadowCast, ShadowLook
-
-
-@dataclass(frozen=True, slots=True)
-class Sources:
-    """What a picture is made of.
-
-    Parameters
-    ----------
-    mattes
-        Drawings of which it needs the alpha.
-    cels
-        Drawings that it needs in colour.
-    background
-        A background, whole.
-    sets
-        Files of imported sets.
-    """
-
-    mattes: tuple[PictureSource, ...] = ()
-    cels: tuple[PictureSource, ...] = ()
-    background: PictureSource | None = None
-    sets: tuple[Path, ...] = ()
-
-    @property
-    def pictures(self) -> tuple[PictureSource, ...]:
-        """All but the sets."""
-        return (*self.mattes, *self.cels, *([] if self.background is None else [self.background]))
-
-    @property
-    def files(self) -> tuple[Path, ...]:
-        """Every file that must be there."""
-        return (*map(file_of, self.pictures), *self.sets)
+from kagezou.scene.scene import (
+    Contact,
+    LayerScene,
+    PlacedDrawing,
+    Received,
+    Reflection,
+    Scene,
+    SetShadow,
+    ShadowCast,
+    ShadowLook,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,6 +187,28 @@ class ReceivedContent(_ShadowLike):
 
 
 @dataclass(frozen=True, slots=True)
+class ReflectionContent(Content):
+    """A character mirrored in the ground; ``layer`` is what to draw it from and not compared."""
+
+    layer: LayerScene = field(compare=False, repr=False)
+    reflection: Reflection
+
+    def draw(self, painter: Painter) -> Picture:
+        """Draw the reflection."""
+        return FlatPicture(painter.renderer.reflection(self.scene, self.layer, painter.depth))
+
+    @property
+    def sources(self) -> Sources:
+        """Its drawings in colour, and the sets that hide ground."""
+        return Sources(cels=self.reflection.sources, sets=_sets_in(self.scene))
+
+    @property
+    def is_filled(self) -> bool:
+        """Never: most of the ground mirrors nothing."""
+        return False
+
+
+@dataclass(frozen=True, slots=True)
 class ReceiverContent(_ShadowLike):
     """The matte of a receiver.
 
@@ -230,6 +230,11 @@ class ReceiverContent(_ShadowLike):
         return Sources(sets=_sets_in(self.scene))
 
 
+_Shown: TypeAlias = tuple[
+    PlacedDrawing | None, ShadowCast | None, ShadowLook, Received | None, Contact | None, Reflection | None
+]
+
+
 @dataclass(frozen=True, slots=True)
 class CompositeContent(Content):
     """The finished picture: the background and each layer, from the bottom.
@@ -238,7 +243,7 @@ class CompositeContent(Content):
     """
 
     background: PlacedDrawing | None
-    layers: tuple[tuple[PlacedDrawing | None, ShadowCast | None, ShadowLook, Received | None], ...]
+    layers: tuple[_Shown, ...]
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
     shadows_unite: bool = True
@@ -246,7 +251,9 @@ class CompositeContent(Content):
     @classmethod
     def of(cls, scene: Scene) -> Self:
         """Return the content of a whole scene."""
-        layers = tuple((each.drawing, each.cast, each.look, each.received) for each in scene.layers)
+        layers = tuple(
+            (each.drawing, each.cast, each.look, each.received, each.contact, each.reflection) for each in scene.layers
+        )
         clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
         seen_as_clay = (scene.camera, clay) if clay else None
         return cls(scene, scene.background, layers, scene.set_shadow, seen_as_clay, scene.shadows_unite)
@@ -259,7 +266,9 @@ class CompositeContent(Content):
     @property
     def sources(self) -> Sources:
         """The drawings in colour, which serve their alphas too, the background and the sets."""
-        cels = tuple(drawing.source for drawing, *_ in self.layers if drawing is not None)
+        shown = tuple(drawing.source for drawing, *_ in self.layers if drawing is not None)
+        mirrored = tuple(source for *_, each in self.layers if each is not None for source in each.sources)
+        cels = tuple(dict.fromkeys((*shown, *mirrored)))
         behind = None if self.background is None else self.background.source
         return Sources(cels=cels, background=behind, sets=_sets_in(self.scene))
 

@@ -1,4 +1,7 @@
-"""A frame as layers: background, the set's shadow, each character's shadow, each character and what falls on it."""
+"""A frame as layers: background, the set's shadow, what each character casts, its patches and reflection, and itself.
+
+What falls on a character lies over it.
+"""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -7,16 +10,18 @@ from typing import Final
 
 import numpy as np
 
-from kagezou.export.contents import CompositeContent, Content, Sources
+from kagezou.export.contents import CompositeContent, Content
 from kagezou.export.painter import Painter
 from kagezou.export.part_groups import as_group
 from kagezou.export.pictures import LayeredPicture, Picture
+from kagezou.export.sources import Sources
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.io.images.reading import Cel, Steps
 from kagezou.io.images.stored_pixels import box_of
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.pixels.layers import LayeredImage, LayerPart
 from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.scene.companions import contact_layer, without_companions
 from kagezou.scene.scene import LayerScene, PlacedDrawing, Scene, SetShadow, ShadowLook
 
 _BACKGROUND: Final = "background"
@@ -40,6 +45,8 @@ class LayerOfFrame:
         The name of the group in which its shadow unites with those of others over the whole cut; empty for none.
     has_shadow
         Whether it is a figure of its own; a part of another's shares the shadow of that.
+    has_contact, is_mirrored
+        Whether it has patches under its feet, and whether the ground mirrors it, at any time.
     """
 
     id: str
@@ -47,6 +54,8 @@ class LayerOfFrame:
     receives: bool = False
     group: str = ""
     has_shadow: bool = True
+    has_contact: bool = False
+    is_mirrored: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +105,8 @@ class LayeredContent(Content):
         """
         names = self._names_below
         names += [f"{layer.name}_shadow" for group in _groups(self.layers) for layer in group]
+        names += [f"{layer.name}_contact" for layer in self.layers if layer.has_contact]
+        names += [f"{layer.name}_reflection" for layer in self.layers if layer.is_mirrored]
         for layer in self.layers:
             names += [layer.name, f"{layer.name}_received"] if layer.receives else [layer.name]
         unlike: list[str] = []
@@ -135,6 +146,10 @@ class _Parts:
             yield self._set_part()
         for group in _groups(characters):
             yield from self._shadow_parts([seen.get(each.id) for each in group], group[0].group)
+        for character in (each for each in characters if each.has_contact):
+            yield self._contact_part(seen.get(character.id))
+        for character in (each for each in characters if each.is_mirrored):
+            yield self._reflection_part(seen.get(character.id))
         for character in characters:
             layer = seen.get(character.id)
             yield self._character_part(layer)
@@ -162,6 +177,19 @@ class _Parts:
     def _shadow_part(self, layer: LayerScene | None) -> LayerPart:
         return self._empty_part() if layer is None else self._laid(partial(self._draw_shadow, layer), layer.look)
 
+    def _contact_part(self, layer: LayerScene | None) -> LayerPart:
+        return self._shadow_part(None if layer is None else contact_layer(layer))
+
+    def _reflection_part(self, layer: LayerScene | None) -> LayerPart:
+        """Return a reflection, at full opacity where that is kept beside it."""
+        mirrored = None if layer is None else layer.reflection
+        if layer is None or mirrored is None:
+            return self._empty_part()
+        opacity = mirrored.opacity if self.painter.keeps_opacity else 1.0
+        whole = replace(layer, reflection=replace(mirrored, opacity=mirrored.opacity / opacity))
+        seen = self.painter.renderer.reflection(self.content.scene, whole, self.painter.depth)
+        return replace(self._cut_part(seen), opacity=opacity)
+
     def _character_part(self, layer: LayerScene | None) -> LayerPart:
         if layer is None or layer.drawing is None:
             return self._empty_part()
@@ -172,14 +200,17 @@ class _Parts:
     def _moved_part(self, layer: LayerScene) -> LayerPart:
         """Return a drawing that its layer moves, as the picture shows it."""
         scene = self.content.scene
-        alone = replace(layer, cast=None, received=None)
+        alone = without_companions(layer)
         bare = replace(scene, background=None, layers=(alone,), pieces=(), set_shadow=None)
         return self._as_seen(bare, Backdrop.TRANSPARENT)
 
     def _as_seen(self, scene: Scene, backdrop: Backdrop) -> LayerPart:
         """Return a whole picture as a layer, cut to what is seen of it."""
         self.painter.renderer.draw_picture(scene, backdrop, self.painter.depth)
-        seen = self.painter.renderer.read_picture()
+        return self._cut_part(self.painter.renderer.read_picture())
+
+    def _cut_part(self, seen: Steps) -> LayerPart:
+        """Return a whole canvas as a layer, cut to what is seen of it."""
         box = box_of(seen[..., 3])
         return (
             self._empty_part() if box is None else LayerPart("", seen[box.top : box.bottom, box.left : box.right], box)

@@ -21,9 +21,11 @@ MAX_WORKERS: Final = 64
 
 SHADOWS: Final = "shadows"
 RECEIVED: Final = "received"
+CONTACTS: Final = "contacts"
+REFLECTIONS: Final = "reflections"
 RECEIVERS: Final = "receivers"
-"""What may be asked for alone: shadows on the ground and the set, what characters cast on each other, or where the
-ground and the pieces of the set are seen."""
+"""What may be asked for alone: shadows on the ground and the set, what characters cast on each other, the patches under
+their feet, their reflections, or where the ground and the pieces of the set are seen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +57,7 @@ class ExportRequest:
         Whether each frame is one file that holds background, shadows and characters as layers, instead of a folder
         for each shadow.
     only
-        `SHADOWS`, `RECEIVED` or `RECEIVERS`; None for the first two.
+        `SHADOWS`, `RECEIVED`, `CONTACTS`, `REFLECTIONS` or `RECEIVERS`; None for all but the last.
     receivers
         Whether mattes of the ground and of every set piece are written as well.
     united

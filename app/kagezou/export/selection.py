@@ -4,6 +4,7 @@ from difflib import get_close_matches
 
 from kagezou.animation.track import Track
 from kagezou.document import properties
+from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import Property
 from kagezou.document.set_properties import PIECE_CASTS
@@ -77,6 +78,16 @@ def ever_receives(layer: Layer) -> bool:
     return _is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)
 
 
+def ever_has_contact(layer: Layer) -> bool:
+    """Return whether a figure has patches under its feet at any time; a part of another's has none."""
+    return layer.joins is None and _is_ever_over_0(layer, CONTACT_STRENGTH)
+
+
+def ever_is_mirrored(layer: Layer) -> bool:
+    """Return whether a figure is mirrored in the ground at any time; a part of another's is with that."""
+    return layer.joins is None and _is_ever_over_0(layer, REFLECTION_OPACITY)
+
+
 def set_ever_casts(document: Document) -> bool:
     """Return whether any piece of the set casts a shadow at any time."""
     return any(_is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
@@ -94,6 +105,14 @@ def _no_layer(name: str, known: tuple[str, ...]) -> Message:
 
 def _is_ever_visible(layer: Layer) -> bool:
     return _is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
+
+
+def _is_ever_over_0(layer: Layer, prop: Property[float]) -> bool:
+    track = layer.tracks.get(prop.name)
+    if track is None:
+        return prop.default > 0
+    values = [key.value for key in track.keys] if track.is_keyed else [track.constant]
+    return any(isinstance(value, float) and value > 0 for value in values)
 
 
 def _is_ever(track: Track | None, prop: Property[bool]) -> bool:

@@ -10,12 +10,21 @@ from kagezou.errors import UsageProblem
 from kagezou.export.layered import LayerOfFrame
 from kagezou.export.names import digits_for, safe_names
 from kagezou.export.receivers import receivers_of
-from kagezou.export.request import RECEIVED, RECEIVERS, SHADOWS, ExportRequest
-from kagezou.export.selection import chosen_layers, ever_receives, set_ever_casts, with_shadows
+from kagezou.export.request import CONTACTS, RECEIVED, RECEIVERS, REFLECTIONS, SHADOWS, ExportRequest
+from kagezou.export.selection import (
+    chosen_layers,
+    ever_has_contact,
+    ever_is_mirrored,
+    ever_receives,
+    set_ever_casts,
+    with_shadows,
+)
 from kagezou.export.subjects import (
     CompositeSubject,
+    ContactSubject,
     LayeredSubject,
     ReceivedSubject,
+    ReflectionSubject,
     SetShadowSubject,
     ShadowSubject,
     Subject,
@@ -93,7 +102,15 @@ def layered_subject(document: Document, request: ExportRequest) -> LayeredSubjec
     is_whole = request.layers is None
     groups = _group_names(document, layers)
     characters = tuple(
-        LayerOfFrame(layer.id, layer.name, ever_receives(layer), groups.get(layer.id, ""), layer.joins is None)
+        LayerOfFrame(
+            layer.id,
+            layer.name,
+            receives=ever_receives(layer),
+            group=groups.get(layer.id, ""),
+            has_shadow=layer.joins is None,
+            has_contact=ever_has_contact(layer),
+            is_mirrored=ever_is_mirrored(layer),
+        )
         for layer in layers
     )
     return LayeredSubject(characters, is_whole and set_ever_casts(document), is_whole)
@@ -135,6 +152,12 @@ def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Su
     if request.only in (None, RECEIVED):
         receiving = filter(ever_receives, layers)
         yield from ((f"{names[layer.name]}_received", ReceivedSubject(layer.id)) for layer in receiving)
+    if request.only in (None, CONTACTS):
+        touching = filter(ever_has_contact, layers)
+        yield from ((f"{names[layer.name]}_contact", ContactSubject(layer.id)) for layer in touching)
+    if request.only in (None, REFLECTIONS):
+        mirrored = filter(ever_is_mirrored, layers)
+        yield from ((f"{names[layer.name]}_reflection", ReflectionSubject(layer.id)) for layer in mirrored)
     if request.only in (None, SHADOWS) and request.layers is None and set_ever_casts(document):
         yield _set_label(document, names), SetShadowSubject()
     if request.united:

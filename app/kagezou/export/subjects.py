@@ -13,11 +13,13 @@ from kagezou.export.contents import (
     Content,
     ReceivedContent,
     ReceiverContent,
+    ReflectionContent,
     SetShadowContent,
     ShadowContent,
     UnitedContent,
 )
 from kagezou.export.layered import LayeredContent, LayerOfFrame
+from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene
 
@@ -85,6 +87,45 @@ class ReceivedSubject:
         if seen is None or seen.received is None or not seen.received.shades:
             return _nothing(document, self.layer_id, scene, frame)
         return ReceivedContent(scene, seen, seen.received)
+
+
+@dataclass(frozen=True, slots=True)
+class ContactSubject:
+    """The dark patches under a character's feet."""
+
+    layer_id: str
+
+    @property
+    def owner(self) -> str:
+        """Whose they are: the layer's id."""
+        return self.layer_id
+
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
+        """Return the patches; an empty picture where there are none."""
+        seen = _seen(scene, self.layer_id)
+        patches = None if seen is None else contact_layer(seen)
+        if patches is None or patches.cast is None:
+            return _nothing(document, self.layer_id, scene, frame)
+        return ShadowContent.of(scene, patches, patches.cast)
+
+
+@dataclass(frozen=True, slots=True)
+class ReflectionSubject:
+    """A character mirrored in the ground."""
+
+    layer_id: str
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: the layer's id."""
+        return self.layer_id
+
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
+        """Return the reflection; an empty picture where there is none."""
+        seen = _seen(scene, self.layer_id)
+        if seen is None or seen.reflection is None:
+            return _nothing(document, self.layer_id, scene, frame)
+        return ReflectionContent(scene, seen, seen.reflection)
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,6 +216,8 @@ Subject = (
     ShadowSubject
     | UnitedSubject
     | ReceivedSubject
+    | ContactSubject
+    | ReflectionSubject
     | SetShadowSubject
     | ReceiverSubject
     | CompositeSubject

@@ -1,21 +1,30 @@
 """From the document and what was written to the composition."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
 from kagezou.document import properties
+from kagezou.document.address import Address, track_of
+from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
 from kagezou.document.model import Document, Layer, Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.values import value_at
 from kagezou.export.after_effects import comp as ae
-from kagezou.export.after_effects.channels import seconds
+from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import CelFootage
 from kagezou.export.after_effects.drawn_layers import background_layer, cel_layer
 from kagezou.export.after_effects.guides import guides_of
-from kagezou.export.after_effects.renderings import RECEIVED, SHADOW_MATTES, SHADOWS, Rendering
+from kagezou.export.after_effects.renderings import (
+    CONTACTS,
+    RECEIVED,
+    REFLECTIONS,
+    SHADOW_MATTES,
+    SHADOWS,
+    Rendering,
+)
 from kagezou.export.after_effects.shadows import ShadowFootage, Shown, shadow_layers, united_comps
 from kagezou.export.subjects import GROUND, SET
 from kagezou.export.uniting import CutGroup
@@ -80,7 +89,7 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
     main = ae.Comp(
         "main",
         name,
-        (*_background(document, written), *shadows, *_characters(document, written)),
+        (*_background(document, written), *shadows, *_beside(document, written), *_characters(document, written)),
         guides_of(document),
         _markers(document),
     )
@@ -154,6 +163,22 @@ def _received(document: Document, layer: Layer, written: Written) -> ae.CompLaye
         opacity=ae.Channel(100.0),
         remap=_remap(written.rendered[RECEIVED, layer.id].pictures, document.canvas.frame_rate),
     )
+
+
+def _beside(document: Document, written: Written) -> Iterator[ae.CompLayer]:
+    """Yield what figures have beside their shadows: the patches under their feet, and over them their reflections."""
+    rate = document.canvas.frame_rate
+    for rendering, prop in ((CONTACTS, CONTACT_STRENGTH), (REFLECTIONS, REFLECTION_OPACITY)):
+        for layer in (each for each in document.layers if (rendering, each.id) in written.rendered):
+            is_laid_on = rendering == CONTACTS
+            yield ae.CompLayer(
+                tag=f"{rendering.tag}:{layer.id}",
+                name=rendering.footage_name.format(layer.name),
+                footage=f"{rendering.tag}:{layer.id}",
+                blend=value_at(layer.tracks, properties.BLEND, 1).upper() if is_laid_on else "NORMAL",
+                opacity=channel_of(track_of(document, Address(prop, layer.id)), 0, rate, 100.0),
+                remap=_remap(written.rendered[rendering, layer.id].pictures, rate),
+            )
 
 
 def _lit(document: Document, written: Written) -> tuple[ae.Comp, ...]:

@@ -8,11 +8,13 @@ from typing import Final
 from kagezou.animation.track import Track, Value
 from kagezou.document import properties
 from kagezou.document.address import Address
+from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
 from kagezou.document.edits import set_constant
 from kagezou.document.figure_properties import LIFT_FADE
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import AnyProperty
 from kagezou.document.set_properties import SET_COLOR, SET_OPACITY
+from kagezou.export.selection import ever_has_contact, ever_is_mirrored
 
 MATTES: Final[Mapping[str, str]] = MappingProxyType({
     "shadow": "the shadow alone, white",
@@ -29,9 +31,15 @@ _BLACK: Final = "#000000"
 
 
 def at_full_opacity(document: Document) -> Document:
-    """Return the document with shadows at opacity 1: After Effects has the opacity as a property of its own."""
+    """Return the document with what figures cast and are mirrored in at opacity 1.
+
+    After Effects has the opacity as a property of its own. What is never seen stays so.
+    """
     for layer in document.layers:
         document = set_constant(document, Address(properties.OPACITY, layer.id), 1.0)
+        for prop, is_there in ((CONTACT_STRENGTH, ever_has_contact), (REFLECTION_OPACITY, ever_is_mirrored)):
+            if is_there(layer):
+                document = set_constant(document, Address(prop, layer.id), 1.0)
     return set_constant(document, Address(SET_OPACITY), 1.0) if document.pieces else document
 
 

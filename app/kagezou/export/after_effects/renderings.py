@@ -8,7 +8,7 @@ from typing import Final
 from kagezou.document.model import Document
 from kagezou.export import request
 from kagezou.export.after_effects.mattes import at_full_opacity, matte_document
-from kagezou.export.selection import ever_receives
+from kagezou.export.selection import ever_has_contact, ever_is_mirrored, ever_receives
 from kagezou.export.sequences import OutputSequence
 from kagezou.export.subjects import SetShadowSubject
 
@@ -64,6 +64,8 @@ def _matte(matte: str, *, takes_set: bool = False) -> Rendering:
 
 SHADOWS: Final = Rendering("shadow", "shadows", "{} shadow", request.SHADOWS, at_full_opacity, takes_set=True)
 RECEIVED: Final = Rendering("received", "shadows", "{} received", request.RECEIVED, _as_it_is)
+CONTACTS: Final = Rendering("contact", "shadows", "{} contact", request.CONTACTS, at_full_opacity)
+REFLECTIONS: Final = Rendering("reflection", "shadows", "{} reflection", request.REFLECTIONS, at_full_opacity)
 SHADOW_MATTES: Final = _matte("shadow", takes_set=True)
 RECEIVER_MATTES: Final = Rendering(
     "matte:receivers", "matte_receivers", "{} matte", request.RECEIVERS, _as_it_is, is_matte=True
@@ -88,4 +90,6 @@ def renderings_of(document: Document, mattes: tuple[str, ...]) -> tuple[Renderin
     """Return what is to be rendered of a document with some mattes, those of receivers last."""
     asked = sorted(matte_renderings(mattes), key=lambda each: each == RECEIVER_MATTES)
     received = (RECEIVED,) if any(map(ever_receives, document.layers)) else ()
-    return (SHADOWS, *received, *asked)
+    contacts = (CONTACTS,) if any(map(ever_has_contact, document.layers)) else ()
+    reflections = (REFLECTIONS,) if any(map(ever_is_mirrored, document.layers)) else ()
+    return (SHADOWS, *received, *contacts, *reflections, *asked)
