@@ -15,8 +15,9 @@ from kagezou.document.property import AnyProperty, Kind
 NOT_OF_A_STYLE = frozenset({properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name})
 """Properties that belong to a cut, not to a look."""
 
+_ROOMS = ("shadow.", "contact.", "reflection.")
 LINES = tuple(
-    prop for prop in properties.OF_LAYER.values() if prop.name.startswith("shadow.") and prop.name not in NOT_OF_A_STYLE
+    prop for prop in properties.OF_LAYER.values() if prop.name.startswith(_ROOMS) and prop.name not in NOT_OF_A_STYLE
 )
 """What a style may hold of a layer."""
 

@@ -10,6 +10,7 @@ from typing import Final
 from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address
+from kagezou.document.companion_properties import CONTACT_SIZE, CONTACT_STRENGTH, REFLECTION_OPACITY
 from kagezou.document.edits import add_layer, join_layer, set_constant, set_drawings
 from kagezou.document.figure_properties import POSITION
 from kagezou.document.model import Document, Drawing, drawing_size
@@ -117,6 +118,9 @@ def _changes_of_place(document: Document) -> Iterator[tuple[str, Change]]:
     yield "roll", _setting(Address(properties.GROUND_ROLL), lambda n: _sweep(n, 6.0))
     yield "tilt", _setting(Address(properties.TILT, layer.id), lambda n: _sweep(n, 30.0))
     yield "grounding point", _setting(grounding, lambda n: ((foot[0] + _sweep(n, 0.1 * height), foot[1]),))
+    yield "reflection", _setting(Address(REFLECTION_OPACITY, layer.id), lambda n: 0.5 + _sweep(n, 0.4))
+    touching = _with(_on_two_feet(document), {Address(CONTACT_STRENGTH, layer.id): 0.6})
+    yield "contact", _upon(touching, _setting(Address(CONTACT_SIZE, layer.id), lambda n: 1.0 + _sweep(n, 0.2)))
     yield "opacity", _setting(Address(properties.OPACITY, layer.id), lambda n: 0.5 + _sweep(n, 0.4))
 
 

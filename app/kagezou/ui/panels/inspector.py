@@ -173,6 +173,8 @@ class Inspector(QScrollArea):
             "placement": lambda: self.tr("Placement"),
             "jump": lambda: self.tr("In a jump"),
             "waves": lambda: self.tr("Waves"),
+            "contact": lambda: self.tr("Contact with the ground"),
+            "reflection": lambda: self.tr("Reflection"),
             "set.shadow": lambda: self.tr("Shadow of the set"),
             "": lambda: self.tr("Character"),
         }
