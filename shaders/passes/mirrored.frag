@@ -3,6 +3,7 @@
 // Switches:
 //   LIMITS   how many edges the piece has
 //   WAVES    the ground moves, see common/waves.glsl
+//   HARD     a pixel shows one texel, in full or not at all
 
 #include "common/between_texels.glsl"
 #include "common/edge.glsl"
@@ -38,7 +39,13 @@ vec4 mirrored(vec2 here, vec2 cell) {
 #endif
     vec3 texel = u_texel_from_pixel * vec3(here, 1.0);
     // Beyond that the mirrored ray never comes to the card's plane.
+#ifdef HARD
+    vec4 nearest = weighted_texel(u_cel, ivec2(floor(texel.xy / texel.z)));
+    bool seen = texel.z > 0.0 && part >= 0.5 && nearest.a >= 0.5;
+    return seen ? vec4(nearest.rgb / nearest.a, 1.0) : vec4(0.0);
+#else
     return texel.z > 0.0 ? part * between_texels(u_cel, texel.xy / texel.z) : vec4(0.0);
+#endif
 }
 
 void main() {

@@ -61,6 +61,12 @@ SHAPE = Property(
     Message("The shadow that the light casts, or a disc under the figure."),
     choices=("cast", "disc"),
 )  # fmt: skip
+EDGES = Property(
+    "shadow.edges", Kind.CHOICE, Scope.LAYER, "smooth",
+    Message("Edges"),
+    Message("Smooth: anti-aliased; hard: a pixel is all shadow or none, as in pixel art, whatever the softness."),
+    choices=("smooth", "hard"),
+)  # fmt: skip
 LEAST_PART = Property(
     "shadow.least_part", Kind.NUMBER, Scope.LAYER, 0.0,
     Message("Least part"),

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from kagezou.document.companion_properties import CONTACT_LINES, REFLECTION_LINES
 from kagezou.document.figure_properties import (
     BACKGROUND_POSITION,
+    EDGES,
     LEAST_PART,
     LIFT_LINES,
     PLACEMENT_LINES,
@@ -69,6 +70,12 @@ LIGHT_ELEVATION = Property(
     Message("Sun elevation"),
     Message("Height of the sun over the ground; a low sun throws long shadows."),
     unit="°", low=-90.0, high=90.0,
+)  # fmt: skip
+LIGHT_STEP = Property(
+    "light.step", Kind.NUMBER, Scope.DOCUMENT, 0.0,
+    Message("Light step"),
+    Message("The lamp moves by whole steps of this length, so that pixel art does not shimmer; 0 moves freely."),
+    unit="px", low=0.0, high=1000.0, slides=(0.0, 32.0),
 )  # fmt: skip
 OVERHEAD_RADIUS = Property(
     "light.overhead_radius", Kind.NUMBER, Scope.DOCUMENT, 0.0,
@@ -268,8 +275,9 @@ WAVE2 = _wave(2, 37.0, 70.0, 2.0)
 
 TABLE: tuple[AnyProperty, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
-    LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS, SHADOWS_UNITE, BACKGROUND_POSITION,
-    GROUNDING, TILT, *STANCE_LINES, VISIBLE, RECEIVES, *PLACEMENT_LINES, TIMING, SHAPE, MATTE,
+    LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS, LIGHT_STEP,
+    SHADOWS_UNITE, BACKGROUND_POSITION,
+    GROUNDING, TILT, *STANCE_LINES, VISIBLE, RECEIVES, *PLACEMENT_LINES, TIMING, SHAPE, MATTE, EDGES,
     SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, LEAST_PART, GROW, SOFTNESS, PENUMBRA,
     COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE, *LIFT_LINES,
     WAVES_ON, WAVE1.amplitude, WAVE1.wavelength, WAVE1.direction, WAVE1.velocity,

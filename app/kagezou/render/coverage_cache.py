@@ -17,6 +17,7 @@ from kagezou.render.meshes.display import Display, SetPicture
 from kagezou.render.passes.cast import CastPass
 from kagezou.render.passes.figure_mattes import FigureMattes
 from kagezou.render.passes.filter import ShapePass
+from kagezou.render.passes.hardening import HardeningPass
 from kagezou.render.passes.received import ReceivedCoverage, ReceivedLayers
 from kagezou.render.prepare.least_parts import without_least_parts
 from kagezou.render.sets.distance import DistancePass
@@ -63,7 +64,8 @@ class CoverageCache:
         self._shape = ShapePass(boxes, self._cast)
         self._set = SetPass(boxes, self._cast, self._shape, meshes)
         self._distance = DistancePass(boxes, self._cast)
-        self._received = ReceivedLayers(boxes, self._cast, cels, self._figures)
+        self._hardening = HardeningPass(boxes)
+        self._received = ReceivedLayers(boxes, (self._cast, self._hardening), cels, self._figures)
         self._of_set: Coverage | None = None
         self._seen: Coverage | None = None
         self._meshes = meshes
@@ -97,6 +99,8 @@ class CoverageCache:
             kept.box = draw(layer.cast, placed, kept.target, old)
             if layer.cast.least_part_px2 > 0 and kept.box is not None:
                 _leave_out_least_parts(kept.target, kept.box, layer.cast.least_part_px2)
+            if layer.cast.is_hard and not layer.cast.translucent and kept.box is not None:
+                self._hardening.harden(kept.target, kept.box)
             kept.cast, kept.mattes, kept.meshes = layer.cast, mattes, meshes
             self.casts_drawn += 1
             self.filters_drawn += layer.cast.is_filtered
@@ -151,6 +155,7 @@ class CoverageCache:
             if kept is not None:
                 kept.target.close()
         self._received.close()
+        self._hardening.close()
         self._distance.close()
         self._set.close()
         self._shape.close()

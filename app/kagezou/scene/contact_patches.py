@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from kagezou.document.companion_properties import CONTACT_SIZE, CONTACT_SOFTNESS, CONTACT_STRENGTH
+from kagezou.document.figure_properties import EDGES
 from kagezou.document.model import Layer
 from kagezou.document.properties import BLEND, COLOR
 from kagezou.document.values import rgb_at, value_at
@@ -66,6 +67,7 @@ def contact_at(on: Moment, figure: Layer, since: int, card: Card) -> Contact | N
         card=card,
         lights=(),
         edge=_edge(2 * softness * radius),
+        is_hard=value_at(figure.tracks, EDGES, since) == "hard",
     )
     patches = cast_by_discs(on, discs, max(tall / 4, 1.0), plain)
     if patches is None:

@@ -1,9 +1,10 @@
 """From a document and a frame to the scene."""
 
 from dataclasses import replace
+from math import floor
 
 from kagezou.document import properties, set_properties
-from kagezou.document.figure_properties import LEAST_PART, SHADOWS_UNITE, SHAPE
+from kagezou.document.figure_properties import EDGES, LEAST_PART, SHADOWS_UNITE, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
@@ -79,7 +80,14 @@ def light_at(document: Document, frame: int, ground: Plane) -> Vector4:
         azimuth = value_at(document.tracks, properties.LIGHT_AZIMUTH, frame)
         elevation = value_at(document.tracks, properties.LIGHT_ELEVATION, frame)
         return sun(ground, azimuth, elevation)
-    return lamp(value_at(document.tracks, properties.LIGHT_POSITION, frame))
+    x, y, z = value_at(document.tracks, properties.LIGHT_POSITION, frame)
+    step = value_at(document.tracks, properties.LIGHT_STEP, frame)
+    return lamp((_by_steps(x, step), _by_steps(y, step), _by_steps(z, step)))
+
+
+def _by_steps(length: float, step: float) -> float:
+    """Return the nearest multiple of a step; 0 leaves a length as it is."""
+    return step * floor(length / step + 0.5) if step > 0 else length
 
 
 def contact_of(card: Card, ground: Plane) -> Vector3:
@@ -142,6 +150,7 @@ def _cast(
         edge=_edge(figure.tracks, moment, 0.0 if lift is None else lift.wider_px),
         water=_water(figure.tracks, moment),
         least_part_px2=value_at(figure.tracks, LEAST_PART, moment),
+        is_hard=value_at(figure.tracks, EDGES, moment) == "hard",
     )
     is_round = value_at(figure.tracks, SHAPE, moment) == "disc"
     return rounded(on, figure, moment, lift, cast) if is_round else cast

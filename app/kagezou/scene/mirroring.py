@@ -9,6 +9,7 @@ from kagezou.document.companion_properties import (
     REFLECTION_TONE,
     REFLECTION_UPRIGHT,
 )
+from kagezou.document.figure_properties import EDGES
 from kagezou.document.model import Layer
 from kagezou.document.values import rgb_at, value_at
 from kagezou.scene.figure_card import Moment, card_of
@@ -49,4 +50,5 @@ def reflection_at(
         value_at(tracks, REFLECTION_TONE, frame),
         Fade(fade, 1.0) if fade > 0 else None,
         water,
+        is_hard=value_at(tracks, EDGES, frame) == "hard",
     )

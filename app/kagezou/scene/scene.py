@@ -47,6 +47,8 @@ class ShadowCast:
         Whether the flat ground is there at all, or only the pieces are.
     least_part_px2
         Islands and holes smaller than this, canvas px², are left out.
+    is_hard
+        Whether a pixel is all shadow or none; a translucent shadow stays as it is.
     """
 
     figure: tuple[PlacedDrawing | Disc, ...]
@@ -61,6 +63,7 @@ class ShadowCast:
     pieces: tuple[PieceScene, ...] = ()
     ground_receives: bool = True
     least_part_px2: float = 0.0
+    is_hard: bool = False
 
     @property
     def is_filtered(self) -> bool:
@@ -207,6 +210,8 @@ class Reflection:
         The waves that move it; None for still ground.
     pieces, ground_receives
         The set, which hides ground, and whether there is ground.
+    is_hard
+        Whether a pixel shows one texel or none.
     """
 
     figure: tuple[PlacedDrawing, ...]
@@ -220,6 +225,7 @@ class Reflection:
     water: Water | None = None
     pieces: tuple[PieceScene, ...] = ()
     ground_receives: bool = True
+    is_hard: bool = False
 
     @property
     def sources(self) -> tuple[PictureSource, ...]:

@@ -20,6 +20,7 @@ from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.passes.figure_mattes import FigureMattes
+from kagezou.render.passes.hardening import HardeningPass
 from kagezou.render.prepare.cast_uniforms import piece_limits
 from kagezou.render.prepare.moved import MOVED_ALPHA, moved_by, moved_uniforms
 from kagezou.render.prepare.uniforms import Uniform
@@ -73,14 +74,17 @@ class ReceivedLayers:
 
     Parameters
     ----------
-    boxes, caster
-        What draws.
+    boxes, passes
+        What draws, casts and makes edges hard.
     cels, figures
         Where drawings come from, and the silhouettes of those who cast.
     """
 
-    def __init__(self, boxes: Boxes, caster: CastPass, cels: CelSource, figures: FigureMattes) -> None:
-        self._boxes, self._caster, self._cels, self._figures = boxes, caster, cels, figures
+    def __init__(
+        self, boxes: Boxes, passes: tuple[CastPass, HardeningPass], cels: CelSource, figures: FigureMattes
+    ) -> None:
+        self._boxes, self._cels, self._figures = boxes, cels, figures
+        self._caster, self._hardening = passes
         self._cut = Variants("common/box.vert", "passes/received.frag")
         self._alphas: MadeOfCache[Texture] = MadeOfCache(_ALPHA_BUDGET_BYTES)
         self._scratches = Scratches()
@@ -140,6 +144,8 @@ class ReceivedLayers:
             own = target if len(casts) == 1 else self._scratches.like("one", target)
             placed = self._figures.placed(cast, target.box)
             box = around(*[self._draw_piece((cast, placed), each, figure, own) for each in on.card.pieces])
+            if box is not None and cast.is_hard and not cast.translucent:
+                self._hardening.harden(own, box)
             if box is not None and own is not target:
                 self._caster.merge(own, target, box)
             drawn = around(drawn, box)

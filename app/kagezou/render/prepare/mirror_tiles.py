@@ -96,8 +96,10 @@ def mirror_tiles(reflection: Reflection, cel: PlacedDrawing, matte: Matte, canva
         if box is not None:
             frame = Frame(region)
             waves = frozenset() if moved is None else frozenset({"WAVES"})
-            uniforms = _uniforms(on_cel, figure, frame) | ({} if moved is None else moved.on_pixels(frame))
-            yield MirrorTile(box, frozenset({f"LIMITS {len(cast.limits)}"}) | waves, uniforms, cast.sheet)
+            cells = 1 if reflection.is_hard else _MOST_CELLS
+            uniforms = _uniforms(on_cel, figure, frame, cells) | ({} if moved is None else moved.on_pixels(frame))
+            hard = frozenset({"HARD"} if reflection.is_hard else ())
+            yield MirrorTile(box, frozenset({f"LIMITS {len(cast.limits)}"}) | waves | hard, uniforms, cast.sheet)
 
 
 def _region(cast: Cast, canvas: Box, figure: Box, moved: _Moved | None) -> Matrix:
@@ -113,14 +115,14 @@ def _region(cast: Cast, canvas: Box, figure: Box, moved: _Moved | None) -> Matri
     return mirrored_region(cast, cast.region(canvas, around, 1.0 + moved.margin_px(seen)))
 
 
-def _uniforms(cast: Cast, figure: Box, frame: Frame) -> dict[str, Uniform]:
+def _uniforms(cast: Cast, figure: Box, frame: Frame, most_cells: int) -> dict[str, Uniform]:
     pixel = frame.canvas_from_pixel
     texel_from_pixel = moved_by(-figure.left, -figure.top) @ cast.art_from_canvas @ pixel
     shrunk = max(_stretches(moved_by(-figure.left, -figure.top) @ cast.art_from_canvas, frame.region))
     found: dict[str, Uniform] = {
         "u_origin_px": tuple(float(each) for each in frame.origin),
         "u_texel_from_pixel": texel_from_pixel / np.abs(texel_from_pixel[2]).max(),
-        "u_cells": min(max(ceil(shrunk - 1e-3), 1), _MOST_CELLS),
+        "u_cells": min(max(ceil(shrunk - 1e-3), 1), most_cells),
         "u_side": cast.side @ pixel,
         "u_horizon": cast.horizon @ pixel,
     }
