@@ -61,6 +61,12 @@ SHAPE = Property(
     Message("The shadow that the light casts, or a disc under the figure."),
     choices=("cast", "disc"),
 )  # fmt: skip
+PAINTED = Property(
+    "shadow.painted", Kind.CHOICE, Scope.LAYER, "casts",
+    Message("Painted shadow"),
+    Message("Whether a shadow that is painted into the drawings, half-transparent at the base, casts with them."),
+    choices=("casts", "left_out"),
+)  # fmt: skip
 EDGES = Property(
     "shadow.edges", Kind.CHOICE, Scope.LAYER, "smooth",
     Message("Edges"),

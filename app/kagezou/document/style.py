@@ -8,11 +8,12 @@ from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_value
+from kagezou.document.figure_properties import PAINTED
 from kagezou.document.local_name import LocalName
 from kagezou.document.model import Document
 from kagezou.document.property import AnyProperty, Kind
 
-NOT_OF_A_STYLE = frozenset({properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name})
+NOT_OF_A_STYLE = frozenset({properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name, PAINTED.name})
 """Properties that belong to a cut, not to a look."""
 
 _ROOMS = ("shadow.", "contact.", "reflection.")

@@ -115,8 +115,9 @@ class ShadowContent(_ShadowLike):
 
     @property
     def sources(self) -> Sources:
-        """The alpha of its drawing, and the sets it falls on."""
-        return Sources(mattes=self.cast.sources, sets=_sets_in(self.scene))
+        """The alpha of its drawing, in colour where a painted shadow is to be found there, and the sets it falls on."""
+        sources, sets = self.cast.sources, _sets_in(self.scene)
+        return Sources(cels=sources, sets=sets) if self.cast.without_painted else Sources(mattes=sources, sets=sets)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import measured_cels
+from kagezou.importing.painted import notes_on_painted_shadows
 from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
@@ -123,7 +124,14 @@ def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Hel
         cels = Cels((Drawing(printable(path.stem), path),), (Exposure(1, 0),))
         measured = measured_cels(name, cels.drawings, progress)
         cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
-        return Held([NewCels(name, cels, measured.size_px, 1, (*measured.notes, *on_paper))], [])
+        return Held(
+            [
+                NewCels(
+                    name, cels, measured.size_px, 1, (*measured.notes, *on_paper, *notes_on_painted_shadows(name, cels))
+                )
+            ],
+            [],
+        )
     cast = characters_in(tree, path.stem)
     backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
     drawn = [node for node in cast.backgrounds if node not in backgrounds]
@@ -230,7 +238,9 @@ def _new_cels(name: str, sequence: Sequence, source: CharacterSource, progress: 
     cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
     gaps = () if source.is_timed else gap_notes(name, sequence)
     last = cels.exposures[-1].frame
-    return NewCels(name, cels, measured.size_px, last, (*gaps, *measured.notes, *on_paper))
+    return NewCels(
+        name, cels, measured.size_px, last, (*gaps, *measured.notes, *on_paper, *notes_on_painted_shadows(name, cels))
+    )
 
 
 def cels_of(sequence: Sequence) -> Cels:

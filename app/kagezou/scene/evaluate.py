@@ -4,7 +4,7 @@ from dataclasses import replace
 from math import floor
 
 from kagezou.document import properties, set_properties
-from kagezou.document.figure_properties import EDGES, LEAST_PART, SHADOWS_UNITE, SHAPE
+from kagezou.document.figure_properties import EDGES, LEAST_PART, PAINTED, SHADOWS_UNITE, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
@@ -151,6 +151,7 @@ def _cast(
         water=_water(figure.tracks, moment),
         least_part_px2=value_at(figure.tracks, LEAST_PART, moment),
         is_hard=value_at(figure.tracks, EDGES, moment) == "hard",
+        without_painted=value_at(figure.tracks, PAINTED, moment) == "left_out",
     )
     is_round = value_at(figure.tracks, SHAPE, moment) == "disc"
     return rounded(on, figure, moment, lift, cast) if is_round else cast

@@ -49,6 +49,8 @@ class ShadowCast:
         Islands and holes smaller than this, canvas px², are left out.
     is_hard
         Whether a pixel is all shadow or none; a translucent shadow stays as it is.
+    without_painted
+        Whether a shadow that is painted into a cel is left out of its silhouette.
     """
 
     figure: tuple[PlacedDrawing | Disc, ...]
@@ -64,6 +66,7 @@ class ShadowCast:
     ground_receives: bool = True
     least_part_px2: float = 0.0
     is_hard: bool = False
+    without_painted: bool = False
 
     @property
     def is_filtered(self) -> bool:

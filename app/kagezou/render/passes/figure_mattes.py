@@ -8,6 +8,7 @@ from typing import Final
 from kagezou.geometry.box import Box, around
 from kagezou.geometry.placement import around_placed, canvas_from_centred, centred_from_canvas, lie_alike, whole_shift
 from kagezou.geometry.vectors import Matrix
+from kagezou.io.images.casting_mattes import CastingMattes
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Matte
 from kagezou.render.gpu.boxes import Boxes
@@ -48,7 +49,8 @@ class FigureMattes:
     """
 
     def __init__(self, boxes: Boxes, cels: CelSource, mattes: Mattes) -> None:
-        self._boxes, self._cels, self._mattes = boxes, cels, mattes
+        self._boxes, self._mattes = boxes, mattes
+        self._casting = CastingMattes(cels)
         self._placed = Variants("common/box.vert", "passes/placed.frag")
         self._neighbours = Program("common/box.vert", "common/neighbours.frag")
         self._joined: OrderedDict[tuple[object, ...], PlacedMatte] = OrderedDict()
@@ -61,7 +63,12 @@ class FigureMattes:
         InputProblem
             One cannot be read.
         """
-        return tuple(disc_matte() if isinstance(part, Disc) else self._cels.matte(part.source) for part in cast.figure)
+        return tuple(
+            disc_matte()
+            if isinstance(part, Disc)
+            else self._casting.matte(part.source, translucent=cast.translucent, without_painted=cast.without_painted)
+            for part in cast.figure
+        )
 
     def placed(self, cast: ShadowCast, canvas: Box) -> PlacedMatte | None:
         """Return the silhouette, None where all cels are empty.
