@@ -5,8 +5,8 @@ from dataclasses import replace
 from kagezou.document import properties, set_properties
 from kagezou.document.figure_properties import LEAST_PART, SHADOWS_UNITE, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
-from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
+from kagezou.document.wave_properties import WaveLines
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane, ground_plane
@@ -177,7 +177,7 @@ def _water(tracks: Tracks, frame: int) -> Water | None:
     seed = int(value_at(tracks, properties.WAVE_SEED, frame))
     waves = tuple(wave_of(tracks, lines, frame) for lines in (properties.WAVE1, properties.WAVE2))
     ripples = tuple(
-        wave.varied(seed, number).at(frame) for number, wave in enumerate(waves, 1) if wave.amplitude_px >= LEAST_PX
+        wave.varied(seed, number).at(frame) for number, wave in enumerate(waves, 1) if wave.reach_px >= LEAST_PX
     )
     return Water(ripples, value_at(tracks, properties.WAVE_ANCHOR, frame)) if ripples else None
 
@@ -186,7 +186,9 @@ def wave_of(tracks: Tracks, lines: WaveLines, frame: int) -> Wave:
     """Return one set of waves of a layer as it is set at a frame."""
     numbers = (lines.amplitude, lines.wavelength, lines.direction, lines.velocity)
     amplitude, wavelength, direction, velocity = (value_at(tracks, prop, frame) for prop in numbers)
-    return Wave(amplitude, wavelength, direction, velocity)
+    elements = (lines.sideways, lines.depth_shear, lines.sideways_shear, lines.depth)
+    a00, a01, a10, a11 = (value_at(tracks, prop, frame) for prop in elements)
+    return Wave(amplitude, wavelength, direction, velocity, (a00, a01, a10, a11))
 
 
 def _look(tracks: Tracks, frame: int) -> ShadowLook:

@@ -106,14 +106,16 @@ def _frame(view: BlurView, box: Box) -> Frame:
 def _wave_uniforms(job: FilterJob, water: Water) -> Uniforms:
     """Return what ``common/waves.glsl`` wants: the ripples of the receiver, told in u and v of the blur."""
     to_receiver = job.receiver_from_blurred
-    ripples = np.zeros((_MAX_RIPPLES, 4))
+    ripples, matrices = np.zeros((_MAX_RIPPLES, 4)), np.zeros((_MAX_RIPPLES, 4))
     for index, ripple in enumerate(water.ripples):
         k = np.array(ripple.k)
         phase = (ripple.phase + float(k @ to_receiver[:, 2])) % (2 * pi)
         ripples[index] = (*(k @ to_receiver[:, :2]), phase, ripple.wave.amplitude_px)
+        matrices[index] = ripple.wave.matrix
     return {
         "u_ripple_count": len(water.ripples),
         "u_ripples": ripples,
+        "u_ripple_matrices": matrices,
         "u_heave": job.heave.ravel(),
         "u_anchor_px": water.anchor_px / float(job.ground_from_blurred[1, 1]),
     }
