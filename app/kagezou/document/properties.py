@@ -16,7 +16,7 @@ from kagezou.document.figure_properties import (
 )
 from kagezou.document.property import AnyProperty, Kind, Property, Scope
 from kagezou.document.set_properties import SET_LINES
-from kagezou.document.wave_properties import wave_lines
+from kagezou.document.wave_properties import SLIT_GROWTH, SLIT_SPACING, SLITS, wave_lines
 from kagezou.geometry.vectors import Point2
 from kagezou.message import Message
 
@@ -229,7 +229,7 @@ TABLE: tuple[AnyProperty, ...] = (
     GROUNDING, TILT, *STANCE_LINES, VISIBLE, RECEIVES, *PLACEMENT_LINES, TIMING, SHAPE, MATTE,
     SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, LEAST_PART, GROW, SOFTNESS, PENUMBRA,
     COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE, *LIFT_LINES,
-    WAVES_ON, *WAVE1.all, *WAVE2.all, WAVE_ANCHOR, WAVE_SEED,
+    WAVES_ON, *WAVE1.all, *WAVE2.all, WAVE_ANCHOR, WAVE_SEED, SLITS, SLIT_SPACING, SLIT_GROWTH,
     *SET_LINES,
 )  # fmt: skip
 """Every property, in the order in which people read them."""

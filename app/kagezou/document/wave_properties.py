@@ -1,4 +1,4 @@
-"""The properties of one set of waves: lines of the one table, see ``properties``."""
+"""The properties of waves and of the gaps in them: lines of the one table, see ``properties``."""
 
 from dataclasses import dataclass
 
@@ -87,6 +87,26 @@ def _elements(number: int) -> tuple[Property[float], ...]:
             Message("How much of the movement sideways is a movement in depth as well: streaks rise to one side."),
         ),
     )  # fmt: skip
+
+
+SLITS = Property(
+    "shadow.slits", Kind.NUMBER, Scope.LAYER, 0.0,
+    Message("Slits"),
+    Message("How much of the length of a crest of wave 1 is open, in long gaps without shadow; 0 has none."),
+    low=0.0, high=1.0, slides=(0.0, 1.0),
+)  # fmt: skip
+SLIT_SPACING = Property(
+    "shadow.slit_spacing", Kind.NUMBER, Scope.LAYER, 0.0,
+    Message("Slit spacing"),
+    Message("From one row of gaps to the next on the ground; 0 is the length of wave 1."),
+    unit="px", low=0.0, high=10000.0, slides=(0.0, 300.0),
+)  # fmt: skip
+SLIT_GROWTH = Property(
+    "shadow.slit_growth", Kind.NUMBER, Scope.LAYER, 0.03,
+    Message("Slit growth"),
+    Message("How much wider the gaps get with every px of distance from the feet."),
+    low=0.0, high=1.0, slides=(0.0, 0.2),
+)  # fmt: skip
 
 
 def _element(name: str, default: float, label: Message, text: Message) -> Property[float]:

@@ -6,13 +6,11 @@ from kagezou.document import properties, set_properties
 from kagezou.document.figure_properties import LEAST_PART, SHADOWS_UNITE, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.values import rgb_at, value_at
-from kagezou.document.wave_properties import WaveLines
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
-from kagezou.geometry.waves import Wave
 from kagezou.scene.figure_card import Moment, card_of
 from kagezou.scene.lift import Lift, faded, lift_at, lowered_cel
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
@@ -30,8 +28,8 @@ from kagezou.scene.scene import (
     ShadowLook,
     Simplify,
     Tip,
-    Water,
 )
+from kagezou.scene.water import water_at
 
 LEAST_PX = 0.01
 """What moves an outline by less cannot be seen and is left out."""
@@ -124,7 +122,7 @@ def _cast(on: Moment, figure: Layer, moment: int, lift: Lift | None) -> ShadowCa
         lights=tuple(each for each in spread if is_over(on.ground, each)),
         simplify=_simplify(figure.tracks, moment),
         edge=_edge(figure.tracks, moment, 0.0 if lift is None else lift.wider_px),
-        water=_water(figure.tracks, moment),
+        water=water_at(figure.tracks, moment, figure.figure.height, on.document.canvas.length_frames),
         least_part_px2=value_at(figure.tracks, LEAST_PART, moment),
     )
     is_round = value_at(figure.tracks, SHAPE, moment) == "disc"
@@ -169,26 +167,6 @@ def _edge(tracks: Tracks, frame: int, wider_px: float) -> Edge | None:
     if max(abs(grow), softness, penumbra * _FARTHEST_PX) < LEAST_PX:
         return None
     return Edge(grow, softness, penumbra)
-
-
-def _water(tracks: Tracks, frame: int) -> Water | None:
-    if not value_at(tracks, properties.WAVES_ON, frame):
-        return None
-    seed = int(value_at(tracks, properties.WAVE_SEED, frame))
-    waves = tuple(wave_of(tracks, lines, frame) for lines in (properties.WAVE1, properties.WAVE2))
-    ripples = tuple(
-        wave.varied(seed, number).at(frame) for number, wave in enumerate(waves, 1) if wave.reach_px >= LEAST_PX
-    )
-    return Water(ripples, value_at(tracks, properties.WAVE_ANCHOR, frame)) if ripples else None
-
-
-def wave_of(tracks: Tracks, lines: WaveLines, frame: int) -> Wave:
-    """Return one set of waves of a layer as it is set at a frame."""
-    numbers = (lines.amplitude, lines.wavelength, lines.direction, lines.velocity)
-    amplitude, wavelength, direction, velocity = (value_at(tracks, prop, frame) for prop in numbers)
-    elements = (lines.sideways, lines.depth_shear, lines.sideways_shear, lines.depth)
-    a00, a01, a10, a11 = (value_at(tracks, prop, frame) for prop in elements)
-    return Wave(amplitude, wavelength, direction, velocity, (a00, a01, a10, a11))
 
 
 def _look(tracks: Tracks, frame: int) -> ShadowLook:

@@ -8,6 +8,7 @@ from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.placement import Placement, lie_alike
 from kagezou.geometry.shadow import Cast, SpaceCast, cast_card, cast_in_space
+from kagezou.geometry.slits import Slits
 from kagezou.geometry.vectors import Vector4
 from kagezou.geometry.waves import Ripple
 from kagezou.picture_source import PictureSource
@@ -63,10 +64,13 @@ class Water:
         The sets of waves; their displacements, in u and v of the receiver, add up.
     anchor_px
         The distance from the contact line at which they have their full strength; 0 for everywhere.
+    slits
+        The gaps that go with the waves; None for none.
     """
 
     ripples: tuple[Ripple, ...]
     anchor_px: float
+    slits: Slits | None = None
 
 
 @dataclass(frozen=True, slots=True)

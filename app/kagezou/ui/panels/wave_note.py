@@ -8,7 +8,7 @@ from kagezou.document import properties
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.geometry.waves import tear_of
-from kagezou.scene.evaluate import wave_of
+from kagezou.scene.water import wave_of
 from kagezou.ui.system.bridge import Bridge
 
 _SETS = (properties.WAVE1, properties.WAVE2)
