@@ -4,6 +4,7 @@ const int MAX_RIPPLES = 2;
 
 uniform int u_ripple_count;
 uniform vec4 u_ripples[MAX_RIPPLES];   // k in radians per px of u and v; the phase; the amplitude in px
+uniform vec4 u_ripple_matrices[MAX_RIPPLES];   // A00, A01, A10, A11 as parts of the amplitude
 uniform vec4 u_heave;                  // rows of the matrix from (cos, sin) on the ground to u and v
 uniform float u_anchor_px;             // in v; 0 where the waves have their full strength everywhere
 
@@ -14,8 +15,9 @@ mat2 moved_by_waves(inout vec2 place) {
     for (int i = 0; i < u_ripple_count; ++i) {
         vec4 ripple = u_ripples[i];
         float psi = dot(ripple.xy, place) + ripple.z;
-        sum += ripple.w * vec2(cos(psi), sin(psi));
-        change += outerProduct(ripple.w * vec2(-sin(psi), cos(psi)), ripple.xy);
+        mat2 matrix = mat2(u_ripple_matrices[i].xy, u_ripple_matrices[i].zw);
+        sum += ripple.w * (matrix * vec2(cos(psi), sin(psi)));
+        change += outerProduct(ripple.w * (matrix * vec2(-sin(psi), cos(psi))), ripple.xy);
     }
     mat2 heave = mat2(u_heave.xz, u_heave.yw);
     float strength = u_anchor_px > 0.0 ? min(abs(place.y) / u_anchor_px, 1.0) : 1.0;

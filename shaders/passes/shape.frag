@@ -1,6 +1,7 @@
 #version 330 core
 // The filtered shadow on the canvas: where the blurred one is over its level (spec 3). Switches:
 //   WAVES   it is read where waves have moved it (paper 3.6.2, spec 4)
+//   SLITS   waves leave gaps open in it (common/slits.glsl)
 //   EDGE    its outline is moved outward, or its edge is wider than a pixel
 //   JOINED  near seams it passes over into what other charts have of it (passes/joins.glsl)
 //   LAMP_IS_LOW   see common/grazing.glsl
@@ -10,6 +11,9 @@
 #include "passes/blur_width.glsl"
 #ifdef WAVES
 #include "common/waves.glsl"
+#endif
+#ifdef SLITS
+#include "common/slits.glsl"
 #endif
 #ifdef EDGE
 #include "passes/wide_edge.glsl"
@@ -138,5 +142,8 @@ void main() {
     }
     float sharp = texelFetch(u_sharp, ivec2(gl_FragCoord.xy), 0).r;
     float shape = mix(sharp, blurred, smoothstep(u_pass_over_px.x, u_pass_over_px.y, sigma_at(away)));
+#ifdef SLITS
+    shape *= 1.0 - open_part(plane, step_plane);
+#endif
     o_coverage = shape * grazing_strength(pixel);
 }

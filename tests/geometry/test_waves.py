@@ -1,7 +1,10 @@
 """Waves: their length, where they go, loops, seeds, and when they tear."""
 
+from dataclasses import replace
+from itertools import product
 from math import cos, pi, sin
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -14,7 +17,16 @@ WAVES = st.builds(
     st.floats(4.0, 1000.0),
     st.floats(-360.0, 360.0),
     st.floats(-50.0, 50.0),
+    st.tuples(*[st.floats(-3.0, 3.0)] * 4),
 )
+TURNS = np.linspace(0.0, 2 * pi, 721)
+
+
+def moved(wave: Wave, psi: np.ndarray) -> np.ndarray:
+    """Equation (4) letter by letter, (N, 2)."""
+    a00, a01, a10, a11 = (wave.amplitude_px * each for each in wave.matrix)
+    du, dv = np.cos(psi), np.sin(psi)
+    return np.stack([a00 * du + a10 * dv, a01 * du + a11 * dv], axis=-1)
 
 
 def phase_at(ripple: Ripple, u: float, v: float) -> float:
@@ -65,6 +77,32 @@ class TestSeed:
         phases = [Wave(5.0, 60.0, 90.0, 3.0).varied(seed, 1).phase / (2 * pi) for seed in range(1, 401)]
         assert sum(phases) / 400 == pytest.approx(0.5, abs=0.05)
         assert len({round(each, 6) for each in phases}) == 400
+
+
+class TestMatrix:
+    @given(WAVES)
+    def test_no_place_is_moved_beyond_the_reach(self, wave: Wave) -> None:
+        far = float(np.hypot(*moved(wave, TURNS).T).max())
+        assert far <= wave.reach_px * (1 + 1e-9) + 1e-9
+        assert far >= wave.reach_px * 0.9999 - 1e-9
+
+    @given(WAVES)
+    def test_the_outline_folds_where_the_tear_number_is_beyond_one(self, wave: Wave) -> None:
+        """The place that is read goes backward somewhere along a turn, exactly where the tear number is over 1."""
+        (k_u, k_v), step = wave.k, 1e-6
+        rate = (moved(wave, TURNS + step) - moved(wave, TURNS - step)) / (2 * step)
+        least = float((1 + rate @ np.array([k_u, k_v])).min())
+        assert least == pytest.approx(1 - wave.tear, abs=1e-3 + 1e-4 * wave.tear)
+
+    def test_the_unit_matrix_is_what_waves_are_without_one(self) -> None:
+        wave = Wave(7.3, 60.0, 33.0, 1.0)
+        assert wave == replace(wave, matrix=(1.0, 0.0, 0.0, 1.0))
+        assert wave.reach_px == 7.3
+
+    @pytest.mark.parametrize(("turned", "flat"), list(product((0.0, 90.0), (0.0, 1.0))))
+    def test_what_moves_along_the_crests_tears_nothing(self, turned: float, flat: float) -> None:
+        sideways = Wave(30.0, 60.0, turned, 0.0, (1.0 - flat, 0.0, 0.0, flat))
+        assert sideways.tear == pytest.approx(pi if (turned == 90.0) == (flat == 1.0) else 0.0, abs=1e-9)
 
 
 def test_the_tear_number_is_amplitude_times_wave_number() -> None:

@@ -3,7 +3,6 @@
 A new property is one line here.
 """
 
-from dataclasses import dataclass
 from types import MappingProxyType
 
 from kagezou.document.companion_properties import CONTACT_LINES, REFLECTION_LINES
@@ -20,6 +19,7 @@ from kagezou.document.figure_properties import (
 )
 from kagezou.document.property import AnyProperty, Kind, Property, Scope
 from kagezou.document.set_properties import SET_LINES
+from kagezou.document.wave_properties import SLIT_GROWTH, SLIT_SPACING, SLITS, wave_lines
 from kagezou.geometry.vectors import Point2
 from kagezou.message import Message
 
@@ -229,50 +229,8 @@ WAVE_ANCHOR = Property(
     Message("Over this distance from the feet the waves grow to their full strength; 0 moves the feet too."),
     unit="px", low=0.0, high=5000.0,
 )  # fmt: skip
-
-
-@dataclass(frozen=True, slots=True)
-class WaveLines:
-    """The properties of one set of waves (spec 4)."""
-
-    amplitude: Property[float]
-    wavelength: Property[float]
-    direction: Property[float]
-    velocity: Property[float]
-
-
-def _wave(number: int, wavelength_px: float, direction_deg: float, velocity_px: float) -> WaveLines:
-    path = f"shadow.wave{number}"
-    return WaveLines(
-        Property(
-            f"{path}.amplitude", Kind.NUMBER, Scope.LAYER, 0.0,
-            Message("Wave {number} amplitude", number=number),
-            Message("How far the waves move the shadow; 0 is no wave."),
-            unit="px", low=0.0, high=500.0, slides=(0.0, 60.0),
-        ),
-        Property(
-            f"{path}.wavelength", Kind.NUMBER, Scope.LAYER, wavelength_px,
-            Message("Wave {number} length", number=number),
-            Message("From crest to crest on the ground."),
-            unit="px", low=4.0, high=10000.0, slides=(10.0, 300.0),
-        ),
-        Property(
-            f"{path}.direction", Kind.NUMBER, Scope.LAYER, direction_deg,
-            Message("Wave {number} direction", number=number),
-            Message("Where the crests go on the ground; 0 is to the right, 90 toward the viewer."),
-            unit="°", low=-36000.0, high=36000.0,
-        ),
-        Property(
-            f"{path}.velocity", Kind.NUMBER, Scope.LAYER, velocity_px,
-            Message("Wave {number} speed", number=number),
-            Message("How far the crests go in a frame."),
-            unit="px", low=-1000.0, high=1000.0, slides=(-20.0, 20.0),
-        ),
-    )  # fmt: skip
-
-
-WAVE1 = _wave(1, 60.0, 90.0, 3.0)
-WAVE2 = _wave(2, 37.0, 70.0, 2.0)
+WAVE1 = wave_lines(1, 60.0, 90.0, 3.0)
+WAVE2 = wave_lines(2, 37.0, 70.0, 2.0)
 
 TABLE: tuple[AnyProperty, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
@@ -281,8 +239,7 @@ TABLE: tuple[AnyProperty, ...] = (
     GROUNDING, TILT, *STANCE_LINES, VISIBLE, RECEIVES, *PLACEMENT_LINES, TIMING, SHAPE, MATTE, PAINTED, EDGES,
     SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, LEAST_PART, GROW, SOFTNESS, PENUMBRA,
     COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE, *LIFT_LINES,
-    WAVES_ON, WAVE1.amplitude, WAVE1.wavelength, WAVE1.direction, WAVE1.velocity,
-    WAVE2.amplitude, WAVE2.wavelength, WAVE2.direction, WAVE2.velocity, WAVE_ANCHOR, WAVE_SEED,
+    WAVES_ON, *WAVE1.all, *WAVE2.all, WAVE_ANCHOR, WAVE_SEED, SLITS, SLIT_SPACING, SLIT_GROWTH,
     *CONTACT_LINES, *REFLECTION_LINES,
     *SET_LINES,
 )  # fmt: skip

@@ -1,7 +1,7 @@
 """Waves on water: how far a shadow is moved at each point of the ground (paper 3.6.2, spec 4)."""
 
 from dataclasses import dataclass, replace
-from math import cos, exp, log, pi, radians, sin
+from math import cos, exp, hypot, log, pi, radians, sin
 
 SEEDED_TURN_DEG = 25.0
 """A seed turns the direction by this much at most."""
@@ -15,29 +15,48 @@ class Wave:
     """One set of waves as a person sets it.
 
     In the letters of the specification (a, b) is the unit vector against the direction, λ half the wavelength, vel the
-    velocity and A the amplitude times the unit matrix.
+    velocity and A the amplitude times the matrix.
 
     Parameters
     ----------
     amplitude_px
-        How far a point is moved.
+        How far a point is moved, times the matrix.
     wavelength_px
         From crest to crest, over 0.
     direction_deg
         Where the crests go on the ground: 0 along u, 90 along v, toward the viewer.
     velocity_px
         How far they go in a frame.
+    matrix
+        (A00, A01, A10, A11) as parts of the amplitude: A00 moves along u and A11 along v, A10 and A01 shear.
     """
 
     amplitude_px: float
     wavelength_px: float
     direction_deg: float
     velocity_px: float
+    matrix: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 1.0)
 
     @property
     def tear(self) -> float:
-        """|Aᵀk|: under 1 the outline wobbles, beyond 1 it is torn into stripes."""
-        return 2 * pi * abs(self.amplitude_px) / self.wavelength_px
+        """|Aᵀk|: under 1 the outline wobbles, beyond 1 it is torn into stripes.
+
+        The place that is read changes with the place by 1 + D·k, D a turn of (cos, sin); its least is 1 - |Aᵀk|.
+        """
+        (k_u, k_v), (a00, a01, a10, a11) = self.k, self.matrix
+        return abs(self.amplitude_px) * hypot(a00 * k_u + a01 * k_v, a10 * k_u + a11 * k_v)
+
+    @property
+    def k(self) -> tuple[float, float]:
+        """The change of ψ along u and v, radians a px."""
+        turn, angle = 2 * pi / self.wavelength_px, radians(self.direction_deg)
+        return (-turn * cos(angle), -turn * sin(angle))
+
+    @property
+    def reach_px(self) -> float:
+        """How far a point is moved at most: the larger singular value of A."""
+        a00, a01, a10, a11 = self.matrix
+        return abs(self.amplitude_px) * (hypot(a00 + a11, a01 - a10) + hypot(a00 - a11, a01 + a10)) / 2
 
     def varied(self, seed: int, number: int) -> "Ripple":
         """Return the waves of the first moment: set ``number`` as a seed varies it; seed 0 leaves it as it is.
@@ -64,7 +83,10 @@ class Wave:
 
 @dataclass(frozen=True, slots=True)
 class Ripple:
-    """A set of waves at one moment: D = A·(cos ψ, sin ψ), ψ = k·(u, v) + phase."""
+    """A set of waves at one moment: ψ = k·(u, v) + phase moves (u, v) by D′ (paper equation 4).
+
+    D′ = amplitude · (A00·cos ψ + A10·sin ψ, A01·cos ψ + A11·sin ψ).
+    """
 
     wave: Wave
     phase: float
@@ -77,8 +99,7 @@ class Ripple:
     @property
     def k(self) -> tuple[float, float]:
         """The change of ψ along u and v, radians a px."""
-        turn, angle = 2 * pi / self.wave.wavelength_px, radians(self.wave.direction_deg)
-        return (-turn * cos(angle), -turn * sin(angle))
+        return self.wave.k
 
 
 def tear_of(waves: tuple[Wave, ...]) -> float:

@@ -6,14 +6,12 @@ from math import floor
 from kagezou.document import properties, set_properties
 from kagezou.document.figure_properties import EDGES, LEAST_PART, PAINTED, SHADOWS_UNITE, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
-from kagezou.document.properties import WaveLines
 from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane, ground_plane
 from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
-from kagezou.geometry.waves import Wave
 from kagezou.scene.contact_patches import contact_at
 from kagezou.scene.figure_card import Moment, card_of
 from kagezou.scene.filters import Edge, Simplify, Water
@@ -34,6 +32,7 @@ from kagezou.scene.scene import (
     ShadowLook,
     Tip,
 )
+from kagezou.scene.water import water_at
 
 LEAST_PX = 0.01
 """What moves an outline by less cannot be seen and is left out."""
@@ -109,7 +108,8 @@ def _layer_scene(on: Moment, layer: Layer) -> LayerScene:
     look = _look(figure.tracks, moment)
     look = look if lift is None else faded(lift, look)
     cels = _cels_of(on, figure) if layer is figure else ()
-    cast = _cast(on, figure, moment, lift, cels) if cels else None
+    water = water_at(figure.tracks, moment, figure.figure.height, on.document.canvas.length_frames)
+    cast = _cast(on, figure, moment, lift, cels, water) if cels else None
     return LayerScene(
         layer.id,
         layer.name,
@@ -119,7 +119,7 @@ def _layer_scene(on: Moment, layer: Layer) -> LayerScene:
         card,
         figure.id,
         contact=None if cast is None else contact_at(on, figure, moment, card),
-        reflection=reflection_at(on, figure, moment, cels, _water(figure.tracks, moment)),
+        reflection=reflection_at(on, figure, moment, cels, water),
     )
 
 
@@ -130,7 +130,7 @@ def _cels_of(on: Moment, figure: Layer) -> tuple[PlacedDrawing, ...]:
 
 
 def _cast(
-    on: Moment, figure: Layer, moment: int, lift: Lift | None, cels: tuple[PlacedDrawing, ...]
+    on: Moment, figure: Layer, moment: int, lift: Lift | None, cels: tuple[PlacedDrawing, ...], water: Water | None
 ) -> ShadowCast | None:
     """Return what the cels of a figure cast together, at least one; None where a disc is seen edge-on."""
     light = light_at(on.document, moment, on.ground)
@@ -148,7 +148,7 @@ def _cast(
         lights=tuple(each for each in spread if is_over(on.ground, each)),
         simplify=_simplify(figure.tracks, moment),
         edge=_edge(figure.tracks, moment, 0.0 if lift is None else lift.wider_px),
-        water=_water(figure.tracks, moment),
+        water=water,
         least_part_px2=value_at(figure.tracks, LEAST_PART, moment),
         is_hard=value_at(figure.tracks, EDGES, moment) == "hard",
         without_painted=value_at(figure.tracks, PAINTED, moment) == "left_out",
@@ -201,24 +201,6 @@ def _edge(tracks: Tracks, frame: int, wider_px: float) -> Edge | None:
     if max(abs(grow), softness, penumbra * _FARTHEST_PX) < LEAST_PX:
         return None
     return Edge(grow, softness, penumbra)
-
-
-def _water(tracks: Tracks, frame: int) -> Water | None:
-    if not value_at(tracks, properties.WAVES_ON, frame):
-        return None
-    seed = int(value_at(tracks, properties.WAVE_SEED, frame))
-    waves = tuple(wave_of(tracks, lines, frame) for lines in (properties.WAVE1, properties.WAVE2))
-    ripples = tuple(
-        wave.varied(seed, number).at(frame) for number, wave in enumerate(waves, 1) if wave.amplitude_px >= LEAST_PX
-    )
-    return Water(ripples, value_at(tracks, properties.WAVE_ANCHOR, frame)) if ripples else None
-
-
-def wave_of(tracks: Tracks, lines: WaveLines, frame: int) -> Wave:
-    """Return one set of waves of a layer as it is set at a frame."""
-    numbers = (lines.amplitude, lines.wavelength, lines.direction, lines.velocity)
-    amplitude, wavelength, direction, velocity = (value_at(tracks, prop, frame) for prop in numbers)
-    return Wave(amplitude, wavelength, direction, velocity)
 
 
 def _look(tracks: Tracks, frame: int) -> ShadowLook:

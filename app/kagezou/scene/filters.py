@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from kagezou.geometry.slits import Slits
 from kagezou.geometry.waves import Ripple
 
 
@@ -53,12 +54,15 @@ class Water:
         The sets of waves; their displacements, in u and v of the receiver, add up.
     anchor_px
         The distance from the contact line at which they have their full strength; 0 for everywhere.
+    slits
+        The gaps that go with the waves; None for none.
     """
 
     ripples: tuple[Ripple, ...]
     anchor_px: float
+    slits: Slits | None = None
 
     @property
     def reach_px(self) -> float:
         """How far the waves move a place at most, px of the receiver."""
-        return sum(ripple.wave.amplitude_px for ripple in self.ripples)
+        return sum(ripple.wave.reach_px for ripple in self.ripples)

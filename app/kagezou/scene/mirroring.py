@@ -1,5 +1,6 @@
 """The figure mirrored in the ground, as its layer asks for it."""
 
+from dataclasses import replace
 from typing import Final
 
 from kagezou.document.companion_properties import (
@@ -33,7 +34,7 @@ def reflection_at(
     cels
         What is seen of it, from the bottom.
     water
-        The waves that its shadow lies on.
+        The waves that its shadow lies on; gaps are those of the shadow alone.
     """
     tracks, frame = figure.tracks, on.frame
     opacity = value_at(tracks, REFLECTION_OPACITY, frame)
@@ -49,6 +50,6 @@ def reflection_at(
         rgb_at(tracks, REFLECTION_COLOR, frame),
         value_at(tracks, REFLECTION_TONE, frame),
         Fade(fade, 1.0) if fade > 0 else None,
-        water,
+        water and replace(water, slits=None),
         is_hard=value_at(tracks, EDGES, frame) == "hard",
     )

@@ -7,7 +7,7 @@ from math import atan2, cos, degrees, hypot, radians, sin
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.properties import WaveLines
+from kagezou.document.wave_properties import WaveLines
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector3, dot

@@ -177,7 +177,8 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
     assert report["copy_ms"] > 0
     names = [each["name"] for each in report["operations"]]
     places = ["ground position", "declination", "roll", "tilt", "grounding point"]
-    simplifying = ["simplify", "distance", "light, simplified", "light, simplified, waves", "wave", "softness", "fade"]
+    waves = ["light, simplified, waves", "wave", "light, simplified, slits"]
+    simplifying = ["simplify", "distance", "light, simplified", *waves, "softness", "fade"]
     assert names == [
         "light",
         "relief",

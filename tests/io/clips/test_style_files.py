@@ -37,7 +37,7 @@ class TestBundled:
     def test_each_replaces_the_one_before_wholly(self) -> None:
         """What one style sets the next sets too, so that nothing of the first is left."""
         names = [set(each.style.values) for each in bundled_styles()]
-        waves = {name for name in OF_LAYER if name.startswith("shadow.wave")}
+        waves = {name for name in OF_LAYER if name.startswith(("shadow.wave", "shadow.slit_"))}
         assert len({frozenset(each - waves) for each in names}) == 1
         assert all("shadow.wave1.amplitude" in each for each in names)
 

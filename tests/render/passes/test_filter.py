@@ -26,6 +26,17 @@ SHADOW = "layers.A.shadow."
 PERSPECTIVE = {"camera.fov": 40.0, "ground.roll": 8.0, "layers.A.grounding": [[440.0, 890.0], [565.0, 888.0]]}
 CALM = {"wave1.amplitude": 7.0, "wave1.wavelength": 90.0, "wave1.direction": 75.0}
 TORN = {"wave1.amplitude": 16.0, "wave2.amplitude": 9.0, "wave1.wavelength": 70.0, "wave2.wavelength": 44.0}
+STREAKS = {**CALM, "wave1.amplitude": 12.0, "wave1.sideways": 2.0, "wave1.depth": 0.3}
+SHEARED = {
+    **CALM,
+    "wave1.sideways": -1.4,
+    "wave1.sideways_shear": 0.8,
+    "wave1.depth_shear": -0.6,
+    "wave2.amplitude": 5.0,
+    "wave2.wavelength": 70.0,
+    "wave2.depth": -0.7,
+    "wave2.sideways_shear": -1.1,
+}
 
 
 def document_with(figure: Path, look: Mapping[str, object], scene: Mapping[str, object] | None = None) -> Document:
@@ -45,15 +56,16 @@ def coverage(renderer: Renderer, document: Document, frame: int = 1) -> Array:
 
 
 def displacement(ripples: tuple[Ripple, ...], u: Array, v: Array) -> tuple[Array, Array]:
-    """Spec 4 letter by letter: λ is half the wavelength, (a, b) points against the direction, A is the amplitude."""
+    """Spec 4 letter by letter: λ is half the wavelength, (a, b) points against the direction."""
     du, dv = np.zeros_like(u), np.zeros_like(v)
     for ripple in ripples:
         wave = ripple.wave
         angle = wave.direction_deg * pi / 180
         a, b, half = -np.cos(angle), -np.sin(angle), wave.wavelength_px / 2
         psi = pi * (a * u + b * v) / half + ripple.phase
-        du += wave.amplitude_px * np.cos(psi)
-        dv += wave.amplitude_px * np.sin(psi)
+        a00, a01, a10, a11 = (wave.amplitude_px * each for each in wave.matrix)
+        du += a00 * np.cos(psi) + a10 * np.sin(psi)
+        dv += a01 * np.cos(psi) + a11 * np.sin(psi)
     return du, dv
 
 
@@ -91,6 +103,10 @@ class TestWaves:
             ({**TORN, "simplify": 30.0, "wave_seed": 7.0}, {}),
             (CALM, {}),
             ({**CALM, "wave_anchor": 100.0, "wave_seed": 3.0}, PERSPECTIVE),
+            ({**STREAKS, "simplify": 12.0}, {}),
+            ({**SHEARED, "simplify": 20.0}, {}),
+            ({**SHEARED, "simplify": 30.0, "distance": 120.0, "wave_anchor": 80.0}, PERSPECTIVE),
+            ({**SHEARED, "wave_seed": 5.0}, {}),
         ],
     )
     def test_they_are_the_formula(

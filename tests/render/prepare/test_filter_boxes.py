@@ -22,6 +22,7 @@ SIMPLIFIED = {SHADOW + "simplify": 12.0}
 WIDENING = {SHADOW + "simplify": 40.0, SHADOW + "distance": 200.0}
 SOFT = {SHADOW + "softness": 6.0, SHADOW + "penumbra": 0.05, SHADOW + "grow": -3.0}
 WAVES = {SHADOW + "simplify": 8.0, SHADOW + "wave1.amplitude": 9.0, SHADOW + "wave1.wavelength": 70.0}
+STREAKS = {**WAVES, SHADOW + "wave1.sideways": 3.0, SHADOW + "wave1.depth_shear": -2.0, SHADOW + "wave1.depth": 0.3}
 PERSPECTIVE = {"camera.fov": 40.0, "ground.roll": 8.0}
 
 
@@ -90,6 +91,19 @@ def test_near_the_contact_line_the_shadow_as_it_was_cast_is_seen(values: Mapping
 
 def test_an_even_blur_has_nothing_sharp() -> None:
     assert box_near_contact(BlurView.of_ground(job_with(SIMPLIFIED), CANVAS)) is None
+
+
+@pytest.mark.parametrize("stretch", [None, ELONGATED], ids=["round", "elongated"])
+def test_tiles_look_as_far_as_waves_move_a_place_and_no_farther(stretch: np.ndarray | None) -> None:
+    job = job_with(STREAKS, stretch)
+    assert job.cast.water is not None
+    (ripple,) = job.cast.water.ripples
+    psi = np.linspace(0.0, 2 * np.pi, 721)
+    on_receiver = (
+        ripple.wave.amplitude_px * np.stack([np.cos(psi), np.sin(psi)], -1) @ np.reshape(ripple.wave.matrix, (2, 2))
+    )
+    farthest = np.abs(np.linalg.solve(job.receiver_from_blurred[:, :2], on_receiver.T)).max(axis=1)
+    assert np.array(job.moved_px) == pytest.approx(farthest, rel=1e-4)
 
 
 def test_nothing_outside_of_its_receiver_s_box_is_drawn() -> None:

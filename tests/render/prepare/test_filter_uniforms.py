@@ -24,6 +24,10 @@ WAVES = {
     SHADOW + "wave1.amplitude": 9.0,
     SHADOW + "wave1.wavelength": 70.0,
     SHADOW + "wave1.direction": 65.0,
+    SHADOW + "wave1.sideways": -1.7,
+    SHADOW + "wave1.depth_shear": 0.6,
+    SHADOW + "wave2.sideways_shear": -0.9,
+    SHADOW + "wave2.depth": 0.2,
     SHADOW + "wave2.amplitude": 4.0,
     SHADOW + "wave2.wavelength": 31.0,
     "ground.roll": 7.0,
@@ -150,18 +154,19 @@ def test_waves_move_a_place_as_they_do_on_the_receiver(
     _, uniforms = shown(BlurView.of_ground(job, CANVAS))
     assert uniforms["u_ripple_count"] == 2
     total = np.zeros(2)
-    for k_u, k_v, phase, amplitude in table(uniforms, "u_ripples"):
+    for ripple, matrix in zip(table(uniforms, "u_ripples"), table(uniforms, "u_ripple_matrices"), strict=True):
+        k_u, k_v, phase, amplitude = ripple
         psi = k_u * u + k_v * v + phase
-        total += amplitude * np.array([np.cos(psi), np.sin(psi)])
+        total += amplitude * np.array([np.cos(psi), np.sin(psi)]) @ matrix.reshape(2, 2)
     heave = table(uniforms, "u_heave").reshape(2, 2)
     anchor_v = uniforms["u_anchor_px"]
     assert isinstance(anchor_v, float)
     got = (min(abs(v) / anchor_v, 1.0) if anchor_v > 0 else 1.0) * (heave @ total)
     on_receiver = job.receiver_from_blurred @ [u, v, 1.0]
     wanted = np.zeros(2)
-    for ripple in water.ripples:
-        psi = np.array(ripple.k) @ on_receiver + ripple.phase
-        wanted += ripple.wave.amplitude_px * np.array([np.cos(psi), np.sin(psi)])
+    for each in water.ripples:
+        psi = np.array(each.k) @ on_receiver + each.phase
+        wanted += each.wave.amplitude_px * np.array([np.cos(psi), np.sin(psi)]) @ np.reshape(each.wave.matrix, (2, 2))
     from_line = abs(float(job.ground_from_blurred[1, 1]) * v)
     wanted *= min(from_line / anchor, 1.0) if anchor > 0 else 1.0
     assert job.receiver_from_blurred[:, :2] @ got == pytest.approx(wanted, abs=1e-6)

@@ -80,7 +80,10 @@ def _heaved(reflection: Reflection, water: Water, place: Array) -> Array:
     for ripple in water.ripples:
         ku, kv = ripple.k
         psi = ku * (away @ u) + kv * (away @ v) + ripple.phase
-        sums += ripple.wave.amplitude_px * np.stack([np.cos(psi), np.sin(psi)], axis=-1)
+        a00, a01, a10, a11 = ripple.wave.matrix
+        along, across = np.cos(psi), np.sin(psi)
+        heaved = np.stack([a00 * along + a10 * across, a01 * along + a11 * across], axis=-1)
+        sums += ripple.wave.amplitude_px * heaved
     strength = np.ones(place.shape[:-1])
     if water.anchor_px > 0:
         strength = np.minimum(_from_contact(reflection, place) / water.anchor_px, 1.0)

@@ -17,6 +17,7 @@ from kagezou.document.model import Document, Drawing, drawing_size
 from kagezou.document.set_pieces import add_piece
 from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.document.values import value_at
+from kagezou.document.wave_properties import SLIT_GROWTH, SLITS
 from kagezou.geometry.box import centred_offset
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.render.renderer import Renderer
@@ -135,6 +136,8 @@ def _changes_of_shape(document: Document) -> Iterator[tuple[str, Change]]:
     yield "light, simplified", _upon(simplified, light)
     yield "light, simplified, waves", _upon(waved, light)
     yield "wave", _upon(waved, _setting(first, lambda n: 10.0 + _sweep(n, 4.0)))
+    slits = {Address(SLITS, layer.id): 0.9, Address(SLIT_GROWTH, layer.id): 0.1}
+    yield "light, simplified, slits", _upon(_with(waved, slits), light)
     yield "softness", _setting(Address(properties.SOFTNESS, layer.id), lambda n: 10.0 + _sweep(n, 6.0))
     yield "fade", _setting(Address(properties.FADE, layer.id), lambda n: 600.0 + _sweep(n, 200.0))
 

@@ -34,7 +34,7 @@ from kagezou.render.prepare.filter_job import (
     extent_of,
     stretched,
 )
-from kagezou.render.prepare.filter_uniforms import shape_uniforms, strength, width_uniforms
+from kagezou.render.prepare.filter_uniforms import shape_uniforms, slit_uniforms, strength, width_uniforms
 from kagezou.render.prepare.outline_tiles import SeenChart, outline_tiles
 from kagezou.render.prepare.shadow_tiles import Boxes as TileBoxes
 from kagezou.render.prepare.shadow_tiles import around_boxes
@@ -213,17 +213,18 @@ class ShapePass:
         full, outline = tiles
         switches, common = strength(view, box)
         common["u_target_size_px"] = target.size_px
+        slit_switch, slits = slit_uniforms(view, box)
         target.bind()
         GL.glEnable(GL.GL_BLEND)
         GL.glBlendEquation(GL.GL_MAX)
         if len(full):
-            self._fill[switches].use(common)
+            self._fill[switches | slit_switch].use(common | slits)
             self._boxes.draw(full)
         if len(outline):
             self._atlases_for(view.job.strips)[2].texture.bind(0)
             sharp.texture.bind(1)
             wanted, uniforms = shape_uniforms(view, box, level)
-            self._show[switches | wanted].use(common | uniforms)
+            self._show[switches | slit_switch | wanted].use(common | slits | uniforms)
             self._boxes.draw(outline)
 
     def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target, Target]:

@@ -118,9 +118,11 @@ class FilterJob:
         """How far waves may move a place, in u and v of the blur."""
         if self.cast.water is None:
             return (0.0, 0.0)
-        amplitude = sum(ripple.wave.amplitude_px for ripple in self.cast.water.ripples)
-        u, v = np.hypot(*self.heave.T) * amplitude
-        return (float(u), float(v))
+        moved = np.zeros(2)
+        for ripple in self.cast.water.ripples:
+            from_circle = self.heave @ np.reshape(ripple.wave.matrix, (2, 2)).T
+            moved += np.hypot(*from_circle.T) * ripple.wave.amplitude_px
+        return (float(moved[0]), float(moved[1]))
 
     @property
     def edge_deviations(self) -> float:
@@ -241,7 +243,7 @@ def blur_of(cast: ShadowCast, away_scale: float) -> Blur:
         width, grow = cast.edge.softness_px, abs(cast.edge.grow_px)
         slope = RAMP * cast.edge.penumbra / _EDGE_SIGMAS * away_scale
     if cast.water is not None:
-        moved = sum(ripple.wave.amplitude_px for ripple in cast.water.ripples)
+        moved = sum(ripple.wave.reach_px for ripple in cast.water.ripples)
     needed = (RAMP * width + grow) / _EDGE_SIGMAS
     finest = min(FINEST_SIGMA_PX, _FULL_AT_ONCE * (width + grow + moved))
     return Blur(amount, distance, max(needed, finest), slope if slope > 1e-6 else 0.0)

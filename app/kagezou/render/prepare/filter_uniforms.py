@@ -48,11 +48,10 @@ def strength(view: BlurView, box: Box) -> tuple[frozenset[str], Uniforms]:
 def shape_uniforms(view: BlurView, box: Box, level: float) -> tuple[frozenset[str], Uniforms]:
     """Return the switches and uniforms of ``passes/shape.frag`` but for the light's strength."""
     job = view.job
-    plane_from_pixel = view.blurred_from_canvas @ _frame(view, box).canvas_from_pixel
     uniforms: Uniforms = {
         "u_blurred": 0,
         "u_sharp": 1,
-        "u_plane_from_pixel": plane_from_pixel / np.abs(plane_from_pixel[2]).max(),
+        "u_plane_from_pixel": _plane_from_pixel(view, box),
         "u_pass_over_px": (SHARP_SIGMA_PX, FINEST_SIGMA_PX),
         **width_uniforms(job),
         "u_bands": tuple(float(number) for number in job.bands_of(view.chart)),
@@ -62,7 +61,7 @@ def shape_uniforms(view: BlurView, box: Box, level: float) -> tuple[frozenset[st
     if view.joins:
         switches |= {"JOINED"}
         uniforms |= join_uniforms(view)
-    if job.cast.water is not None:
+    if job.cast.water is not None and job.cast.water.ripples:
         switches |= {"WAVES"}
         anchor = job.cast.water.anchor_px / float(job.ground_from_blurred[1, 1])
         uniforms |= wave_uniforms(job.cast.water, job.receiver_from_blurred, anchor)
@@ -72,6 +71,28 @@ def shape_uniforms(view: BlurView, box: Box, level: float) -> tuple[frozenset[st
     else:
         uniforms["u_level"] = level
     return switches, uniforms
+
+
+def slit_uniforms(view: BlurView, box: Box) -> tuple[frozenset[str], Uniforms]:
+    """Return the switch of the gaps that waves leave open, and what ``common/slits.glsl`` wants; nothing without them.
+
+    Each receiver has them in its own look at the flat shadow: over a seam that is folded they go on, where paper is cut
+    they do not.
+    """
+    water, job = view.job.cast.water, view.job
+    if water is None or water.slits is None:
+        return _NONE, {}
+    slits = water.slits
+    along_and_on = np.array(slits.across_from_ground) @ job.receiver_from_blurred
+    away = (0.0, float(job.ground_from_blurred[1, 1]), 0.0)
+    uniforms: Uniforms = {
+        "u_plane_from_pixel": _plane_from_pixel(view, box),
+        "u_slits_from_plane": np.vstack([along_and_on, away]),
+        "u_slits": (slits.share, slits.spacing_px, slits.growth, slits.clear_px),
+        "u_slits_moved": (slits.moved_part, slits.spread),
+        "u_slit_rows": (float(slits.first_row), float(slits.rows), float(slits.seed)),
+    }
+    return frozenset({"SLITS"}), uniforms
 
 
 def join_uniforms(view: BlurView) -> Uniforms:
@@ -101,6 +122,12 @@ def inverse(matrix: Matrix) -> Matrix:
 def _frame(view: BlurView, box: Box) -> Frame:
     """Return the part of a canvas box in which the receiver is seen."""
     return Frame(clipped(box_polygon(box), shifted(distance_form(view.blurred_from_canvas[2]), -0.01)))
+
+
+def _plane_from_pixel(view: BlurView, box: Box) -> Matrix:
+    """Return the (3, 3) map from a pixel of the box's frame to (u, v) of the blur."""
+    plane_from_pixel = view.blurred_from_canvas @ _frame(view, box).canvas_from_pixel
+    return np.asarray(plane_from_pixel / np.abs(plane_from_pixel[2]).max())
 
 
 def _edge_uniforms(job: FilterJob, edge: Edge, level: float) -> Uniforms:

@@ -24,14 +24,16 @@ def wave_uniforms(water: Water, receiver_from_place: Matrix, anchor_px: float) -
         The distance in those at which the waves have their full strength.
     """
     turn, shift = receiver_from_place[:, :2], receiver_from_place[:, 2]
-    ripples = np.zeros((_MAX_RIPPLES, 4))
+    ripples, matrices = np.zeros((_MAX_RIPPLES, 4)), np.zeros((_MAX_RIPPLES, 4))
     for index, ripple in enumerate(water.ripples):
         k = np.array(ripple.k)
         phase = (ripple.phase + float(k @ shift)) % (2 * pi)
         ripples[index] = (*(k @ turn), phase, ripple.wave.amplitude_px)
+        matrices[index] = ripple.wave.matrix
     return {
         "u_ripple_count": len(water.ripples),
         "u_ripples": ripples,
+        "u_ripple_matrices": matrices,
         "u_heave": np.asarray(np.linalg.inv(turn)).ravel(),
         "u_anchor_px": anchor_px,
     }

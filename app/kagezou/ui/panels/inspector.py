@@ -231,7 +231,7 @@ def _group_of(prop: AnyProperty) -> str:
     for title, lines in _GROUPS.items():
         if prop in lines:
             return title
-    return "waves" if last.startswith("wave") or group.startswith("shadow.wave") else group
+    return "waves" if last.startswith(("wave", "slit")) or group.startswith("shadow.wave") else group
 
 
 def _align(sections: list[Section]) -> None:

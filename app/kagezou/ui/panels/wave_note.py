@@ -8,7 +8,7 @@ from kagezou.document import properties
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.geometry.waves import tear_of
-from kagezou.scene.evaluate import wave_of
+from kagezou.scene.water import wave_of
 from kagezou.ui.system.bridge import Bridge
 
 _SETS = (properties.WAVE1, properties.WAVE2)
@@ -32,7 +32,7 @@ class WaveNote(QWidget):
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setToolTip(
-            self.tr("The tear number is 2π · amplitude / length, summed over both sets; the outline tears from 1 on.")
+            self.tr("Tear: 2π / length × the movement across the crests, added up over both sets; from 1 on it tears.")
         )
         self.loop = QPushButton(self.tr("Loop over the cut"))
         self.loop.setObjectName("small_button")
