@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from kagezou.cli.demo.stage import make_demo
 from kagezou.document.edits import set_background
-from kagezou.document.style import apply_style
+from kagezou.document.styling import put_style
 from kagezou.importing.feet import document_with_feet
 from kagezou.io.clips.style_files import bundled_styles
 from kagezou.io.images.cel_cache import CelCache
@@ -46,7 +46,7 @@ def main() -> None:
         layer = document.layers[-1]
         renderer = Renderer(CelCache())
         for each in bundled_styles():
-            styled = apply_style(document, layer.id, each.style, FRAME)
+            styled = put_style(document, [layer.id], each.style, FRAME).document
             renderer.draw_picture(evaluate(styled, FRAME), Backdrop.WHITE)
             high = WIDE_PX * SIZE_PX[1] // SIZE_PX[0]
             picture = np.asarray(renderer.read_picture(), np.float64)

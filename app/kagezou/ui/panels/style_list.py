@@ -1,17 +1,26 @@
 """The styles: the present drawing in every look there is; a click puts one on the character."""
 
-from pathlib import Path
-
 from PySide6.QtCore import QModelIndex, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QIcon, QImage, QPixmap, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QInputDialog, QListView, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QHBoxLayout,
+    QInputDialog,
+    QListView,
+    QListWidget,
+    QListWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
 
-from kagezou.document.style import apply_style, style_of
+from kagezou.document.style import style_of
 from kagezou.errors import Problem
 from kagezou.io.clips.style_files import StyleFile, bundled_styles, own_styles, save_style
 from kagezou.io.files.small_files import remove_file
 from kagezou.ui.panels.style_pictures import StylePictures, Wanted
+from kagezou.ui.panels.style_use import put_on
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.widgets.tool_button import tool_button
 
@@ -19,6 +28,7 @@ _PAUSE_MS = 500
 """Pictures are drawn anew when the hand has rested this long."""
 
 _ICON_LETTERS = 10
+_LIGHT_FLAG = "styles_bring_light"
 
 
 class StyleList(QWidget):
@@ -28,16 +38,19 @@ class StyleList(QWidget):
     ----------
     bridge
         The session.
-    folder
-        Where the user's own styles are kept.
+    settings
+        Where the user's own styles are kept, and whether styles bring their light.
     """
 
     failed = Signal(str)
+    noted = Signal(str)
+    """What there is to know of a style that was put on."""
 
-    def __init__(self, bridge: Bridge, folder: Path) -> None:
+    def __init__(self, bridge: Bridge, settings: Settings) -> None:
         super().__init__()
         self._bridge = bridge
-        self._folder = folder
+        self._settings = settings
+        self._folder = settings.style_folder
         self._files: tuple[StyleFile, ...] = ()
         self._is_seen = True
         self.pictures = StylePictures()
@@ -46,11 +59,17 @@ class StyleList(QWidget):
         self._rest.setSingleShot(True)
         self._rest.setInterval(_PAUSE_MS)
         self._rest.timeout.connect(self._ask)
+        self.light = self._made_light()
         self.list = self._made_list()
         self._lay_out()
         for signal in (bridge.document_changed, bridge.frame_changed, bridge.selection_changed):
             signal.connect(self._wait_for_rest)
         self.reload()
+
+    @property
+    def brings_light(self) -> bool:
+        """Whether a style that is put on brings its own light."""
+        return self.light.isChecked()
 
     def come(self, seen: bool) -> None:
         """Take note whether the dock is at the front; docks behind others count as shown with Qt, but not as seen."""
@@ -79,10 +98,9 @@ class StyleList(QWidget):
         """Put a style on the chosen layers, as one step."""
         if not self._bridge.layer_ids or not 0 <= index < len(self._files):
             return
-        style, document = self._files[index].style, self._bridge.document
-        for layer_id in self._bridge.layer_ids:
-            document = apply_style(document, layer_id, style, self._bridge.frame)
-        self._bridge.session.edit(self.tr("Style: %1").replace("%1", named(style.name)), document)
+        style = self._files[index].style
+        step = self.tr("Style: %1").replace("%1", named(style.name))
+        self.noted.emit(put_on(self._bridge, self._bridge.layer_ids, style, step, with_light=self.brings_light))
 
     def save(self, name: str) -> None:
         """Keep the look of the layer worked on under a name."""
@@ -125,6 +143,19 @@ class StyleList(QWidget):
         made.currentRowChanged.connect(lambda _: self._show_choice())
         return made
 
+    def _made_light(self) -> QCheckBox:
+        made = QCheckBox(self.tr("With its light"))
+        made.setToolTip(
+            self.tr("Where a style has a light of its own, take it along. Light is for all characters, so choose all.")
+        )
+        made.setChecked(self._settings.flag(_LIGHT_FLAG, default=False))
+        made.toggled.connect(self._bring_light)
+        return made
+
+    def _bring_light(self, brings: bool) -> None:
+        self._settings.set_flag(_LIGHT_FLAG, on=brings)
+        self._wait_for_rest()
+
     def _lay_out(self) -> None:
         footer = QWidget()
         footer.setObjectName("panel_footer")
@@ -132,6 +163,7 @@ class StyleList(QWidget):
         row = QHBoxLayout(footer)
         row.setContentsMargins(4, 2, 4, 2)
         row.addWidget(tool_button("add", self.tr("Keep this look as a style of your own"), self._ask_name))
+        row.addWidget(self.light)
         row.addStretch(1)
         self._remove = tool_button("remove", self.tr("Remove your style"), self.remove_current)
         row.addWidget(self._remove)
@@ -159,10 +191,12 @@ class StyleList(QWidget):
         self._rest.start()
 
     def _ask(self) -> None:
-        layer_id = self._bridge.layer_id
-        if layer_id is not None and self._is_seen and self.isVisible():
+        if self._bridge.layer_ids and self._is_seen and self.isVisible():
             styles = tuple(each.style for each in self._files)
-            self.pictures.ask(Wanted(self._bridge.document, layer_id, self._bridge.frame, styles))
+            wanted = Wanted(
+                self._bridge.document, self._bridge.layer_ids, self._bridge.frame, styles, self.brings_light
+            )
+            self.pictures.ask(wanted)
 
     def _show_picture(self, index: int, image: QImage) -> None:
         item = self.list.item(index)

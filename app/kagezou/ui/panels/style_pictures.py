@@ -8,7 +8,8 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QImage
 
 from kagezou.document.model import Document
-from kagezou.document.style import Style, apply_style
+from kagezou.document.style import Style
+from kagezou.document.styling import put_style
 from kagezou.geometry.box import Box
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Steps
@@ -25,12 +26,16 @@ _AROUND = 0.15
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """What the pictures show: a layer of a document at a frame, in these styles."""
+    """What the pictures show: layers of a document at a frame in these styles, perhaps with the styles' own light.
+
+    The first layer is the one whose figure is seen.
+    """
 
     document: Document
-    layer_id: str
+    layer_ids: tuple[str, ...]
     frame: int
     styles: tuple[Style, ...]
+    with_light: bool
 
 
 class StylePictures(QObject):
@@ -68,15 +73,15 @@ class StylePictures(QObject):
 
 def _draw(surface: OffscreenSurface, wanted: Wanted, turn: Turn[tuple[int, QImage]]) -> None:
     """Draw the pictures of one wish; on the worker's thread."""
-    figure = wanted.document.layer(wanted.layer_id).figure
+    figure = wanted.document.layer(wanted.layer_ids[0]).figure
     with surface.open():
         renderer = Renderer(CelCache())
         try:
             for index, style in enumerate(wanted.styles):
                 if turn.is_unwanted:
                     return
-                document = apply_style(wanted.document, wanted.layer_id, style, wanted.frame)
-                renderer.draw_picture(evaluate(document, wanted.frame), Backdrop.WHITE)
+                styled = put_style(wanted.document, wanted.layer_ids, style, wanted.frame, with_light=wanted.with_light)
+                renderer.draw_picture(evaluate(styled.document, wanted.frame), Backdrop.WHITE)
                 turn.tell((index, _small(renderer.read_picture(), figure)))
         finally:
             renderer.close()
