@@ -1,18 +1,25 @@
 """Styles in the window: pictures of the present drawing, one step to put one on, the user's own."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QImage
-from PySide6.QtTest import QSignalSpy
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QImage, QMouseEvent
+from PySide6.QtTest import QSignalSpy, QTest
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.edits import set_key
+from kagezou.document.edits import set_constant, set_key
+from kagezou.io.images.reading import Steps
+from kagezou.io.project.file import load
+from kagezou.io.project.recovery_file import read_recovery_file
 from kagezou.ui.panels.style_list import StyleList
+from kagezou.ui.panels.style_name import StyleName
+from kagezou.ui.project.autosave import Autosave
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
@@ -31,6 +38,29 @@ def styles(qtbot: QtBot, walking: MainWindow) -> StyleList:
 def row_of(styles: StyleList, name: str) -> int:
     (item,) = styles.list.findItems(name, Qt.MatchFlag.MatchExactly)
     return styles.list.row(item)
+
+
+def rest_on(qtbot: QtBot, window: MainWindow, row: int) -> None:
+    """Let the pointer rest on a style until the picture shows it; it comes again if the screen's own pointer leaves."""
+    styles, bridge = window.parts.panels.styles.list, window.parts.bridge
+
+    def is_shown() -> bool:
+        at = QPointF(styles.visualItemRect(styles.item(row)).center())
+        view, none = styles.viewport(), Qt.MouseButton.NoButton
+        move = QMouseEvent(QEvent.Type.MouseMove, at, view.mapToGlobal(at), none, none, Qt.KeyboardModifier.NoModifier)
+        QApplication.sendEvent(view, move)
+        return bridge.shown is not bridge.document
+
+    qtbot.waitUntil(is_shown)
+
+
+def picture(window: MainWindow) -> Steps:
+    """Return the picture after it was painted anew."""
+    window.parts.viewport.repaint()
+    window.parts.viewport.grabFramebuffer()
+    found = window.parts.viewport.read_picture()
+    assert found is not None
+    return found
 
 
 def simplify(window: MainWindow) -> object:
@@ -117,6 +147,119 @@ def test_a_look_becomes_a_style_and_goes_again(walking: MainWindow, styles: Styl
     styles.list.setCurrentRow(count)
     styles.remove_current()
     assert styles.list.count() == count
+
+
+class TestName:
+    def test_a_look_may_be_kept_with_its_light(self, qtbot: QtBot, walking: MainWindow, styles: StyleList) -> None:
+        styles.ask_name()
+        question = styles.findChild(StyleName)
+        assert isinstance(question, StyleName)
+        assert not question.ok.isEnabled()
+        assert not question.with_scene.isChecked()
+        QTest.keyClicks(question.name, "Night")
+        question.with_scene.click()
+        question.ok.click()
+        kept = styles.list.item(row_of(styles, "Night"))
+        assert kept.toolTip() == "Night\nHas a light of its own"
+        bridge = walking.parts.bridge
+        azimuth = Address(properties.LIGHT_AZIMUTH)
+        before = value_of(bridge.document, azimuth, 1)
+        bridge.session.edit("", set_constant(bridge.document, azimuth, 77.0))
+        styles.light.click()
+        styles.apply(styles.list.row(kept))
+        assert value_of(bridge.document, azimuth, 1) == before
+
+    def test_one_of_the_same_name_is_replaced_and_that_is_said(self, walking: MainWindow, styles: StyleList) -> None:
+        styles.save("Night")
+        count = styles.list.count()
+        styles.save("Night")
+        assert styles.list.count() == count
+        assert walking.parts.bar.text == "The style Night took the place of the one before"
+
+
+class TestLookingAtOne:
+    """A style under the pointer is seen in the picture and nowhere else."""
+
+    def test_the_picture_shows_it_and_the_document_stays(
+        self, qtbot: QtBot, walking: MainWindow, styles: StyleList
+    ) -> None:
+        bridge, viewport = walking.parts.bridge, walking.parts.viewport
+        document, steps = bridge.document, bridge.session.steps_made
+        before = picture(walking)
+        rest_on(qtbot, walking, 1)
+        assert bridge.document is document
+        assert (bridge.session.steps_made, bridge.session.undo_name) == (steps, "Import character")
+        assert bridge.session.is_saved
+        assert not walking.isWindowModified()
+        assert not np.array_equal(picture(walking), before)
+        QApplication.sendEvent(styles.list.viewport(), QEvent(QEvent.Type.Leave))
+        assert bridge.shown is document
+        assert np.array_equal(picture(walking), before)
+        assert viewport.is_current
+
+    def test_what_is_put_aside_and_saved_is_without_it(
+        self, qtbot: QtBot, walking: MainWindow, styles: StyleList, tmp_path: Path
+    ) -> None:
+        bridge = walking.parts.bridge
+        bridge.session.edit("", set_constant(bridge.document, Address(properties.LIGHT_AZIMUTH), 77.0))
+        rest_on(qtbot, walking, 1)
+        seen = bridge.shown
+        autosave = Autosave(walking.parts.open_project, tmp_path / "unsaved", lambda: "walk")
+        autosave.keep()
+        autosave.wait()
+        kept = read_recovery_file(autosave.file).document
+        bridge.look_at(seen)
+        walking.parts.open_project.save(tmp_path / "cut.kage")
+        assert bridge.shown is seen
+        assert bridge.session.is_saved
+        for written in (kept, load(tmp_path / "cut.kage")):
+            assert written.layers[0].tracks == bridge.document.layers[0].tracks != seen.layers[0].tracks
+        autosave.finish()
+
+    def test_escape_takes_it_back_wherever_the_keyboard_is(
+        self, qtbot: QtBot, walking: MainWindow, styles: StyleList
+    ) -> None:
+        bridge = walking.parts.bridge
+        rest_on(qtbot, walking, 1)
+        QTest.keyClick(walking.parts.viewport, Qt.Key.Key_Escape)
+        assert bridge.shown is bridge.document
+
+    def test_a_click_puts_it_on_as_one_step(self, qtbot: QtBot, walking: MainWindow, styles: StyleList) -> None:
+        bridge = walking.parts.bridge
+        rest_on(qtbot, walking, 1)
+        seen, steps = bridge.shown, bridge.session.steps_made
+        place = styles.list.visualItemRect(styles.list.item(1)).center()
+        QTest.mouseClick(styles.list.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        assert bridge.document == seen
+        assert bridge.shown is bridge.document
+        QTest.mouseDClick(styles.list.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        assert bridge.session.steps_made == steps + 1
+
+    def test_the_arrows_go_through_the_list(
+        self, qtbot: QtBot, walking: MainWindow, styles: StyleList, focus: Callable[[QWidget], None]
+    ) -> None:
+        bridge = walking.parts.bridge
+        styles.list.setCurrentRow(0)
+        focus(styles.list)
+        QTest.keyClick(styles.list, Qt.Key.Key_Right)
+        assert styles.list.currentRow() == 1
+        qtbot.waitUntil(lambda: bridge.shown is not bridge.document)
+        seen = bridge.shown
+        QTest.keyClick(styles.list, Qt.Key.Key_Return)
+        assert bridge.document == seen
+        QTest.keyClick(styles.list, Qt.Key.Key_Right)
+        qtbot.waitUntil(lambda: bridge.shown is not bridge.document)
+        focus(walking.parts.viewport)
+        assert bridge.shown is bridge.document
+
+    def test_what_is_done_meanwhile_takes_its_place(self, qtbot: QtBot, walking: MainWindow, styles: StyleList) -> None:
+        bridge = walking.parts.bridge
+        for do in (lambda: bridge.session.go_to(3), bridge.session.undo):
+            bridge.session.edit("", set_constant(bridge.document, Address(properties.LIGHT_AZIMUTH), 77.0))
+            rest_on(qtbot, walking, 1)
+            do()
+            assert bridge.shown is bridge.document
+            QApplication.sendEvent(styles.list.viewport(), QEvent(QEvent.Type.Leave))
 
 
 def test_what_cannot_be_kept_is_said(styles: StyleList) -> None:
