@@ -11,29 +11,34 @@ from __future__ import annotations
 
 import sys
 import tempfile
+from functools import reduce
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kagezou.animation.track import Value
 from kagezou.cli.demo.stage import make_demo
-from kagezou.document.edits import set_background
-from kagezou.document.style import apply_style
+from kagezou.document.address import Address
+from kagezou.document.edits import set_background, set_constant
+from kagezou.document.model import Document
+from kagezou.document.properties import LIGHT_AZIMUTH, LIGHT_ELEVATION, LIGHT_KIND
+from kagezou.document.property import AnyProperty
+from kagezou.document.styling import put_style
+from kagezou.export.portraits import Portraits
+from kagezou.geometry.box import Box
 from kagezou.importing.feet import document_with_feet
 from kagezou.io.clips.style_files import bundled_styles
-from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.writing import write_rgba
 from kagezou.io.project.file import load
 from kagezou.locations import resource_folder
 from kagezou.render.gpu.context import open_headless_context
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.render.renderer import Renderer
-from kagezou.scene.evaluate import evaluate
 
 FRAME = 40
 SIZE_PX = (264, 176)
-LEFT_PX, TOP_PX, WIDE_PX = 10, 295, 990
-"""The part of the demo's canvas around the character and its shadows."""
+LIGHT: dict[AnyProperty, Value] = {LIGHT_KIND: "sun", LIGHT_AZIMUTH: 62.0, LIGHT_ELEVATION: 38.0}
+"""A light under which the shadow lies beside the character; styles are shown without their own, as they are put on."""
 
 
 def main() -> None:
@@ -41,20 +46,34 @@ def main() -> None:
     folder = resource_folder() / "styles" / "pictures"
     folder.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as made, open_headless_context():
-        document = set_background(load(make_demo(Path(made), 2, lambda *_: None).project), None)
-        document = document_with_feet(document, [document.layers[-1].id]).document
-        layer = document.layers[-1]
-        renderer = Renderer(CelCache())
-        for each in bundled_styles():
-            styled = apply_style(document, layer.id, each.style, FRAME)
-            renderer.draw_picture(evaluate(styled, FRAME), Backdrop.WHITE)
-            high = WIDE_PX * SIZE_PX[1] // SIZE_PX[0]
-            picture = np.asarray(renderer.read_picture(), np.float64)
-            part = picture[TOP_PX : TOP_PX + high, LEFT_PX : LEFT_PX + WIDE_PX]
-            path = folder / f"{each.path.stem}.png"
-            write_rgba(path, shrunk(part))
+        document = stage(Path(made))
+        figure_id = document.layers[-1].id
+        styled = {
+            each.path.stem: put_style(document, [figure_id], each.style, FRAME).document for each in bundled_styles()
+        }
+        portraits = Portraits(document, figure_id, FRAME, 2 * SIZE_PX[0])
+        place = wide(reduce(Box.union, map(portraits.box, styled.values())))
+        for stem, each in styled.items():
+            square = np.asarray(portraits.draw(each, place, Backdrop.WHITE), np.float64)
+            beyond = (square.shape[0] - square.shape[0] * SIZE_PX[1] // SIZE_PX[0]) // 2
+            path = folder / f"{stem}.png"
+            write_rgba(path, shrunk(square[beyond:-beyond]))
             sys.stdout.write(f"{path}\n")
-        renderer.close()
+        portraits.close()
+
+
+def stage(folder: Path) -> Document:
+    """Return the demo with its last character alone to be seen in its light, on nothing."""
+    document = set_background(load(make_demo(folder, 2, lambda *_: None).project), None)
+    for prop, value in LIGHT.items():
+        document = set_constant(document, Address(prop), value)
+    return document_with_feet(document, [document.layers[-1].id]).document
+
+
+def wide(place: Box) -> Box:
+    """Return a box as wide as the pictures are, in whose middle another one lies."""
+    more = max(0, place.height * SIZE_PX[0] // SIZE_PX[1] - place.width) // 2
+    return Box(place.left - more, place.top, place.right + more, place.bottom)
 
 
 def shrunk(picture: NDArray[np.float64]) -> NDArray[np.uint8]:

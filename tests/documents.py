@@ -11,7 +11,19 @@ from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.edits import still
 from kagezou.document.linking import LINKABLE
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece, Tracks
+from kagezou.document.model import (
+    BroughtLight,
+    Canvas,
+    Cels,
+    Document,
+    Drawing,
+    Exposure,
+    Layer,
+    Marker,
+    Note,
+    Piece,
+    Tracks,
+)
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Kind
 from kagezou.geometry.box import Box
@@ -131,6 +143,13 @@ def pieces(draw: st.DrawFn, number: int, name: str) -> Piece:
 
 
 @st.composite
+def brought_lights(draw: st.DrawFn) -> BroughtLight:
+    brought = draw(track_tables(dict(OF_DOCUMENT)))
+    before = {name: draw(tracks(OF_DOCUMENT[name])) for name in brought if draw(st.booleans())}
+    return BroughtLight(brought, MappingProxyType(before))
+
+
+@st.composite
 def documents(draw: st.DrawFn) -> Document:
     rate = Fraction(draw(st.integers(1, 60000)), draw(st.integers(60, 2000)))
     canvas = Canvas(draw(st.integers(1, 16384)), draw(st.integers(1, 16384)), rate, draw(st.integers(1, 1000)))
@@ -153,4 +172,5 @@ def documents(draw: st.DrawFn) -> Document:
         tuple(draw(pieces(number, name)) for number, name in enumerate(set_names, start=1)),
         draw(st.one_of(st.none(), vanishing_lines)),
         frozenset(linked),
+        draw(st.one_of(st.none(), brought_lights())),
     )

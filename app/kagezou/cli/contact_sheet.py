@@ -1,6 +1,7 @@
 """Contact sheets: a character in a row of pictures, one more adjustment in each, as the paper shows its steps."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import reduce
 from math import ceil
 from typing import Final
 
@@ -13,10 +14,11 @@ from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.property import Property
 from kagezou.document.values import value_at
+from kagezou.export.portraits import Portraits
+from kagezou.geometry.box import Box
 from kagezou.importing.staging import CharacterSource, Imported, new_document
+from kagezou.io.images.reading import Steps
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.render.renderer import Renderer
-from kagezou.scene.evaluate import evaluate
 
 CELL_PX: Final = 320
 _GAP_PX: Final = 6
@@ -28,7 +30,7 @@ Adjust = Callable[[Document], Document]
 
 
 def roomy(sources: Sequence[CharacterSource]) -> Imported:
-    """Return a new cut with room around the drawings for their shadows."""
+    """Return a new cut with room around the drawings, so that its lamp stands well beside them."""
     drawn = new_document(sources).document.canvas
     side = ceil(_ROOM * max(drawn.width_px, drawn.height_px))
     return new_document(sources, size=(side, side))
@@ -42,23 +44,35 @@ def steps_of(document: Document) -> Iterator[tuple[str, Document]]:
         yield name, document
 
 
-def sheet_of(documents: Sequence[Document], renderer: Renderer, frame: int = 1) -> Picture:
-    """Return rows of cells (H, W, 4), one row a cut, with the context that is current."""
-    rows = [np.concatenate([_cell(each, renderer, frame) for _, each in steps_of(cut)], axis=1) for cut in documents]
+def sheet_of(documents: Sequence[Document], frame: int = 1) -> Picture:
+    """Return rows of cells (H, W, 4), one row a cut, with the context that is current.
+
+    In a row every cell shows the same place, so that the first figure and its shadow are whole in all of them.
+    """
+    rows = [np.concatenate(_row(cut, frame), axis=1) for cut in documents]
     return np.ascontiguousarray(np.concatenate(rows, axis=0)[: -_GAP_PX or None, : -_GAP_PX or None])
 
 
-def _cell(document: Document, renderer: Renderer, frame: int) -> Picture:
+def _row(cut: Document, frame: int) -> list[Picture]:
+    steps = [document for _, document in steps_of(cut)]
+    portraits = Portraits(cut, cut.layers[0].id, frame, CELL_PX)
+    around = reduce(Box.union, (portraits.box(each) for each in steps))
+    backdrop = Backdrop.BACKGROUND if cut.background else Backdrop.WHITE
+    cells = [_cell(portraits.draw(each, around, backdrop)) for each in steps]
+    portraits.close()
+    return cells
+
+
+def _cell(picture: Steps) -> Picture:
     """Return one picture, small, with a gap to the right and below."""
-    renderer.draw_picture(evaluate(document, frame), Backdrop.BACKGROUND if document.background else Backdrop.WHITE)
-    small = _shrunk(renderer.read_picture()[..., :3])
+    small = _shrunk(picture[..., :3])
     cell = np.full((CELL_PX + _GAP_PX, CELL_PX + _GAP_PX, 4), (_GREY, _GREY, _GREY, 255), np.uint8)
     top, left = ((CELL_PX - side) // 2 for side in small.shape[:2])
     cell[top : top + small.shape[0], left : left + small.shape[1], :3] = small
     return cell
 
 
-def _shrunk(picture: NDArray[np.uint8] | NDArray[np.uint16]) -> Picture:
+def _shrunk(picture: Steps) -> Picture:
     """Return a picture of which no side is over a cell's, each pixel the mean of those it stands for."""
     longest = max(picture.shape[:2])
     height, width = (max(round(side * min(CELL_PX / longest, 1.0)), 1) for side in picture.shape[:2])

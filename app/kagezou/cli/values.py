@@ -20,6 +20,11 @@ def json_of_value(value: Value) -> Json:
             return [json_of_value(part) for part in value]
 
 
+def text_of_value(value: Value) -> str:
+    """Return a value as the text that ``kagezou set`` takes and ``kagezou get`` prints."""
+    return json.dumps(json_of_value(value), ensure_ascii=False)
+
+
 def json_of_keys(track: Track) -> list[Json]:
     """Return the keys of a track, in order of their frames."""
     keys: list[Json] = []

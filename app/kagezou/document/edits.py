@@ -7,15 +7,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 from itertools import count
 from types import MappingProxyType
+from typing import TypeVar
 
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Tracks, parts_of
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks, parts_of
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart, PictureSource, file_of
+
+Owner = TypeVar("Owner", Document, Layer, Piece)
+"""What has tracks."""
 
 
 def set_track(document: Document, address: Address, track: Track) -> Document:
@@ -37,6 +41,21 @@ def set_track(document: Document, address: Address, track: Track) -> Document:
 def set_constant(document: Document, address: Address, raw: object) -> Document:
     """Give a property one value for the whole cut; its keys go."""
     return set_track(document, address, Track(address.property.canonical(raw)))
+
+
+def unset(document: Document, address: Address) -> Document:
+    """Take away a property's track, as if nobody had ever set it; a linked property's from all layers."""
+    name = address.property.name
+    if address.piece_id is not None:
+        pieces = (_without_track(each, name) if each.id == address.piece_id else each for each in document.pieces)
+        changed = replace(document, pieces=tuple(pieces))
+    elif address.layer_id is None:
+        changed = _without_track(document, name)
+    else:
+        owners = {layer.id for layer in document.layers} if name in document.linked else {address.layer_id}
+        layers = (_without_track(each, name) if each.id in owners else each for each in document.layers)
+        changed = replace(document, layers=tuple(layers))
+    return document if changed == document else changed
 
 
 def set_key(
@@ -215,6 +234,10 @@ def _with_piece_track(document: Document, piece_id: str, name: str, track: Track
     piece = document.piece(piece_id)
     changed = replace(piece, tracks=_with(piece.tracks, name, track))
     return replace(document, pieces=tuple(changed if each.id == piece_id else each for each in document.pieces))
+
+
+def _without_track(owner: Owner, name: str) -> Owner:
+    return replace(owner, tracks=_frozen({each: track for each, track in owner.tracks.items() if each != name}))
 
 
 def _with(tracks: Tracks, name: str, track: Track) -> Tracks:

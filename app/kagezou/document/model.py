@@ -204,6 +204,22 @@ class Piece:
 
 
 @dataclass(frozen=True, slots=True)
+class BroughtLight:
+    """The light that a style brought along, by which it can be taken back.
+
+    Parameters
+    ----------
+    tracks
+        What the style set, by names of the scene's properties.
+    before
+        What was there; a property that is missing had never been set.
+    """
+
+    tracks: Tracks
+    before: Tracks
+
+
+@dataclass(frozen=True, slots=True)
 class Document:
     """A cut: canvas, background, character layers from bottom to top, the scene's properties and its set.
 
@@ -221,6 +237,8 @@ class Document:
         The edges of the floor in the background picture by which the camera was matched; None before that.
     linked
         Names of layer properties that are the same for all layers, values and keys alike.
+    brought_light
+        The light of the style that was put on last, if it was asked for; None otherwise.
     """
 
     canvas: Canvas
@@ -233,6 +251,7 @@ class Document:
     pieces: tuple[Piece, ...] = ()
     vanishing: VanishingLines | None = None
     linked: frozenset[str] = frozenset()
+    brought_light: BroughtLight | None = None
 
     @property
     def background(self) -> PictureSource | None:

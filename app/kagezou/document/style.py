@@ -3,29 +3,31 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Final
 
 from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
-from kagezou.document.edits import set_value
-from kagezou.document.figure_properties import PAINTED
+from kagezou.document.figure_properties import BACKGROUND_POSITION, PAINTED
 from kagezou.document.local_name import LocalName
 from kagezou.document.model import Document
-from kagezou.document.property import AnyProperty, Kind
 
-NOT_OF_A_STYLE = frozenset({properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name, PAINTED.name})
+NOT_OF_A_STYLE: Final = frozenset(
+    {properties.WAVE_SEED.name, properties.TIMING.name, properties.MATTE.name, PAINTED.name}
+)
 """Properties that belong to a cut, not to a look."""
 
-_ROOMS = ("shadow.", "contact.", "reflection.")
-LINES = tuple(
+_ROOMS: Final = ("shadow.", "contact.", "reflection.")
+LINES: Final = tuple(
     prop for prop in properties.OF_LAYER.values() if prop.name.startswith(_ROOMS) and prop.name not in NOT_OF_A_STYLE
 )
-"""What a style may hold of a layer."""
+"""What a style says of a layer: the whole look. A line that it does not name has its default."""
 
-_POWERS = MappingProxyType({"px": 1, "px²": 2})
-"""Units of what grows with a character, and how often."""
+SCENE_LINES: Final = tuple(prop for prop in properties.OF_DOCUMENT.values() if prop is not BACKGROUND_POSITION)
+"""What a style may hold of the scene: light, ground and set-up."""
 
 Values = Mapping[str, Value]
+NO_VALUES: Final[Values] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,36 +41,26 @@ class Style:
     figure_px
         How tall a character its lengths are meant for; on another they grow and shrink with it.
     values
-        By names of a layer's properties.
+        By names of a layer's properties; what is not named has its default, so that a style is a whole look.
     scene
-        By names of the scene's properties, where the look needs a light of its own.
+        By names of the scene's properties, where the look has a light of its own, perhaps with ground and set-up.
+        They are taken only where somebody asks for them, and as they are: px of the canvas.
     """
 
     name: LocalName
     figure_px: float
     values: Values
-    scene: Values = field(default_factory=lambda: MappingProxyType({}))
+    scene: Values = field(default_factory=lambda: NO_VALUES)
+
+    @property
+    def has_only_light(self) -> bool:
+        """Whether it says nothing of the scene but its light."""
+        return all(name.startswith("light.") for name in self.scene)
 
 
-def apply_style(document: Document, layer_id: str, style: Style, frame: int) -> Document:
-    """Put a style on a layer: keyed properties get a key on ``frame``, the others a new constant."""
-    scale = document.layer(layer_id).figure.height / style.figure_px
-    for name, value in style.values.items():
-        prop = properties.OF_LAYER[name]
-        document = set_value(document, Address(prop, layer_id), _scaled(prop, value, scale), frame)
-    for name, value in style.scene.items():
-        document = set_value(document, Address(properties.OF_DOCUMENT[name]), value, frame)
-    return document
-
-
-def style_of(document: Document, layer_id: str, frame: int, name: str) -> Style:
-    """Return the look that a layer has at a frame; the light of the scene is no part of it."""
+def style_of(document: Document, layer_id: str, frame: int, name: str, *, with_scene: bool = False) -> Style:
+    """Return the look that a layer has at a frame; light, ground and set-up are part of it only if they are wished."""
     values = {prop.name: value_of(document, Address(prop, layer_id), frame) for prop in LINES}
+    scene = {prop.name: value_of(document, Address(prop), frame) for prop in SCENE_LINES if with_scene}
     height = float(document.layer(layer_id).figure.height)
-    return Style(LocalName(name), height, MappingProxyType(values))
-
-
-def _scaled(prop: AnyProperty, value: Value, scale: float) -> Value:
-    if prop.kind is not Kind.NUMBER or prop.unit not in _POWERS or not isinstance(value, float):
-        return value
-    return min(max(value * scale ** _POWERS[prop.unit], prop.low), prop.high)
+    return Style(LocalName(name.strip()), height, MappingProxyType(values), MappingProxyType(scene))

@@ -1,10 +1,9 @@
-"""The contact sheet: a row a character, a column a step, each unlike the one before. And styles."""
+"""The contact sheet: a row a character, a column a step, each unlike the one before."""
 
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from kagezou.cli.contact_sheet import CELL_PX, STEP_NAMES
 from kagezou.io.images.reading import read_cel
@@ -35,23 +34,3 @@ def test_samples_fill_a_sheet(shell: Shell, samples: Path, tmp_path: Path) -> No
 def test_what_cannot_be_drawn_is_one_line(shell: Shell, tmp_path: Path) -> None:
     shell.fails(2, "sheet", "-o", tmp_path / "x.png")
     shell.fails(3, "sheet", "-o", tmp_path / "x.png", "--character", "A=/nowhere")
-
-
-class TestStyles:
-    def test_they_are_listed_in_both_languages(
-        self, shell: Shell, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-    ) -> None:
-        monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
-        lines = dict(line.split("\t") for line in shell.ok("style").splitlines())
-        assert lines["Water"] == "水面"
-
-    @pytest.mark.parametrize("name", ["water", "水面"])
-    def test_one_is_put_on(self, shell: Shell, project: Path, name: str) -> None:
-        shell.ok("style", project, name)
-        assert float(shell.ok("get", project, "layers.Hero.shadow.wave1.amplitude")) > 0
-        assert shell.ok("get", project, "layers.Hero.shadow.color").strip().strip('"') == "#0E3A52"
-
-    def test_what_there_is_not_is_one_line(self, shell: Shell, project: Path) -> None:
-        assert "Torn water" in shell.fails(2, "style", project, "torn watr")
-        shell.fails(2, "style", project)
-        shell.fails(2, "style", project, "water", "--layer", "Nobody")

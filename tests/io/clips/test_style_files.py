@@ -1,31 +1,61 @@
 """Style files: those of the program, the user's own, and what is no style."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import MappingProxyType
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from kagezou.document.address import Address, value_of
-from kagezou.document.edits import add_layer, set_key
+from kagezou.animation.track import Value
+from kagezou.document.address import Address
+from kagezou.document.edits import add_layer, set_constant
 from kagezou.document.local_name import LocalName
 from kagezou.document.model import Canvas, Cels, Document
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
-from kagezou.document.style import LINES, Style, apply_style, style_of
+from kagezou.document.property import AnyProperty, Kind
+from kagezou.document.style import LINES, SCENE_LINES, Style, style_of
+from kagezou.document.styling import put_style
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.io.clips.style_files import bundled_styles, load_style, own_styles, save_style
+from tests.documents import names, values
 
 GOOD = {"style": 1, "name": {"en": "Mine", "ja": "自分"}, "figure_px": 500, "values": {"shadow.simplify": 30}}
 
 
-def document(height: int = 500) -> Document:
-    return add_layer(Document(Canvas(1000, 1000)), "A", Cels(), Box(0, 100, 200, 100 + height))
+def document() -> Document:
+    return add_layer(Document(Canvas(1000, 1000)), "A", Cels(), Box(0, 100, 200, 600))
 
 
-def value(of: Document, name: str, frame: int = 1) -> object:
-    address = Address(OF_LAYER[name], "layer-1") if name in OF_LAYER else Address(OF_DOCUMENT[name])
-    return value_of(of, address, frame)
+def another(prop: AnyProperty) -> Value:
+    """Return a value that is not the default."""
+    match prop.kind:
+        case Kind.NUMBER:
+            return (prop.low + 3 * prop.high) / 4
+        case Kind.CHOICE:
+            return prop.choices[0] if prop.default == prop.choices[1] else prop.choices[1]
+        case Kind.SWITCH:
+            return not prop.default
+        case Kind.COLOR:
+            return "#12AB34"
+        case Kind.PLACE:
+            return (1.5, -2.25, 1 / 3)
+        case _:
+            return (1.5, 1 / 3)
+
+
+def some(lines: tuple[AnyProperty, ...]) -> st.SearchStrategy[Mapping[str, Value]]:
+    """Return strategies for values of some of the lines, none and all of them included."""
+    return st.fixed_dictionaries({}, optional={line.name: values(line) for line in lines}).map(MappingProxyType)
+
+
+@st.composite
+def styles(draw: st.DrawFn) -> Style:
+    name = LocalName.of(draw(names), **draw(st.fixed_dictionaries({}, optional={"ja": names})))
+    return Style(name, draw(st.floats(1, 100_000)), draw(some(LINES)), draw(some(SCENE_LINES)))
 
 
 class TestBundled:
@@ -34,46 +64,24 @@ class TestBundled:
         assert names == ["Natural", "Simple", "Round shadow", "Long evening", "Water", "Torn water", "High key"]
         assert all(each.style.name.in_language("ja") != each.style.name.en for each in bundled_styles())
 
-    def test_each_replaces_the_one_before_wholly(self) -> None:
-        """What one style sets the next sets too, so that nothing of the first is left."""
-        names = [set(each.style.values) for each in bundled_styles()]
-        waves = {name for name in OF_LAYER if name.startswith(("shadow.wave", "shadow.slit_"))}
-        assert len({frozenset(each - waves) for each in names}) == 1
-        assert all("shadow.wave1.amplitude" in each for each in names)
-
-
-class TestApplying:
-    def test_lengths_grow_with_the_character(self) -> None:
-        style = Style(LocalName("a"), 500.0, MappingProxyType({"shadow.simplify": 30.0, "shadow.opacity": 0.4}))
-        tall = apply_style(document(1000), "layer-1", style, 1)
-        assert (value(tall, "shadow.simplify"), value(tall, "shadow.opacity")) == (60.0, 0.4)
-        huge = apply_style(document(100_000), "layer-1", style, 1)
-        assert value(huge, "shadow.simplify") == 500.0
-
-    def test_areas_grow_with_it_twice(self) -> None:
-        style = Style(LocalName("a"), 500.0, MappingProxyType({"shadow.least_part": 30.0}))
-        assert value(apply_style(document(1000), "layer-1", style, 1), "shadow.least_part") == 120.0
-
-    def test_what_is_keyed_gets_a_key(self) -> None:
-        keyed = set_key(document(), Address(OF_LAYER["shadow.simplify"], "layer-1"), 1, 5.0)
-        style = Style(LocalName("a"), 500.0, MappingProxyType({"shadow.simplify": 30.0}))
-        after = apply_style(keyed, "layer-1", style, 9)
-        assert [value(after, "shadow.simplify", frame) for frame in (1, 5, 9)] == [5.0, 17.5, 30.0]
-
-    def test_a_style_may_bring_its_light(self) -> None:
-        style = next(each.style for each in bundled_styles() if each.style.scene)
-        assert value(apply_style(document(), "layer-1", style, 1), "light.kind") == "sun"
-
 
 class TestOwn:
-    def test_a_look_is_kept_and_comes_back(self, tmp_path: Path) -> None:
-        style = bundled_styles()[4].style
-        before = apply_style(document(), "layer-1", style, 1)
-        kept = style_of(before, "layer-1", 1, "水たまり")
-        path = save_style(tmp_path / "styles", kept)
-        assert load_style(path) == kept
-        again = apply_style(document(), "layer-1", load_style(path), 1)
-        assert all(value(again, line.name) == value(before, line.name) for line in LINES)
+    @settings(deadline=None)
+    @given(styles())
+    def test_a_style_comes_back_as_it_was(self, style: Style) -> None:
+        with TemporaryDirectory() as folder:
+            assert load_style(save_style(Path(folder) / "styles", style)) == style
+
+    def test_a_look_with_light_ground_and_set_up_comes_back_on_another_cut(self, tmp_path: Path) -> None:
+        lit = document()
+        for prop in (*LINES, *SCENE_LINES):
+            address = Address(prop, "layer-1" if prop in LINES else None)
+            lit = set_constant(lit, address, another(prop))
+        kept = style_of(lit, "layer-1", 1, "夜", with_scene=True)
+        style = load_style(save_style(tmp_path, kept))
+        assert style == kept
+        again = put_style(document(), ["layer-1"], style, 1, with_light=True).document
+        assert (again.layers, again.tracks) == (lit.layers, lit.tracks)
 
     def test_a_broken_one_does_not_hide_the_others(self, tmp_path: Path) -> None:
         (tmp_path / "a.json").write_text("{")
@@ -84,7 +92,7 @@ class TestOwn:
         assert "a.json" in str(problems[0])
         assert own_styles(tmp_path / "none") == ((), ())
 
-    @pytest.mark.parametrize("name", ["", "   ", "x" * 81])
+    @pytest.mark.parametrize("name", ["", "   ", "x" * 81, "two\nlines"])
     def test_not_every_name_is_one(self, tmp_path: Path, name: str) -> None:
         with pytest.raises(UsageProblem):
             save_style(tmp_path, Style(LocalName(name), 500.0, MappingProxyType({})))
@@ -106,7 +114,9 @@ class TestOwn:
         {"values": {"shadow.simplify": -1}},
         {"values": {"shadow.wave_seed": 1}},
         {"values": {"tilt.x": 1}},
+        {"values": {"visible": False}},
         {"scene": {"layers": 1}},
+        {"scene": {"background.position": [0, 0]}},
         {"more": 1},
     ],
 )

@@ -317,7 +317,10 @@ def test_a_look_is_pasted_on_all_chosen_layers(
     assert style.name.en == "Third"
     lower = [layer.id for layer in session.document.layers[:2]]
     session.select_layers(lower[0], frozenset(lower[1:]))
+    noted: list[str] = []
+    layers.looks.noted.connect(noted.append)
     layers.looks.paste()
+    assert noted == ["Third: 4 properties changed"]
     assert opacities(trio) == [0.9, 0.9, 0.9]
     assert {value_of(session.document, Address(COLOR, each), 1) for each in lower} == {"#334455"}
     session.undo()

@@ -117,6 +117,15 @@ class TestLooks:
         window.parts.actions["undo"].trigger()
         assert window.parts.open_project.is_blank
 
+    def test_its_light_is_left_out_and_that_is_said(self, window: MainWindow, cels: Path) -> None:
+        evening = next(card for card, file in window.parts.welcome.looks if file.style.scene)
+        evening.click()
+        window.parts.project.bring([cels])
+        document = window.parts.open_project.bridge.document
+        assert "shadow.color" in document.layers[0].tracks
+        assert document.brought_light is None
+        assert "Long evening came without its own light" in window.parts.bar.text
+
     def test_a_look_is_let_go_by_a_second_click(self, window: MainWindow) -> None:
         card = window.parts.welcome.looks[1][0]
         card.click()

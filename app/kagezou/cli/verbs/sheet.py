@@ -34,15 +34,11 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Draw the sheet and write it."""
     from kagezou.cli.contact_sheet import STEP_NAMES, roomy, sheet_of
     from kagezou.importing.staging import CharacterSource
-    from kagezou.io.images.cel_cache import CelCache
     from kagezou.io.images.writing import write_rgba
-    from kagezou.render.renderer import Renderer
 
     imported = [roomy([CharacterSource(name, source)]) for name, source in options.character]
     with entry_points.open_context():
-        renderer = Renderer(CelCache())
-        sheet = sheet_of([each.document for each in imported], renderer, options.frame)
-        renderer.close()
+        sheet = sheet_of([each.document for each in imported], options.frame)
     write_rgba(options.output, sheet)
     for sentence in (each for one in imported for each in one.notes):
         note(sentence)

@@ -1,27 +1,33 @@
-"""``kagezou style``: puts a named look on a character, or lists the looks there are."""
+"""``kagezou style``: puts a named look on characters, keeps the look of one, or lists the looks there are."""
 
 from argparse import Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kagezou.cli.arguments import Parser, did_you_mean, project_path
+from kagezou.cli.arguments import Parser, did_you_mean, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.terminal import give, tell
+from kagezou.cli.terminal import give, note, tell
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 if TYPE_CHECKING:
-    from kagezou.document.model import Document
+    from kagezou.document.model import Document, Layer
     from kagezou.document.style import Style
+    from kagezou.document.styling import Styled
 
 DESCRIPTION = """\
-Put a style, a named set of the shadow's properties, on one character or on all. Properties that have keys get a key on
---frame. Without a style, list those there are: the program's own and the ones saved in the window."""
+Put a style, a named set of the shadow's properties, on one character or on all, and print what it changes. What a
+style does not name goes to its default, so that nothing is left of the style before. Properties that have keys get a
+key on --frame. A style's own light is left out unless it is asked for. Without a style, list those there are: the
+program's own and those of the user."""
 EXAMPLES = """\
   kagezou style
   kagezou style walk.kage water
-  kagezou style walk.kage "Long evening" --layer Hero --frame 12
+  kagezou style walk.kage "Simple" --layer Hero --frame 12 --dry-run
+  kagezou style walk.kage "Long evening" --with-light
+  kagezou style walk.kage --save "Our evening" --layer Hero --with-light
 """
+_ASKING = "--with-light"
 
 
 def add_arguments(parser: Parser) -> None:
@@ -29,54 +35,123 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("project", nargs="?", type=project_path, metavar="PROJECT.kage", help="the project to change")
     parser.add_argument("style", nargs="?", metavar="STYLE", help="its name in English or Japanese")
     parser.add_argument("--layer", metavar="NAME", help="the character (all of them)")
-    parser.add_argument("--frame", type=int, default=1, metavar="N", help="where keyed properties get their key (1)")
+    parser.add_argument(
+        "--frame", type=whole_number, default=1, metavar="N", help="where keyed properties get their key (1)"
+    )
+    parser.add_argument(
+        _ASKING, action="store_true", help="the style's own light too, with ground and set-up where it has them"
+    )
+    parser.add_argument("--save", metavar="NAME", help="keep the look of a character as a style of your own")
+    parser.add_argument("--dry-run", action="store_true", help="print what would change, and write nothing")
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
-    """List the styles, or load, change and write the project."""
-    from kagezou.document.style import apply_style
+    """List the styles; or keep one; or load, change and write the project."""
     from kagezou.io.project.file import load, save
 
-    styles = _styles()
-    if options.style is None:
-        if options.project is not None:
-            raise UsageProblem(Message("which style? (kagezou style lists them)"))
-        give("\n".join(f"{each.name.en}\t{each.name.in_language('ja')}" for each in styles.values()))
+    if options.project is None:
+        if options.save is not None:
+            raise UsageProblem(Message("--save keeps the look of a character of a project: which project?"))
+        give("\n".join(f"{each.name.en}\t{each.name.in_language('ja')}" for each in _styles().values()))
         return 0
-    wanted = options.style.casefold()
-    style = next(
-        (
-            each
-            for each in styles.values()
-            if wanted in (each.name.en.casefold(), each.name.in_language("ja").casefold())
-        ),
-        None,
-    )
-    if style is None:
-        hint = did_you_mean(options.style, list(styles)) or Message("; kagezou style lists them")
-        raise UsageProblem(Message("there is no style {style!r}{hint}", style=options.style, hint=hint))
-    before = document = load(options.project)
-    for layer_id in _layer_ids(document, options.layer):
-        document = apply_style(document, layer_id, style, options.frame)
-    if document is not before:
-        save(document, options.project)
+    if options.save is not None:
+        _keep(load(options.project), options)
+        return 0
+    if options.style is None:
+        raise UsageProblem(Message("which style? (kagezou style lists them)"))
+    style = _named(options.style)
+    document = load(options.project)
+    styled = _styled(document, style, options)
+    _say(document, styled)
+    if styled.document is not document and not options.dry_run:
+        save(styled.document, options.project)
     return 0
 
 
-def _styles() -> "dict[str, Style]":
-    import platformdirs
+def _keep(document: "Document", options: Namespace) -> None:
+    """Keep the look of the one character that is meant."""
+    from kagezou.document.style import style_of
+    from kagezou.io.clips.style_files import path_of_style, save_style
+    from kagezou.io.files.faults import shown
 
+    if options.style is not None:
+        raise UsageProblem(Message("put on a style, or keep one with --save, not both at once"))
+    layers = _meant(document, options.layer)
+    if len(layers) > 1:
+        names = ", ".join(repr(layer.name) for layer in layers)
+        raise UsageProblem(Message("the look of which character? --layer names one of {names}", names=names))
+    folder = _own_folder()
+    style = style_of(document, layers[0].id, options.frame, options.save, with_scene=options.with_light)
+    path = path_of_style(folder, style)
+    if path.exists():
+        note(Message("{path} is replaced", path=shown(path)))
+    if not options.dry_run:
+        save_style(folder, style)
+    give(str(path))
+
+
+def _styled(document: "Document", style: "Style", options: Namespace) -> "Styled":
+    """Return the document in the style; refused where its light is asked for and cannot come."""
+    from kagezou.document.styling import LeftOut, put_style
+
+    ids = [layer.id for layer in _meant(document, options.layer)]
+    styled = put_style(document, ids, style, options.frame, with_light=options.with_light)
+    if styled.left_out is LeftOut.NOT_EVERYBODY:
+        raise UsageProblem(
+            Message(
+                "{style} would change the light of all characters: --with-light and --layer do not go together",
+                style=style.name.en,
+            )
+        )
+    if options.with_light and not style.scene:
+        note(Message("{style} has no light of its own", style=style.name.en))
+    return styled
+
+
+def _say(before: "Document", styled: "Styled") -> None:
+    """Give a line for each property that is seen otherwise than before, and say what there is to know."""
+    from kagezou.cli.values import text_of_value
+    from kagezou.document.address import path_of
+    from kagezou.document.styling import notes_on
+
+    for change in styled.changes:
+        values = f"{text_of_value(change.before)} -> {text_of_value(change.after)}"
+        give(f"{path_of(before, change.address)} {values}")
+    for sentence in notes_on(styled, styled.style.name.en, _ASKING, lambda address: path_of(before, address)):
+        note(sentence)
+
+
+def _named(name: str) -> "Style":
+    styles = _styles()
+    wanted = name.casefold()
+    for each in styles.values():
+        if wanted in (each.name.en.casefold(), each.name.in_language("ja").casefold()):
+            return each
+    hint = did_you_mean(name, list(styles)) or Message("; kagezou style lists them")
+    raise UsageProblem(Message("there is no style {style!r}{hint}", style=name, hint=hint))
+
+
+def _styles() -> "dict[str, Style]":
     from kagezou.io.clips.style_files import bundled_styles, own_styles
 
-    own, problems = own_styles(Path(platformdirs.user_config_path("kagezou", appauthor=False)) / "styles")
+    own, problems = own_styles(_own_folder())
     for problem in problems:
         tell(str(problem))
     return {each.style.name.en: each.style for each in (*bundled_styles(), *own)}
 
 
-def _layer_ids(document: "Document", name: str | None) -> list[str]:
-    ids = [layer.id for layer in document.layers if name in (None, layer.name)]
-    if not ids:
+def _own_folder() -> Path:
+    import platformdirs
+
+    return Path(platformdirs.user_config_path("kagezou", appauthor=False)) / "styles"
+
+
+def _meant(document: "Document", name: str | None) -> "list[Layer]":
+    """Return the layer of a name, or without one every figure's."""
+    found = [layer for layer in document.layers if (layer.joins is None if name is None else name == layer.name)]
+    if not found:
+        if name is None:
+            raise UsageProblem(Message("there is no character in this project"))
         known = ", ".join(repr(layer.name) for layer in document.layers) or "none at all"
         raise UsageProblem(Message("there is no layer {name!r} in this project, only {known}", name=name, known=known))
-    return ids
+    return found

@@ -1,16 +1,18 @@
-"""Style files: those that come with the program, and the user's own beside them."""
+"""Style files: those that come with the program, and the user's own beside them.
+
+A file may name as few lines as it likes; a line of the look that it does not name has its default.
+"""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.track import Value
 from kagezou.document.local_name import LocalName
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.property import AnyProperty
-from kagezou.document.style import NOT_OF_A_STYLE, Style
+from kagezou.document.style import LINES, NO_VALUES, SCENE_LINES, Style, Values
 from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
@@ -76,16 +78,27 @@ def save_style(folder: Path, style: Style) -> Path:
     OutputProblem, DiskFullProblem
         If it cannot be written; what was there is still there.
     """
-    name = style.name.en.strip()
-    stem = "".join(letter if letter.isalnum() or letter in " -_" else "_" for letter in name).strip()
-    if not stem or len(stem) > 80:
-        raise UsageProblem(
-            Message("a style cannot be named {name!r}: a name is 1 to 80 letters and digits", name=name[:60])
-        )
-    path = folder / f"{stem}{SUFFIX}"
+    path = path_of_style(folder, style)
     folder.mkdir(parents=True, exist_ok=True)
     write_bytes(path, dumps_style(style).encode())
     return path
+
+
+def path_of_style(folder: Path, style: Style) -> Path:
+    """Return where a style of this name is kept in a folder.
+
+    Raises
+    ------
+    UsageProblem
+        If the name cannot be one.
+    """
+    name = style.name.en.strip()
+    stem = "".join(letter if letter.isalnum() or letter in " -_" else "_" for letter in name).strip()
+    if not stem or len(name) > 80 or not name.isprintable():
+        raise UsageProblem(
+            Message("a style cannot be named {name!r}: a name is 1 to 80 letters and digits", name=name[:60])
+        )
+    return folder / f"{stem}{SUFFIX}"
 
 
 def dumps_style(style: Style) -> str:
@@ -121,19 +134,11 @@ def _style(reader: Reader) -> Style:
     found = reader.record(("style", "name", "figure_px", "values"), ("scene",))
     found["style"].whole(VERSION, VERSION)
     names = found["name"].record(("en", "ja"))
-    layer_lines = {name: prop for name, prop in OF_LAYER.items() if name not in NOT_OF_A_STYLE}
-    height = found["figure_px"]
-    if (
-        isinstance(height.value, bool)
-        or not isinstance(height.value, (int, float))
-        or not 1 <= height.value <= _TALLEST_PX
-    ):
-        raise height.refused(Message("a height from 1 to {tallest_px:g} px", tallest_px=_TALLEST_PX))
     return Style(
         LocalName.of(_name(names["en"]), ja=_name(names["ja"])),
-        float(height.value),
-        _values(found["values"], layer_lines),
-        _values(found["scene"], OF_DOCUMENT) if "scene" in found else MappingProxyType({}),
+        _height(found["figure_px"]),
+        _values(found["values"], LINES),
+        _values(found["scene"], SCENE_LINES) if "scene" in found else NO_VALUES,
     )
 
 
@@ -151,7 +156,8 @@ def _height(reader: Reader) -> float:
     return float(height)
 
 
-def _values(reader: Reader, props: Mapping[str, AnyProperty]) -> Mapping[str, Value]:
+def _values(reader: Reader, lines: Sequence[AnyProperty]) -> Values:
+    props = {prop.name: prop for prop in lines}
     values: dict[str, Value] = {}
     for name, each in reader.members().items():
         if name not in props:

@@ -53,6 +53,12 @@ PROJECT: Final[Fields] = MappingProxyType({
                        "that run one way, and two square to them.", optional=True),
     "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
                     "none. Every layer has them in its own tracks too.", optional=True),
+    "brought_light": Field("object", "The light that a style brought; missing where none did.", optional=True),
+})  # fmt: skip
+
+BROUGHT_LIGHT: Final[Fields] = MappingProxyType({
+    "tracks": Field("object", "What the style set: property name → track, for properties of the scene."),
+    "before": Field("object", "What was there, for as many of these as had been set."),
 })  # fmt: skip
 
 BACKGROUND: Final[Fields] = MappingProxyType({

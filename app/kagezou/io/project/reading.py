@@ -12,7 +12,7 @@ from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.edits import still
 from kagezou.document.linking import LINKABLE
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
+from kagezou.document.model import BroughtLight, Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.paper import on_paper
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, ValueProblem
@@ -57,6 +57,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         pieces=tuple(_piece(each, folder) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
         vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
         linked=_linked(found["linked"]) if "linked" in found else frozenset(),
+        brought_light=_brought_light(found["brought_light"]) if "brought_light" in found else None,
     )
     if _row_count(document) > fields.MAX_ROWS:
         raise project.problem(Message("more than {most_rows} drawings, exposures and keys", most_rows=fields.MAX_ROWS))
@@ -69,7 +70,14 @@ def _record(reader: Reader, known: fields.Fields) -> dict[str, Reader]:
 
 
 def _row_count(document: Document) -> int:
-    owned = [document.tracks, *(layer.tracks for layer in document.layers), *(each.tracks for each in document.pieces)]
+    brought = document.brought_light
+    set_aside = [] if brought is None else [brought.tracks, brought.before]
+    owned = [
+        document.tracks,
+        *set_aside,
+        *(layer.tracks for layer in document.layers),
+        *(each.tracks for each in document.pieces),
+    ]
     tracks = [track for tracks in owned for track in tracks.values()]
     cels = [layer.cels for layer in document.layers]
     return sum(len(track.keys) for track in tracks) + sum(len(each.drawings) + len(each.exposures) for each in cels)
@@ -112,6 +120,12 @@ def _paper(found: Mapping[str, Reader]) -> Paper:
 
 def _linked(reader: Reader) -> frozenset[str]:
     return frozenset(each.word(list(LINKABLE)) for each in reader.items(len(LINKABLE)))
+
+
+def _brought_light(reader: Reader) -> BroughtLight:
+    found = _record(reader, fields.BROUGHT_LIGHT)
+    tracks = _tracks(found["tracks"], OF_DOCUMENT)
+    return BroughtLight(tracks, _tracks(found["before"], {name: OF_DOCUMENT[name] for name in tracks}))
 
 
 def _piece(reader: Reader, folder: Path) -> Piece:

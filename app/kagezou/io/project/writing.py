@@ -6,7 +6,7 @@ from pathlib import Path
 from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
-from kagezou.document.model import Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
+from kagezou.document.model import BroughtLight, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.paper import paper_of
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
@@ -39,7 +39,12 @@ def tree_of(document: Document, folder: Path) -> Tree:
         **({"set": [_piece(piece, folder) for piece in document.pieces]} if document.pieces else {}),
         **({"vanishing": [JsonRow(line) for line in document.vanishing.all]} if document.vanishing else {}),
         **({"linked": JsonRow([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
+        **({"brought_light": _brought_light(document.brought_light)} if document.brought_light else {}),
     }
+
+
+def _brought_light(brought: BroughtLight) -> dict[str, object]:
+    return {"tracks": _tracks(brought.tracks, OF_DOCUMENT), "before": _tracks(brought.before, OF_DOCUMENT)}
 
 
 def _background(behind: Cels, folder: Path) -> object:

@@ -2,8 +2,9 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from kagezou.document.style import apply_style, style_of
+from kagezou.document.style import style_of
 from kagezou.io.clips.style_files import dumps_style, loads_style
+from kagezou.ui.panels.style_use import put_on
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
 
@@ -21,6 +22,8 @@ class LookClipboard(QObject):
 
     refused = Signal(str)
     """One sentence on why nothing happened."""
+    noted = Signal(str)
+    """What there is to know of a look that was put on."""
 
     def __init__(self, bridge: Bridge, clipboard: Clipboard) -> None:
         super().__init__()
@@ -44,7 +47,7 @@ class LookClipboard(QObject):
         if style is None:
             self.refused.emit(self.tr("There is no look on the clipboard; copy one from a layer first."))
             return
-        document = self._bridge.document
-        for layer_id in self._bridge.layer_ids:
-            document = apply_style(document, layer_id, style, self._bridge.frame)
-        self._bridge.session.edit(self.tr("Paste look"), document)
+        if self._bridge.layer_ids:
+            self.noted.emit(
+                put_on(self._bridge, self._bridge.layer_ids, style, self.tr("Paste look"), with_light=False)
+            )

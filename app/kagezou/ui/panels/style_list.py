@@ -1,24 +1,27 @@
-"""The styles: the present drawing in every look there is; a click puts one on the character."""
+"""The styles: the present drawing in every look there is; resting on one shows it, a click puts it on the character."""
 
-from pathlib import Path
-
-from PySide6.QtCore import QModelIndex, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QIcon, QImage, QPixmap, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QInputDialog, QListView, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QListWidgetItem, QVBoxLayout, QWidget
 
-from kagezou.document.style import apply_style, style_of
+from kagezou.document.style import style_of
+from kagezou.document.styling import put_style
 from kagezou.errors import Problem
-from kagezou.io.clips.style_files import StyleFile, bundled_styles, own_styles, save_style
+from kagezou.io.clips.style_files import StyleFile, bundled_styles, own_styles, path_of_style, save_style
 from kagezou.io.files.small_files import remove_file
+from kagezou.ui.panels.style_name import StyleName
 from kagezou.ui.panels.style_pictures import StylePictures, Wanted
+from kagezou.ui.panels.style_use import put_on
+from kagezou.ui.panels.style_view import StyleView
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.widgets.tool_button import tool_button
 
 _PAUSE_MS = 500
 """Pictures are drawn anew when the hand has rested this long."""
 
-_ICON_LETTERS = 10
+_LIGHT_FLAG = "styles_bring_light"
 
 
 class StyleList(QWidget):
@@ -28,16 +31,19 @@ class StyleList(QWidget):
     ----------
     bridge
         The session.
-    folder
-        Where the user's own styles are kept.
+    settings
+        Where the user's own styles are kept, and whether styles bring their light.
     """
 
     failed = Signal(str)
+    noted = Signal(str)
+    """What there is to know of a style that was put on."""
 
-    def __init__(self, bridge: Bridge, folder: Path) -> None:
+    def __init__(self, bridge: Bridge, settings: Settings) -> None:
         super().__init__()
         self._bridge = bridge
-        self._folder = folder
+        self._settings = settings
+        self._folder = settings.style_folder
         self._files: tuple[StyleFile, ...] = ()
         self._is_seen = True
         self.pictures = StylePictures()
@@ -46,11 +52,22 @@ class StyleList(QWidget):
         self._rest.setSingleShot(True)
         self._rest.setInterval(_PAUSE_MS)
         self._rest.timeout.connect(self._ask)
-        self.list = self._made_list()
+        self.light = self._made_light()
+        self.list = StyleView()
+        self.list.setAccessibleName(self.tr("Styles"))
+        self.list.currentRowChanged.connect(lambda _: self._show_choice())
+        self.list.picked.connect(self.apply)
+        self.list.looked_at.connect(self._look_at)
+        self.list.looked_away.connect(lambda: bridge.look_at(None))
         self._lay_out()
         for signal in (bridge.document_changed, bridge.frame_changed, bridge.selection_changed):
             signal.connect(self._wait_for_rest)
         self.reload()
+
+    @property
+    def brings_light(self) -> bool:
+        """Whether a style that is put on brings its own light."""
+        return self.light.isChecked()
 
     def come(self, seen: bool) -> None:
         """Take note whether the dock is at the front; docks behind others count as shown with Qt, but not as seen."""
@@ -63,12 +80,13 @@ class StyleList(QWidget):
         for problem in problems:
             self.failed.emit(translated(problem))
         self._files = (*bundled_styles(), *own)
+        self.list.look_away()
         self.list.clear()
         blank = QPixmap(self.list.iconSize())
         blank.fill(Qt.GlobalColor.transparent)
         for each in self._files:
             item = QListWidgetItem(named(each.style.name))
-            item.setToolTip(named(each.style.name))
+            item.setToolTip(self._hint(each))
             item.setSizeHint(self.list.gridSize())
             item.setIcon(QIcon(blank))
             self.list.addItem(item)
@@ -79,18 +97,22 @@ class StyleList(QWidget):
         """Put a style on the chosen layers, as one step."""
         if not self._bridge.layer_ids or not 0 <= index < len(self._files):
             return
-        style, document = self._files[index].style, self._bridge.document
-        for layer_id in self._bridge.layer_ids:
-            document = apply_style(document, layer_id, style, self._bridge.frame)
-        self._bridge.session.edit(self.tr("Style: %1").replace("%1", named(style.name)), document)
+        style = self._files[index].style
+        step = self.tr("Style: %1").replace("%1", named(style.name))
+        self.noted.emit(put_on(self._bridge, self._bridge.layer_ids, style, step, with_light=self.brings_light))
 
-    def save(self, name: str) -> None:
-        """Keep the look of the layer worked on under a name."""
+    def save(self, name: str, *, with_scene: bool = False) -> None:
+        """Keep the look of the layer worked on under a name, perhaps with light, ground and set-up."""
         layer_id = self._bridge.layer_id
         if layer_id is None:
             return
         try:
-            save_style(self._folder, style_of(self._bridge.document, layer_id, self._bridge.frame, name))
+            look = style_of(self._bridge.document, layer_id, self._bridge.frame, name, with_scene=with_scene)
+            if path_of_style(self._folder, look).exists():
+                self.noted.emit(
+                    self.tr("The style %1 took the place of the one before").replace("%1", named(look.name))
+                )
+            save_style(self._folder, look)
         except Problem as problem:
             self.failed.emit(translated(problem))
         self.reload()
@@ -109,21 +131,22 @@ class StyleList(QWidget):
         super().showEvent(event)
         self._rest.start()
 
-    def _made_list(self) -> QListWidget:
-        made = QListWidget()
-        letter = made.fontMetrics().horizontalAdvance("0")
-        side = _ICON_LETTERS * letter
-        made.setViewMode(QListView.ViewMode.IconMode)
-        made.setResizeMode(QListView.ResizeMode.Adjust)
-        made.setMovement(QListView.Movement.Static)
-        made.setIconSize(QSize(side, side))
-        made.setGridSize(QSize(side + 2 * letter, side + round(1.8 * made.fontMetrics().height())))
-        made.setTextElideMode(Qt.TextElideMode.ElideRight)
-        made.setAccessibleName(self.tr("Styles"))
-        made.clicked.connect(self._choose)
-        made.activated.connect(self._choose)
-        made.currentRowChanged.connect(lambda _: self._show_choice())
+    def _hint(self, file: StyleFile) -> str:
+        name = named(file.style.name)
+        return f"{name}\n{self.tr('Has a light of its own')}" if file.style.scene else name
+
+    def _made_light(self) -> QCheckBox:
+        made = QCheckBox(self.tr("With its light"))
+        made.setToolTip(
+            self.tr("Where a style has a light of its own, take it along. Light is for all characters, so choose all.")
+        )
+        made.setChecked(self._settings.flag(_LIGHT_FLAG, default=False))
+        made.toggled.connect(self._bring_light)
         return made
+
+    def _bring_light(self, brings: bool) -> None:
+        self._settings.set_flag(_LIGHT_FLAG, on=brings)
+        self._wait_for_rest()
 
     def _lay_out(self) -> None:
         footer = QWidget()
@@ -131,7 +154,8 @@ class StyleList(QWidget):
         footer.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         row = QHBoxLayout(footer)
         row.setContentsMargins(4, 2, 4, 2)
-        row.addWidget(tool_button("add", self.tr("Keep this look as a style of your own"), self._ask_name))
+        row.addWidget(tool_button("add", self.tr("Keep this look as a style of your own"), self.ask_name))
+        row.addWidget(self.light)
         row.addStretch(1)
         self._remove = tool_button("remove", self.tr("Remove your style"), self.remove_current)
         row.addWidget(self._remove)
@@ -141,13 +165,25 @@ class StyleList(QWidget):
         column.addWidget(self.list, 1)
         column.addWidget(footer)
 
-    def _choose(self, index: QModelIndex) -> None:
-        self.apply(index.row())
+    def _look_at(self, index: int) -> None:
+        """Show the picture as it would be in a style, as long as nothing is done."""
+        if self._bridge.layer_ids and not self._bridge.session.is_in_gesture:
+            styled = put_style(
+                self._bridge.document,
+                self._bridge.layer_ids,
+                self._files[index].style,
+                self._bridge.frame,
+                with_light=self.brings_light,
+            )
+            self._bridge.look_at(styled.document)
 
-    def _ask_name(self) -> None:
-        name, given = QInputDialog.getText(self, self.tr("Keep as a style"), self.tr("Name"))
-        if given:
-            self.save(name)
+    def ask_name(self) -> None:
+        """Ask by which name the look of the layer worked on is kept."""
+        if self._bridge.layer_id is not None:
+            question = StyleName(self)
+            question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+            question.given.connect(lambda name, with_scene: self.save(name, with_scene=with_scene))
+            question.open()
 
     def _show_choice(self) -> None:
         index = self.list.currentRow()
@@ -159,10 +195,12 @@ class StyleList(QWidget):
         self._rest.start()
 
     def _ask(self) -> None:
-        layer_id = self._bridge.layer_id
-        if layer_id is not None and self._is_seen and self.isVisible():
+        if self._bridge.layer_ids and self._is_seen and self.isVisible():
             styles = tuple(each.style for each in self._files)
-            self.pictures.ask(Wanted(self._bridge.document, layer_id, self._bridge.frame, styles))
+            wanted = Wanted(
+                self._bridge.document, self._bridge.layer_ids, self._bridge.frame, styles, self.brings_light
+            )
+            self.pictures.ask(wanted)
 
     def _show_picture(self, index: int, image: QImage) -> None:
         item = self.list.item(index)

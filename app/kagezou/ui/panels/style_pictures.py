@@ -7,30 +7,36 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QImage
 
+from kagezou.document.local_name import LocalName
 from kagezou.document.model import Document
-from kagezou.document.style import Style, apply_style
-from kagezou.geometry.box import Box
-from kagezou.io.images.cel_cache import CelCache
+from kagezou.document.style import NO_VALUES, Style
+from kagezou.document.styling import put_style
+from kagezou.export.portraits import Portraits
 from kagezou.io.images.reading import Steps
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.render.renderer import Renderer
-from kagezou.scene.evaluate import evaluate
 from kagezou.ui.system.background import Latest, Turn
 from kagezou.ui.system.offscreen_context import OffscreenSurface
 
 SIDE_PX = 144
-_AROUND = 0.15
-"""How much of the figure's height is shown around it."""
+_PLAIN = Style(LocalName(""), 1.0, NO_VALUES)
 
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """What the pictures show: a layer of a document at a frame, in these styles."""
+    """What the pictures show: layers of a document at a frame in these styles, perhaps with the styles' own light.
+
+    The first layer is the one whose figure is seen.
+    """
 
     document: Document
-    layer_id: str
+    layer_ids: tuple[str, ...]
     frame: int
     styles: tuple[Style, ...]
+    with_light: bool
+
+    def in_style(self, style: Style) -> Document:
+        """Return the document in a style."""
+        return put_style(self.document, self.layer_ids, style, self.frame, with_light=self.with_light).document
 
 
 class StylePictures(QObject):
@@ -68,28 +74,26 @@ class StylePictures(QObject):
 
 def _draw(surface: OffscreenSurface, wanted: Wanted, turn: Turn[tuple[int, QImage]]) -> None:
     """Draw the pictures of one wish; on the worker's thread."""
-    figure = wanted.document.layer(wanted.layer_id).figure
+    first = wanted.document.layer(wanted.layer_ids[0])
     with surface.open():
-        renderer = Renderer(CelCache())
+        portraits = Portraits(wanted.document, first.joins or first.id, wanted.frame, SIDE_PX)
         try:
+            # What every picture shows at least, so that the figure is as large in most of them.
+            usual = portraits.box(wanted.in_style(_PLAIN))
             for index, style in enumerate(wanted.styles):
                 if turn.is_unwanted:
                     return
-                document = apply_style(wanted.document, wanted.layer_id, style, wanted.frame)
-                renderer.draw_picture(evaluate(document, wanted.frame), Backdrop.WHITE)
-                turn.tell((index, _small(renderer.read_picture(), figure)))
+                document = wanted.in_style(style)
+                around = usual.union(portraits.box(document))
+                turn.tell((index, _small(portraits.draw(document, around, Backdrop.WHITE))))
         finally:
-            renderer.close()
+            portraits.close()
 
 
-def _small(picture: Steps, figure: Box) -> QImage:
-    """Return the square around a figure, small."""
-    height, width = picture.shape[:2]
-    side = min(round(figure.height * (1 + 2 * _AROUND)), height, width)
-    left = min(max((figure.left + figure.right - side) // 2, 0), width - side)
-    top = min(max((figure.top + figure.bottom - side) // 2, 0), height - side)
-    part = np.ascontiguousarray(picture[top : top + side, left : left + side])
-    whole = QImage(part.data, side, side, side * 4, QImage.Format.Format_RGBA8888)
+def _small(picture: Steps) -> QImage:
+    """Return a square picture, small."""
+    side = picture.shape[0]
+    whole = QImage(np.ascontiguousarray(picture).data, side, side, side * 4, QImage.Format.Format_RGBA8888)
     small = whole.scaled(
         SIDE_PX, SIDE_PX, Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
     )

@@ -20,6 +20,8 @@ class Bridge(QObject):
     saved_changed = Signal(bool)
     history_changed = Signal()
     session_replaced = Signal()
+    shown_changed = Signal()
+    """Another document is looked at for the moment, or none any more."""
     settled = Signal()
     """The document is another one than when this was sent last, and no gesture is under way."""
 
@@ -28,6 +30,7 @@ class Bridge(QObject):
         self._session = session
         self._history: tuple[str | None, str | None] = (None, None)
         self._was_saved = True
+        self._looked_at: Document | None = None
         self._settled = session.document
         self._listen(session)
 
@@ -40,6 +43,22 @@ class Bridge(QObject):
     def document(self) -> Document:
         """The document now."""
         return self._session.document
+
+    @property
+    def shown(self) -> Document:
+        """The document that the picture shows: the session's own, or one that is looked at for the moment."""
+        return self._looked_at or self._session.document
+
+    def look_at(self, document: Document | None) -> None:
+        """Show another document in the picture, until something is done or None is looked at.
+
+        It is nowhere else: no step of history, never saved, and every panel keeps to the session's own.
+        """
+        if document is self._session.document:
+            document = None
+        if document is not self._looked_at:
+            self._looked_at = document
+            self.shown_changed.emit()
 
     @property
     def frame(self) -> int:
@@ -67,6 +86,7 @@ class Bridge(QObject):
         """Put another session in the place of this one and say that everything changed."""
         self._session = session
         self._settled = session.document
+        self._looked_at = None
         self._listen(session)
         self.session_replaced.emit()
         self.document_changed.emit()
@@ -84,6 +104,8 @@ class Bridge(QObject):
         session.listen(changed)
 
     def _changed(self, before: State, after: State) -> None:
+        if after is not before:
+            self.look_at(None)
         if after.document is not before.document:
             self.document_changed.emit()
         if _chosen(after) != _chosen(before):

@@ -73,6 +73,7 @@ class PictureWidget(QOpenGLWidget):
         self._backdrop = Backdrop.BACKGROUND
         self._view = PictureView.COMPOSITE
         bridge.document_changed.connect(self._document_changed)
+        bridge.shown_changed.connect(self.update)
         bridge.frame_changed.connect(self.update)
         bridge.session_replaced.connect(viewpoint.fit)
         bridge.session_replaced.connect(self.pace.forget)
@@ -192,7 +193,7 @@ class PictureWidget(QOpenGLWidget):
         self.started.emit(self._frame_painter.device, self._frame_painter.is_software)
 
     def _paint(self, frame_painter: FramePainter) -> None:
-        document, view = self._bridge.document, self._view
+        document, view = self._bridge.shown, self._view
         self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
         if not self._is_current and frame_painter.pictures_drawn:
             frame_painter.present(_window_view(self, self.viewpoint.view))

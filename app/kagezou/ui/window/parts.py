@@ -180,7 +180,7 @@ def _panels(bridge: Bridge, clipboard: Clipboard, settings: Settings) -> Panels:
         thumbnails,
         LayerList(bridge, clipboard, thumbnails),
         Inspector(bridge, clipboard),
-        StyleList(bridge, settings.style_folder),
+        StyleList(bridge, settings),
     )
 
 

@@ -4,12 +4,12 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
 
-from kagezou.document.style import apply_style
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.table import exporter_of
 from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
+from kagezou.ui.panels.style_use import put_on
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
@@ -122,7 +122,9 @@ def connect_messages(parts: Parts) -> None:
     viewport.failed.connect(lambda sentence: bar.say("graphics", sentence), _QUEUED)
     viewport.broken_changed.connect(show_broken, _QUEUED)
     parts.panels.layers.looks.refused.connect(lambda sentence: bar.say("look", sentence, Severity.NOTE))
+    parts.panels.layers.looks.noted.connect(lambda said: bar.say("style", said, Severity.NOTE))
     parts.panels.styles.failed.connect(lambda sentence: bar.say("styles", sentence))
+    parts.panels.styles.noted.connect(lambda said: bar.say("style", said, Severity.NOTE))
     viewport.controller.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(parts.status.show_device, _QUEUED)
     parts.open_project.noted.connect(lambda note: bar.say(str(note), translated(note), Severity.WARNING))
@@ -150,12 +152,11 @@ def _begin_with_style(parts: Parts) -> None:
         return
     parts.welcome.forget_style()
     if parts.open_project.path is None:
-        document = bridge.document
-        for layer in document.layers:
-            document = apply_style(document, layer.id, style, bridge.frame)
-        words = QCoreApplication.translate("StyleList", "Style: %1")
+        words = QCoreApplication.translate("StyleList", "Style: %1").replace("%1", named(style.name))
+        everybody = tuple(layer.id for layer in bridge.document.layers)
         # Within the gesture that brought the character, if there is one: then both are one step.
-        bridge.session.edit(words.replace("%1", named(style.name)), document)
+        said = put_on(bridge, everybody, style, words, with_light=parts.panels.styles.brings_light)
+        parts.bar.say("style", said, Severity.NOTE)
 
 
 def _export(parts: Parts) -> None:
