@@ -5,7 +5,7 @@ uniform vec4 u_slits;                  // share, spacing px, growth, the distanc
 uniform vec2 u_slits_moved;            // how far rows have gone as a part of the spacing; by which part lengths differ
 uniform vec3 u_slit_rows;              // what is added to a row's number; after how many they come again; the seed
 
-const float LENGTH_SPACINGS = 18.0;
+const float LENGTH_SPACINGS = 26.0;
 const float LEAST_WIDTH = 0.3;
 const float MOST_WIDTH = 0.6;
 const float WIDER = 0.35;

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from kagezou.geometry.waves import Ripple
 
-LENGTH_SPACINGS = 18.0
+LENGTH_SPACINGS = 26.0
 """How long a length with one gap is, in spacings of rows."""
 
 LEAST_WIDTH = 0.3

@@ -8,10 +8,13 @@ import numpy as np
 import pytest
 
 from kagezou.document.model import Document
+from kagezou.document.style import apply_style
 from kagezou.geometry.slits import Slits
+from kagezou.io.clips.style_files import bundled_styles
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import ShadowCast
+from tests.render.prepare.test_least_parts import parts_of
 from tests.render.reference import blurred, raycast, set_raycast
 from tests.render.reference.blurred import ContactLine, Shape
 from tests.render.reference.figures import figure_alpha, standing, with_values
@@ -172,3 +175,13 @@ class TestTime:
         )
         assert np.array_equal(first, again)
         assert np.abs(first - other).sum() > 0.02 * first.sum()
+
+
+@pytest.mark.parametrize("frame", [1, 9, 30])
+def test_torn_water_opens_the_body_and_leaves_no_specks(renderer: Renderer, figure: Path, frame: int) -> None:
+    style = next(each.style for each in bundled_styles() if each.style.name.en == "Torn water")
+    document = apply_style(standing(figure), "layer-1", style, frame)
+    parts = parts_of(coverage(renderer, document, frame) >= 0.5, diagonal=True)
+    assert len(parts) >= 6
+    assert min(len(part) for part in parts) >= 60
+    assert max(len(part) for part in parts) < 0.5 * sum(len(part) for part in parts)
