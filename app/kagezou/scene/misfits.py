@@ -1,4 +1,4 @@
-"""What stands wrongly in a frame: figures through set pieces, points whose shadow is a sliver, lamps overhead."""
+"""What stands wrongly in a frame: figures through set pieces, slivers, lamps overhead, heads off the picture."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,6 +21,7 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at, ground_at, light_at
 from kagezou.scene.figure_card import Moment, card_of
+from kagezou.scene.long_shadows import leaving_words
 from kagezou.scene.overhead import dark_words, joined_words
 from kagezou.scene.pieces import pieces_at
 from kagezou.scene.placing import drawing_of, figure_box, shown_parts
@@ -45,6 +46,8 @@ class MisfitKind(Enum):
     """A lamp in the plane of a drawing casts next to nothing."""
     JOINED = auto()
     """Nothing wrong: a lamp overhead is four, whose shadows are simplified to one."""
+    LEAVES = auto()
+    """The head of a long shadow falls beside the picture."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +81,7 @@ def misfits_at(document: Document, frame: int) -> tuple[Misfit, ...]:
     """Return what stands wrongly on a frame: of set pieces with flat faces, and under the main light."""
     on = Moment(document, frame, camera_at(document, frame), ground_at(document, frame))
     shown = [layer for layer in document.layers if layer.joins is None and _is_shown(document, layer, frame)]
-    found = ((*_pokes(on, layer), *_slivers(on, layer), *_overhead(on, layer)) for layer in shown)
+    found = ((*_pokes(on, layer), *_slivers(on, layer), *_lighting(on, layer)) for layer in shown)
     return tuple(misfit for each in found for misfit in each)
 
 
@@ -152,8 +155,10 @@ def _slivers(on: Moment, layer: Layer) -> Iterator[Misfit]:
     yield Misfit(MisfitKind.SLIVER, layer.id, None, words)
 
 
-def _overhead(on: Moment, layer: Layer) -> Iterator[Misfit]:
-    for kind, words in ((MisfitKind.DARK, dark_words(on, layer)), (MisfitKind.JOINED, joined_words(on, layer))):
+def _lighting(on: Moment, layer: Layer) -> Iterator[Misfit]:
+    asked = ((MisfitKind.DARK, dark_words), (MisfitKind.JOINED, joined_words), (MisfitKind.LEAVES, leaving_words))
+    for kind, ask in asked:
+        words = ask(on, layer)
         if words is not None:
             yield Misfit(kind, layer.id, None, words)
 
