@@ -7,7 +7,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kagezou.geometry.ground import ground_plane
-from kagezou.geometry.light import foot_of, grazing_strength, is_over, lamp, sun, virtual_lights
+from kagezou.geometry.light import (
+    foot_of,
+    grazing_strength,
+    is_over,
+    joined,
+    lamp,
+    overhead_share,
+    sun,
+    virtual_lights,
+)
 from kagezou.geometry.vectors import Vector3, dot, height_over
 
 GROUND = ground_plane((500.0, 800.0), 20.0, 60.0)
@@ -67,6 +76,35 @@ def test_virtual_lights_move_no_further_than_the_lamp_allows(
     moved = hypot(mx, mz)
     for a, b in zip(one if len(one) == 4 else one * 4, other if len(other) == 4 else other * 4, strict=True):
         assert hypot(a[0] - b[0], a[2] - b[2]) <= 2 * moved + 1e-9
+
+
+def test_a_lamp_is_overhead_by_the_part_of_the_radius_it_is_within() -> None:
+    assert overhead_share(lamp((500.0, 100.0, 0.0)), CONTACT, 100.0) == 1.0
+    assert overhead_share(lamp((530.0, 100.0, 40.0)), CONTACT, 100.0) == pytest.approx(0.5)
+    assert overhead_share(lamp((600.0, 100.0, 0.0)), CONTACT, 100.0) == 0.0
+    assert overhead_share(lamp((900.0, 100.0, 0.0)), CONTACT, 100.0) == 0.0
+    assert overhead_share(lamp((500.0, 100.0, 0.0)), CONTACT, 0.0) == 0.0
+    assert overhead_share(sun(GROUND, 0.0, 90.0), CONTACT, 100.0) == 0.0
+
+
+def test_straight_overhead_the_four_shadows_are_joined_everywhere() -> None:
+    assert joined(0.0, 250.0, 150.0, 1.0) == (150.0, 0.0)
+    assert joined(20.0, 250.0, 150.0, 1.0) == (150.0, 0.0)
+    assert joined(200.0, 250.0, 150.0, 1.0) == (200.0, 62.5)
+
+
+def test_without_an_overhead_light_or_an_amount_nothing_is_joined() -> None:
+    assert joined(20.0, 250.0, 150.0, 0.0) == (20.0, 250.0)
+    assert joined(20.0, 250.0, 0.0, 1.0) == (20.0, 250.0)
+
+
+@given(st.floats(1, 300), st.floats(1, 300), st.floats(0, 1), st.floats(0, 0.01), st.floats(0, 0.1))
+def test_joining_comes_without_a_pop(amount: float, at_least: float, share: float, more: float, px: float) -> None:
+    one = joined(amount, 200.0, at_least, share)
+    other = joined(amount + px, 200.0, at_least, min(share + more, 1.0))
+    assert one[0] == pytest.approx(other[0], abs=px + 300.0 * more + 1e-9)
+    assert one[1] == pytest.approx(other[1], abs=200.0 * more + 200.0 * px / amount + 1e-9)
+    assert one[0] >= amount
 
 
 def test_grazing_light_fades_to_nothing() -> None:

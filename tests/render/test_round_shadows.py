@@ -48,7 +48,7 @@ def test_it_is_the_disc_on_the_ground(renderer: Renderer, document: Document, ca
     middle = (10.0 / scene.ground.u[0], 0.0)
     across, away = (each / np.where(w == 0, 1, w) - at for each, at in zip((u, v), middle, strict=True))
     distance = np.where(w > 0, np.hypot(across, away), np.inf)
-    radius = 0.315 * document.layers[0].figure.height
+    radius = 0.275 * document.layers[0].figure.height
     wanted = distance <= radius
     assert wanted.sum() > 3000
     assert np.minimum(found, wanted).sum() / np.maximum(found, wanted).sum() > 0.98
@@ -57,7 +57,7 @@ def test_it_is_the_disc_on_the_ground(renderer: Renderer, document: Document, ca
 
 
 def test_its_area_is_exact_and_its_edge_anti_aliased(renderer: Renderer, document: Document) -> None:
-    radius = 0.315 * document.layers[0].figure.height
+    radius = 0.275 * document.layers[0].figure.height
     found = coverage(renderer, document)
     assert found.sum() == pytest.approx(pi * radius**2 * cos(radians(60.0)), rel=2e-3)
     assert ((found > 0.05) & (found < 0.95)).any()

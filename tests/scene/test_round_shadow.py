@@ -69,7 +69,8 @@ def test_it_replaces_what_the_light_casts() -> None:
 def test_it_lies_under_the_feet_as_wide_as_artists_draw_it() -> None:
     document = standing([((480.0, 900.0), (540.0, 900.0))])
     assert middle(document) == pytest.approx((510.0, 900.0))
-    assert 0.63 * TALL <= width(document) <= 0.74 * TALL
+    # Of the two whose shadows were measured one drew 0.64 to 0.74 of the height, the other 0.48 to 0.59.
+    assert 0.85 * 0.64 * TALL <= width(document) <= 1.15 * 0.59 * TALL
     placement = round_cast(document).placement
     assert placement is not None
     assert placement.scale[1] / placement.scale[0] == pytest.approx(cos(radians(TIPPED_DEG)))
@@ -136,7 +137,7 @@ def test_a_figure_without_feet_has_one_too() -> None:
     assert casts[0] is not None
     assert casts[0].card.contacts[0] == pytest.approx((250.0, GROUND, 0.0))
     assert casts[0].placement is not None
-    assert 2 * DISC_RADIUS_PX * casts[0].placement.scale[0] == pytest.approx(0.63 * 400)
+    assert 2 * DISC_RADIUS_PX * casts[0].placement.scale[0] == pytest.approx(0.55 * 400)
 
 
 @pytest.mark.parametrize("view", [{}, {"camera.fov": 50.0, "ground.roll": 10.0, "tilt": 20.0}])

@@ -85,6 +85,12 @@ OVERHEAD_RADIUS = Property(
           "still casts."),
     unit="px", low=0.0, high=100000.0,
 )  # fmt: skip
+OVERHEAD_SIMPLIFY = Property(
+    "light.overhead_simplify", Kind.NUMBER, Scope.DOCUMENT, 0.0,
+    Message("Overhead simplify"),
+    Message("So much at least shadows are simplified while the lamp is straight above, which joins its four to one."),
+    unit="px", low=0.0, high=500.0, slides=(0.0, 200.0),
+)  # fmt: skip
 
 GROUNDING: Property[tuple[Point2, ...]] = Property(
     "grounding", Kind.POINTS, Scope.LAYER, (),
@@ -234,8 +240,8 @@ WAVE2 = wave_lines(2, 37.0, 70.0, 2.0)
 
 TABLE: tuple[AnyProperty, ...] = (
     FOV, GROUND_POSITION, GROUND_ROLL, GROUND_DECLINATION,
-    LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS, LIGHT_STEP,
-    SHADOWS_UNITE, BACKGROUND_POSITION,
+    LIGHT_KIND, LIGHT_POSITION, LIGHT_AZIMUTH, LIGHT_ELEVATION, OVERHEAD_RADIUS, OVERHEAD_SIMPLIFY,
+    LIGHT_STEP, SHADOWS_UNITE, BACKGROUND_POSITION,
     GROUNDING, TILT, *STANCE_LINES, VISIBLE, RECEIVES, *PLACEMENT_LINES, TIMING, SHAPE, MATTE, PAINTED, EDGES,
     SIMPLIFY_ON, SIMPLIFY, DISTANCE, ELONGATION, LEAST_PART, GROW, SOFTNESS, PENUMBRA,
     COLOR, OPACITY, BLEND, FADE, FADE_CURVE, TIP_COLOR, TIP_DISTANCE, *LIFT_LINES,

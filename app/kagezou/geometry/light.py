@@ -49,11 +49,44 @@ def virtual_lights(light: Vector4, contact: Vector3, overhead_radius_px: float) 
     four are the light itself, which is then returned once (paper 3.7, spec 2).
     """
     x, y, z, w = light
-    reach = overhead_radius_px - hypot(x - contact[0], z - contact[2])
+    reach = overhead_radius_px - horizontal_distance(light, contact)
     if w == 0 or reach <= 0:
         return (light,)
     step = reach / sqrt(2)
     return tuple((x + sx * step, y, z + sz * step, w) for sx in (-1, 1) for sz in (-1, 1))
+
+
+def overhead_share(light: Vector4, contact: Vector3, overhead_radius_px: float) -> float:
+    """Return how far a light is overhead: 1 straight above the contact, 0 for the sun and from the radius on."""
+    if light[3] == 0 or overhead_radius_px <= 0:
+        return 0.0
+    return max(1.0 - horizontal_distance(light, contact) / overhead_radius_px, 0.0)
+
+
+def horizontal_distance(light: Vector4, contact: Vector3) -> float:
+    """Return how far a lamp is from straight above the contact, in (x, z), world px."""
+    return hypot(light[0] - contact[0], light[2] - contact[2])
+
+
+def joined(amount_px: float, distance_px: float, at_least_px: float, share: float) -> tuple[float, float]:
+    """Return amount and distance of a simplification that joins the four shadows of an overhead light.
+
+    The amount rises to ``at_least_px`` with the share, and the distance falls to 0, as far as that amount asks for it:
+    at the feet the four part most. Continuous in all; with a share of 0, or nothing asked for, both are as before.
+
+    Parameters
+    ----------
+    amount_px, distance_px
+        As they are set.
+    at_least_px
+        The amount straight overhead.
+    share
+        How far the light is overhead, 0 to 1.
+    """
+    if share <= 0 or at_least_px <= 0:
+        return amount_px, distance_px
+    asked = min(at_least_px / max(amount_px, at_least_px), 1.0)
+    return max(amount_px + share * (at_least_px - amount_px), amount_px), distance_px * (1.0 - share * asked)
 
 
 def grazing_strength(sine_of_height: float) -> float:

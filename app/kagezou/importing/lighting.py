@@ -23,6 +23,7 @@ from kagezou.geometry.placement import canvas_from_centred
 from kagezou.geometry.vectors import Matrix
 from kagezou.importing.figures import Figure, MeasuredFigure, measured_figure
 from kagezou.importing.first_light import MOST_TURN_DEG, FirstLight, first_light
+from kagezou.importing.overhead import ready_for_overhead
 from kagezou.importing.placed_figures import placed_figure
 from kagezou.importing.travel import Station, stations, turn_of_shadows
 from kagezou.message import Message
@@ -50,7 +51,8 @@ def with_ground_and_light(document: Document, figures_seen: Mapping[str, Measure
     lowest = max(figures, key=lambda figure: figure.foot[1])
     document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
     later = np.concatenate([look.later for look in figures_seen.values()])
-    return _lit(document, _light(document, figures, later, list(_drawn_ways(document, figures_seen))))
+    ways = list(_drawn_ways(document, figures_seen))
+    return _first_lit(document, figures, later, ways)
 
 
 def relit(document: Document) -> tuple[Document, tuple[Message, ...]]:
@@ -119,7 +121,7 @@ def grounded_as_shown(document: Document) -> Document:
     lowest = max(figures, key=lambda figure: figure.foot[1])
     document = set_constant(document, Address(GROUND_POSITION), lowest.foot)
     outlines = np.concatenate(list(_moved_outlines(document, looks)))
-    return _lit(document, _light(document, figures, outlines, list(_shown_ways(document))))
+    return _first_lit(document, figures, outlines, list(_shown_ways(document)))
 
 
 def _first_seen(layer: Layer) -> int:
@@ -139,6 +141,14 @@ def _light(
     document: Document, figures: Sequence[Figure], later: Matrix, ways: Sequence[Sequence[Station]]
 ) -> FirstLight:
     return first_light(document.canvas.box, camera_at(document, 1), ground_at(document, 1), figures, later, ways)
+
+
+def _first_lit(
+    document: Document, figures: Sequence[Figure], later: Matrix, ways: Sequence[Sequence[Station]]
+) -> Document:
+    """Return a new document in its first light, and ready for a lamp overhead."""
+    document = _lit(document, _light(document, figures, later, ways))
+    return ready_for_overhead(document, max(float(figure.box.height) for figure in figures), ways)
 
 
 def _lit(document: Document, light: FirstLight) -> Document:

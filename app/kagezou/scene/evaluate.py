@@ -10,7 +10,7 @@ from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card
 from kagezou.geometry.ground import Plane, ground_plane
-from kagezou.geometry.light import is_over, lamp, sun, virtual_lights
+from kagezou.geometry.light import is_over, joined, lamp, overhead_share, sun, virtual_lights
 from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.scene.contact_patches import contact_at
 from kagezou.scene.figure_card import Moment, card_of
@@ -138,7 +138,8 @@ def _cast(
     if lowered is not None:
         cels = tuple(lowered_cel(lowered, cel) for cel in cels)
     radius = value_at(on.document.tracks, properties.OVERHEAD_RADIUS, moment)
-    spread = virtual_lights(light, contact_of(card, on.ground), radius)
+    contact = contact_of(card, on.ground)
+    spread = virtual_lights(light, contact, radius)
     cast = ShadowCast(
         figure=cels,
         translucent=value_at(figure.tracks, properties.MATTE, moment) == "translucent",
@@ -146,7 +147,7 @@ def _cast(
         receivers=(on.ground,),
         card=card,
         lights=tuple(each for each in spread if is_over(on.ground, each)),
-        simplify=_simplify(figure.tracks, moment),
+        simplify=_simplify(on.document.tracks, figure.tracks, moment, overhead_share(light, contact, radius)),
         edge=_edge(figure.tracks, moment, 0.0 if lift is None else lift.wider_px),
         water=water,
         least_part_px2=value_at(figure.tracks, LEAST_PART, moment),
@@ -184,11 +185,13 @@ def _set_shadow(document: Document, frame: int, dark: SetCast) -> SetShadow | No
     return SetShadow(replace(dark, lights=tuple(each for each in spread if is_over(dark.ground, each))), look)
 
 
-def _simplify(tracks: Tracks, frame: int) -> Simplify | None:
-    amount = value_at(tracks, properties.SIMPLIFY, frame)
+def _simplify(of_scene: Tracks, tracks: Tracks, frame: int, overhead: float) -> Simplify | None:
+    """Return how a shadow is simplified, under a light that is so far overhead (0 to 1)."""
+    at_least = value_at(of_scene, properties.OVERHEAD_SIMPLIFY, frame)
+    amount, distance = (value_at(tracks, prop, frame) for prop in (properties.SIMPLIFY, properties.DISTANCE))
+    amount, distance = joined(amount, distance, at_least, overhead)
     if amount < LEAST_PX or not value_at(tracks, properties.SIMPLIFY_ON, frame):
         return None
-    distance = value_at(tracks, properties.DISTANCE, frame)
     return Simplify(amount, distance, value_at(tracks, properties.ELONGATION, frame))
 
 

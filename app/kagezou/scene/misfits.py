@@ -1,7 +1,8 @@
-"""What stands wrongly in a frame: a figure that pokes through a set piece, and points whose shadow is a sliver."""
+"""What stands wrongly in a frame: figures through set pieces, slivers, lamps overhead, heads off the picture."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from enum import Enum, auto
 from typing import Final
 
 import numpy as np
@@ -20,6 +21,8 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at, ground_at, light_at
 from kagezou.scene.figure_card import Moment, card_of
+from kagezou.scene.long_shadows import leaving_words
+from kagezou.scene.overhead import dark_words, joined_words
 from kagezou.scene.pieces import pieces_at
 from kagezou.scene.placing import drawing_of, figure_box, shown_parts
 
@@ -32,47 +35,69 @@ _SLIVER: Final = 0.25
 _MOST_FRAMES: Final = 24
 
 
+class MisfitKind(Enum):
+    """What is to be known."""
+
+    POKES = auto()
+    """A figure pokes through a set piece."""
+    SLIVER = auto()
+    """Grounding points leave next to nothing of a shadow."""
+    DARK = auto()
+    """A lamp in the plane of a drawing casts next to nothing."""
+    JOINED = auto()
+    """Nothing wrong: a lamp overhead is four, whose shadows are simplified to one."""
+    LEAVES = auto()
+    """The head of a long shadow falls beside the picture."""
+
+
 @dataclass(frozen=True, slots=True)
 class Misfit:
-    """Something that stands wrongly.
+    """Something that stands wrongly, or otherwise than it seems.
 
     Parameters
     ----------
+    kind
+        What it is.
     figure_id
         The layer of the figure.
     piece_id
-        The set piece that it pokes through; None for a sliver.
+        The set piece that it pokes through, else None.
     message
         What the user should know.
     """
 
+    kind: MisfitKind
     figure_id: str
     piece_id: str | None
     message: Message
+
+    @property
+    def about(self) -> tuple[object, ...]:
+        """What it is about: of what is the same on many frames only the first is said."""
+        return (self.kind, self.figure_id, self.piece_id)
 
 
 def misfits_at(document: Document, frame: int) -> tuple[Misfit, ...]:
     """Return what stands wrongly on a frame: of set pieces with flat faces, and under the main light."""
     on = Moment(document, frame, camera_at(document, frame), ground_at(document, frame))
     shown = [layer for layer in document.layers if layer.joins is None and _is_shown(document, layer, frame)]
-    return tuple(misfit for layer in shown for misfit in (*_pokes(on, layer), *_slivers(on, layer)))
+    found = ((*_pokes(on, layer), *_slivers(on, layer), *_lighting(on, layer)) for layer in shown)
+    return tuple(misfit for each in found for misfit in each)
 
 
 def misfits_of(document: Document) -> tuple[Misfit, ...]:
     """Return what stands wrongly on any of some frames spread over the cut, each once."""
-    if not document.pieces and all(GROUNDING.name not in layer.tracks for layer in document.layers):
-        return ()
-    found: dict[tuple[str, str | None], Misfit] = {}
+    found: dict[tuple[object, ...], Misfit] = {}
     for frame in spread_frames(document.canvas.length_frames, _MOST_FRAMES):
         for misfit in misfits_at(document, frame):
-            found.setdefault((misfit.figure_id, misfit.piece_id), misfit)
+            found.setdefault(misfit.about, misfit)
     return tuple(found.values())
 
 
 def new_misfits(before: tuple[Misfit, ...], after: tuple[Misfit, ...]) -> tuple[Misfit, ...]:
     """Return those that were not there before."""
-    known = {(misfit.figure_id, misfit.piece_id) for misfit in before}
-    return tuple(misfit for misfit in after if (misfit.figure_id, misfit.piece_id) not in known)
+    known = {misfit.about for misfit in before}
+    return tuple(misfit for misfit in after if misfit.about not in known)
 
 
 def _is_shown(document: Document, layer: Layer, frame: int) -> bool:
@@ -97,7 +122,7 @@ def _pokes(on: Moment, layer: Layer) -> Iterator[Misfit]:
             piece=piece.name,
             frame=on.frame,
         )
-        yield Misfit(layer.id, piece.id, words)
+        yield Misfit(MisfitKind.POKES, layer.id, piece.id, words)
 
 
 def _polygons(on: Moment, card: Card, box: Box) -> Iterator[Matrix]:
@@ -127,7 +152,15 @@ def _slivers(on: Moment, layer: Layer) -> Iterator[Misfit]:
         frame=on.frame,
         percent=100 * area / whole,
     )
-    yield Misfit(layer.id, None, words)
+    yield Misfit(MisfitKind.SLIVER, layer.id, None, words)
+
+
+def _lighting(on: Moment, layer: Layer) -> Iterator[Misfit]:
+    asked = ((MisfitKind.DARK, dark_words), (MisfitKind.JOINED, joined_words), (MisfitKind.LEAVES, leaving_words))
+    for kind, ask in asked:
+        words = ask(on, layer)
+        if words is not None:
+            yield Misfit(kind, layer.id, None, words)
 
 
 def _shadow_area(on: Moment, card: Card, box: Box) -> float | None:

@@ -73,12 +73,13 @@ class Handle:
     Parameters
     ----------
     id
-        Stable while the same thing is edited: ``light.lamp``, ``light.foot``, ``light.sun``, ``ground.position``,
-        ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``, ``filter.distance``, ``filter.wave1``,
-        ``filter.wave2``, ``grounding.0``, ``grounding.1`` …, ``match.horizon``, ``match.horizon_end``,
-        ``match.end.0`` …, and of the set piece worked on ``piece.position``, ``piece.turn``, ``piece.width``,
-        ``piece.depth``, ``piece.height``, ``piece.lean``; of the figure worked on ``foot.0`` …, ``foot_ground.0`` …;
-        while a cel is transformed ``cel.anchor``, ``cel.corner.0`` …, ``cel.turn.0`` …, ``cel.move``.
+        Stable while the same thing is edited: ``light.lamp``, ``light.foot``, ``light.sun``, ``light.overhead``,
+        ``ground.position``, ``ground.end``, ``ground.declination``, ``tilt.lever``, ``shadow.tip``,
+        ``filter.distance``, ``filter.wave1``, ``filter.wave2``, ``grounding.0``, ``grounding.1`` …,
+        ``match.horizon``, ``match.horizon_end``, ``match.end.0`` …; of the set piece worked on ``piece.position``,
+        ``piece.turn``, ``piece.width``, ``piece.depth``, ``piece.height``, ``piece.lean``; of the figure worked on
+        ``foot.0`` …, ``foot_ground.0`` …; while a cel is transformed ``cel.anchor``, ``cel.corner.0`` …,
+        ``cel.turn.0`` …, ``cel.move``.
     shape
         Its look, of constant size on screen.
     canvas_px
@@ -126,6 +127,8 @@ class GuideKind(StrEnum):
     DECLINATION = "declination"
     LAMP_TO_FOOT = "lamp-to-foot"
     FOOT_TO_CONTACT = "foot-to-contact"
+    OVERHEAD_AREA = "overhead-area"
+    """Within it a lamp above is spread into four."""
     SUN_DIAL = "sun-dial"
     """The dial's rim: elevation 0."""
     SUN_RAY = "sun-ray"

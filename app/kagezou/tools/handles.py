@@ -12,6 +12,7 @@ from kagezou.tools import (
     grounding,
     light,
     matching,
+    overhead,
     set_piece,
     set_size,
     shadow,
@@ -24,7 +25,7 @@ from kagezou.tools.handle import Handle, HandleSet
 from kagezou.tools.pointer import Modifiers, Pointer
 from kagezou.tools.view import CanvasView
 
-_ROOMS = (ground, tilt, filters, grounding, feet, shadow, set_size, set_piece, light, sun)
+_ROOMS = (ground, tilt, filters, grounding, feet, shadow, set_size, set_piece, overhead, light, sun)
 """Whose handles lie over whose: the last one's are topmost."""
 
 _MOVES: MappingProxyType[str, Move] = MappingProxyType(
@@ -40,6 +41,7 @@ _MOVES: MappingProxyType[str, Move] = MappingProxyType(
         filters.WAVE2: filters.move_wave,
         light.FOOT: light.move_foot,
         light.LAMP: light.move_lamp,
+        overhead.OVERHEAD: overhead.move_rim,
         sun.SUN: sun.move_sun,
         set_piece.POSITION: set_piece.move_position,
         set_piece.TURN: set_piece.move_turn,

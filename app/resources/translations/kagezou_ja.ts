@@ -1552,6 +1552,14 @@
         <translation>波</translation>
     </message>
     <message>
+        <source>Contact with the ground</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>Reflection</source>
+        <translation>映り込み</translation>
+    </message>
+    <message>
         <source>Shadow of the set</source>
         <translation>セットの影</translation>
     </message>
@@ -3552,12 +3560,28 @@ Drop a folder of cels here.</source>
         <translation>このプロジェクトにレイヤー {name!r} はありません（レイヤーがひとつもありません）</translation>
     </message>
     <message>
+        <source>0 keeps the figure&apos;s own colours, 1 has the colour of the reflection alone.</source>
+        <translation>0 で元の色のまま、1 で映り込みの色だけになります。</translation>
+    </message>
+    <message>
         <source>0 stands parallel to the screen, 1 along the ground&apos;s normal, as walls do.</source>
         <translation>0 は画面に平行に立ち、1 は壁のように地面の法線に沿って立ちます。</translation>
     </message>
     <message>
+        <source>1 keyed property got a key on frame {frame}: {names}</source>
+        <translation>キーのあるプロパティ 1 個の {frame} フレームにキーを打ちました：{names}</translation>
+    </message>
+    <message>
+        <source>1 mirrors the figure as a body that stands up from the ground, 0 as the card that casts its shadow.</source>
+        <translation>1 で地面に立つ体として映し、0 で影を落とす板として映します。</translation>
+    </message>
+    <message>
         <source>After Effects</source>
         <translation>After Effects</translation>
+    </message>
+    <message>
+        <source>At this distance from the feet the reflection has faded away; 0 does not fade.</source>
+        <translation>足元からこの距離で映り込みが消えます。0 で消えません。</translation>
     </message>
     <message>
         <source>Background position</source>
@@ -3568,8 +3592,32 @@ Drop a folder of cels here.</source>
         <translation>投影</translation>
     </message>
     <message>
+        <source>Casts</source>
+        <translation>影を落とす</translation>
+    </message>
+    <message>
+        <source>Colour that the reflection takes on, sRGB.</source>
+        <translation>映り込みに付ける色 (sRGB)。</translation>
+    </message>
+    <message>
+        <source>Contact size</source>
+        <translation>接地影の大きさ</translation>
+    </message>
+    <message>
+        <source>Contact softness</source>
+        <translation>接地影のぼかし</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接地影</translation>
+    </message>
+    <message>
         <source>Disc</source>
         <translation>円</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>縁</translation>
     </message>
     <message>
         <source>Fade in a jump</source>
@@ -3588,12 +3636,20 @@ Drop a folder of cels here.</source>
         <translation>足 (接地)</translation>
     </message>
     <message>
+        <source>From one row of gaps to the next on the ground; 0 is the length of wave 1.</source>
+        <translation>地面上での切れ目の列の間隔。0では波1の波長になります。</translation>
+    </message>
+    <message>
         <source>Ground below the foot</source>
         <translation>足の下の地面</translation>
     </message>
     <message>
         <source>Ground line</source>
         <translation>接地線</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>くっきり</translation>
     </message>
     <message>
         <source>How large the drawings are; below 0 they are mirrored.</source>
@@ -3608,6 +3664,38 @@ Drop a folder of cels here.</source>
         <translation>地面からキャラクター 1 体分の高さで影がどれだけ小さくなるか。</translation>
     </message>
     <message>
+        <source>How much of the amplitude moves the shadow sideways: long streaks over 1, none at 0.</source>
+        <translation>振幅のうち影を横に動かす割合。1を超えると長い筋になり、0では動きません。</translation>
+    </message>
+    <message>
+        <source>How much of the amplitude moves the shadow toward the viewer and back; small is calm water.</source>
+        <translation>振幅のうち影を手前と奥に動かす割合。小さいと静かな水面になります。</translation>
+    </message>
+    <message>
+        <source>How much of the length of a crest of wave 1 is open, in long gaps without shadow; 0 has none.</source>
+        <translation>波1の山に沿って、影のない細長い切れ目が占める長さの割合。0では切れ目がありません。</translation>
+    </message>
+    <message>
+        <source>How much of the movement in depth is a movement sideways as well: streaks lean.</source>
+        <translation>奥行きの動きにともなう横の動きの割合。筋が傾きます。</translation>
+    </message>
+    <message>
+        <source>How much of the movement sideways is a movement in depth as well: streaks rise to one side.</source>
+        <translation>横の動きにともなう奥行きの動きの割合。筋が片側へ上がります。</translation>
+    </message>
+    <message>
+        <source>How much wider the gaps get with every px of distance from the feet.</source>
+        <translation>足元から1px離れるごとに切れ目が広がる量。</translation>
+    </message>
+    <message>
+        <source>How soft the edge of each patch is; 0 is crisp, 1 fades from its middle.</source>
+        <translation>縁のぼかし。0 でくっきり、1 で中心からぼけます。</translation>
+    </message>
+    <message>
+        <source>How wide each patch is; 1 is a tenth of the figure&apos;s height, about a shoe.</source>
+        <translation>影の幅。1 は身長の 10 分の 1、靴くらいです。</translation>
+    </message>
+    <message>
         <source>Layered frames</source>
         <translation>レイヤー付きフレーム</translation>
     </message>
@@ -3616,8 +3704,52 @@ Drop a folder of cels here.</source>
         <translation>最小の部分</translation>
     </message>
     <message>
+        <source>Left out</source>
+        <translation>除く</translation>
+    </message>
+    <message>
+        <source>Light step</source>
+        <translation>ライトの刻み</translation>
+    </message>
+    <message>
+        <source>Opacity of a small dark patch under each foot on the ground, in the colour of the shadow; 0 is none.</source>
+        <translation>地面についた足の下の小さな濃い影の不透明度。影の色で描きます。0 でなし。</translation>
+    </message>
+    <message>
+        <source>Opacity of the figure mirrored in the ground, moved by the waves of its shadow; 0 is none.</source>
+        <translation>地面に映るキャラクターの不透明度。影と同じ波で揺れます。0 でなし。</translation>
+    </message>
+    <message>
+        <source>Overhead simplify</source>
+        <translation>頭上ライトの単純化</translation>
+    </message>
+    <message>
+        <source>Painted shadow</source>
+        <translation>描き込みの影</translation>
+    </message>
+    <message>
         <source>Position</source>
         <translation>位置</translation>
+    </message>
+    <message>
+        <source>Reflection colour</source>
+        <translation>映り込みの色</translation>
+    </message>
+    <message>
+        <source>Reflection fade</source>
+        <translation>映り込みの減衰</translation>
+    </message>
+    <message>
+        <source>Reflection tone</source>
+        <translation>映り込みの色味</translation>
+    </message>
+    <message>
+        <source>Reflection upright</source>
+        <translation>映り込みの直立</translation>
+    </message>
+    <message>
+        <source>Reflection</source>
+        <translation>映り込み</translation>
     </message>
     <message>
         <source>Render farm job</source>
@@ -3644,12 +3776,40 @@ Drop a folder of cels here.</source>
         <translation>跳躍時の縮み</translation>
     </message>
     <message>
+        <source>Slit growth</source>
+        <translation>切れ目の広がり</translation>
+    </message>
+    <message>
+        <source>Slit spacing</source>
+        <translation>切れ目の間隔</translation>
+    </message>
+    <message>
+        <source>Slits</source>
+        <translation>切れ目</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>滑らか</translation>
+    </message>
+    <message>
+        <source>Smooth: anti-aliased; hard: a pixel is all shadow or none, as in pixel art, whatever the softness.</source>
+        <translation>滑らか: アンチエイリアスあり。くっきり: ドット絵のように、ぼかしに関係なく 1 ピクセルは影か影でないかのどちらか。</translation>
+    </message>
+    <message>
+        <source>So much at least shadows are simplified while the lamp is straight above, which joins its four to one.</source>
+        <translation>ライトが真上にある間、影は少なくともこの量だけ単純化され、四つの影が一つにまとまります。</translation>
+    </message>
+    <message>
         <source>Soften in a jump</source>
         <translation>跳躍時のぼけ</translation>
     </message>
     <message>
         <source>Stance</source>
         <translation>立ち方</translation>
+    </message>
+    <message>
+        <source>The lamp moves by whole steps of this length, so that pixel art does not shimmer; 0 moves freely.</source>
+        <translation>ランプがこの長さの刻みで動き、ドット絵の影がちらつきません。0 で自由に動きます。</translation>
     </message>
     <message>
         <source>The layer whose figure this one is a part of; empty for a figure of its own.</source>
@@ -3684,6 +3844,22 @@ Drop a folder of cels here.</source>
         <translation>動画</translation>
     </message>
     <message>
+        <source>Wave {number} depth shear</source>
+        <translation>波{number} 奥行きへの傾き</translation>
+    </message>
+    <message>
+        <source>Wave {number} in depth</source>
+        <translation>波{number} 奥行きの動き</translation>
+    </message>
+    <message>
+        <source>Wave {number} sideways shear</source>
+        <translation>波{number} 横への傾き</translation>
+    </message>
+    <message>
+        <source>Wave {number} sideways</source>
+        <translation>波{number} 横の動き</translation>
+    </message>
+    <message>
         <source>What the figure stands on: its feet where they were found, its grounding points, or the ground line.</source>
         <translation>キャラクターが何で立つか: 見つかった足、接地点、または接地線。</translation>
     </message>
@@ -3698,6 +3874,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Where the middle of the background lies on the canvas: keyed, it pans.</source>
         <translation>背景の中心がキャンバスのどこに置かれるか。キーを打つとパンします。</translation>
+    </message>
+    <message>
+        <source>Whether a shadow that is painted into the drawings, half-transparent at the base, casts with them.</source>
+        <translation>絵の足元に半透明で描き込まれた影も、絵と一緒に影を落とすかどうか。</translation>
     </message>
     <message>
         <source>Whether shadows of like look unite where they meet; else each darkens what the others left.</source>
@@ -3722,6 +3902,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>layers.{layer}: its drawings are on different paper</source>
         <translation>layers.{layer}: 動画ごとに紙の扱いが違います</translation>
+    </message>
+    <message>
+        <source>light and ground</source>
+        <translation>ライトと地面</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>ライト</translation>
     </message>
     <message>
         <source>near the lamp the shadow turns round while the figure travels; the sun, or a lamp farther off, keeps its direction</source>
@@ -3752,8 +3940,28 @@ Drop a folder of cels here.</source>
         <translation>人物が広い面で接地しています（裾、座り、寝そべりなど）</translation>
     </message>
     <message>
+        <source>the head of {figure}&apos;s long shadow falls beside the picture on frame {frame}, as it does under any sun</source>
+        <translation>フレーム {frame} で {figure} の長い影の頭が画面の外に落ちます。太陽をどこに置いても外れます</translation>
+    </message>
+    <message>
+        <source>the head of {figure}&apos;s long shadow falls beside the picture on frame {frame}: light.azimuth = {azimuth} and light.elevation = {elevation} keep it there</source>
+        <translation>フレーム {frame} で {figure} の長い影の頭が画面の外に落ちます。light.azimuth = {azimuth}、light.elevation = {elevation} にすると画面内に収まります</translation>
+    </message>
+    <message>
+        <source>the lamp is in the plane of {figure}&apos;s drawing on frame {frame}, so there is next to no shadow: light.overhead_radius = {radius} makes four of it, and another z brings it out of that plane</source>
+        <translation>フレーム {frame} でライトが {figure} の作画の平面内にあるため、影がほとんど出ません。light.overhead_radius = {radius} にすると四つのライトに分かれます。z を変えると平面から外れます</translation>
+    </message>
+    <message>
+        <source>the lamp is straight above {figure} on frame {frame}: it is four lamps there, whose shadows are simplified to one (light.overhead_radius, light.overhead_simplify)</source>
+        <translation>フレーム {frame} でライトが {figure} の真上にあります。そこでは四つのライトに分かれ、その影は単純化されて一つになります（light.overhead_radius、light.overhead_simplify）</translation>
+    </message>
+    <message>
         <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
         <translation>光源を太陽にしました：ランプの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
+    </message>
+    <message>
+        <source>the light that another style had brought was taken back</source>
+        <translation>前のスタイルが入れたライトを元に戻しました</translation>
     </message>
     <message>
         <source>the pictures of the background are not a sequence without gaps, so they were copied</source>
@@ -3856,6 +4064,10 @@ Drop a folder of cels here.</source>
         <translation>{count} 枚の絵が見つかりません：{names}</translation>
     </message>
     <message>
+        <source>{count} keyed properties got a key on frame {frame}: {names}</source>
+        <translation>キーのあるプロパティ {count} 個の {frame} フレームにキーを打ちました：{names}</translation>
+    </message>
+    <message>
         <source>{figure} pokes through {piece} on frame {frame}, which cuts its shadow: more room behind the figure, or upright = 1, keeps it whole</source>
         <translation>フレーム {frame} で {figure} が {piece} を突き抜けていて、影が切れます：キャラクターの後ろをもっと空けるか、upright = 1 にすると切れません</translation>
     </message>
@@ -3908,6 +4120,10 @@ Drop a folder of cels here.</source>
         <translation>{names} ほか {count} 点</translation>
     </message>
     <message>
+        <source>{names} went to the end of the range: the character is very small or very tall</source>
+        <translation>{names} は範囲の端の値にしました：キャラクターがとても小さいか、とても大きいためです</translation>
+    </message>
+    <message>
         <source>{names}: standing upright now, as the set does</source>
         <translation>{names}：セットと同じく、まっすぐに立つようになりました</translation>
     </message>
@@ -3926,6 +4142,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{name} {value}{unit} ({change}{unit})</source>
         <translation>{name} {value}{unit} ({change}{unit})</translation>
+    </message>
+    <message>
+        <source>{name}: a shadow seems to be painted into its drawings, half-transparent at the base, and casts with them; layers.{name}.shadow.painted=left_out leaves it out</source>
+        <translation>{name}: 足元に半透明の影が描き込まれているようで、絵と一緒に影を落とします。layers.{name}.shadow.painted=left_out で除けます</translation>
     </message>
     <message>
         <source>{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; each lies centred on the canvas</source>
@@ -4130,6 +4350,26 @@ Drop a folder of cels here.</source>
     <message>
         <source>{reason}</source>
         <translation>{reason}</translation>
+    </message>
+    <message>
+        <source>{style} came without its own {what}: light is for all characters, and only some are meant</source>
+        <translation>{style}に含まれる{what}は使いませんでした。ライトは全キャラクター共通ですが、一部のキャラクターだけが対象です</translation>
+    </message>
+    <message>
+        <source>{style} came without its own {what}: {asking} brings that too</source>
+        <translation>{style}に含まれる{what}は使いませんでした。使うには：{asking}</translation>
+    </message>
+    <message>
+        <source>{style}: 1 property changed</source>
+        <translation>{style}：プロパティ 1 個を変更しました</translation>
+    </message>
+    <message>
+        <source>{style}: nothing looks otherwise than before</source>
+        <translation>{style}：見た目は前と変わりません</translation>
+    </message>
+    <message>
+        <source>{style}: {count} properties changed</source>
+        <translation>{style}：プロパティ {count} 個を変更しました</translation>
     </message>
     <message>
         <source>{text!r} is not a number; type 12.5, *2, /3, +10, -=10 or 50%</source>
@@ -4897,6 +5137,18 @@ Drop a folder of cels here.</source>
         <translation>スタイル</translation>
     </message>
     <message>
+        <source>The style %1 took the place of the one before</source>
+        <translation>スタイル %1 を上書きしました</translation>
+    </message>
+    <message>
+        <source>With its light</source>
+        <translation>ライトも使う</translation>
+    </message>
+    <message>
+        <source>Where a style has a light of its own, take it along. Light is for all characters, so choose all.</source>
+        <translation>スタイルにライトが含まれていれば、それも使います。ライトは全キャラクター共通なので、すべて選んでください。</translation>
+    </message>
+    <message>
         <source>Keep this look as a style of your own</source>
         <translation>この見た目を自分のスタイルとして保存</translation>
     </message>
@@ -4904,13 +5156,35 @@ Drop a folder of cels here.</source>
         <source>Remove your style</source>
         <translation>自分のスタイルを削除</translation>
     </message>
+</context>
+<context>
+    <name>StyleName</name>
     <message>
         <source>Keep as a style</source>
         <translation>スタイルとして保存</translation>
     </message>
     <message>
+        <source>Keep the light and the ground, too</source>
+        <translation>ライトと地面も保存する</translation>
+    </message>
+    <message>
+        <source>Light, ground, field of view and the look of the set&apos;s shadow, as they are on this canvas.</source>
+        <translation>ライト、地面、視野角、セットの影の見た目を、このキャンバスでの値のまま保存します。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>名前</translation>
+    </message>
+</context>
+<context>
+    <name>StyleUse</name>
+    <message>
+        <source>“With its light” in the Styles panel</source>
+        <translation>「スタイル」パネルの「ライトも使う」</translation>
     </message>
 </context>
 <context>
@@ -5038,8 +5312,8 @@ Drop a folder of cels here.</source>
 <context>
     <name>WaveNote</name>
     <message>
-        <source>The tear number is 2π · amplitude / length, summed over both sets; the outline tears from 1 on.</source>
-        <translation>ちぎれ値は 2π × 振幅 ÷ 波長（二つの波の合計）。1 以上で輪郭がちぎれます。</translation>
+        <source>Tear: 2π / length × the movement across the crests, added up over both sets; from 1 on it tears.</source>
+        <translation>ちぎれ:2π / 波長 × 波の進む方向への動き(2組の合計)。1以上でちぎれます。</translation>
     </message>
     <message>
         <source>Loop over the cut</source>

@@ -30,6 +30,20 @@ def test_points_whose_shadow_collapses_say_so_once(shell: Shell, project: Path) 
     shell.ok("set", project, "layers.Hero.shadow.opacity=0.5")
 
 
+def test_a_lamp_that_comes_to_stand_above_a_figure_is_said(shell: Shell, project: Path) -> None:
+    radius, simplify = (shell.json("get", project, f"light.overhead_{each}") for each in ("radius", "simplify"))
+    x, _ = shell.json("get", project, "ground.position")
+    assert radius > 0
+    assert simplify > 0
+    shell.ok("set", project, "light.overhead_radius=0")
+    assert shell("set", project, f"light.position=[{x},-40,0]") == 0
+    assert "in the plane of Hero's drawing on frame 1" in shell.said
+    assert shell("set", project, f"light.overhead_radius={radius}") == 0
+    assert "the lamp is straight above Hero on frame 1" in shell.said
+    assert shell("set", project, "light.overhead_radius=30") == 0
+    assert shell.said == ""
+
+
 def test_a_wall_that_is_pushed_into_a_figure_is_said(shell: Shell, project: Path) -> None:
     assert shell("piece", project, "add", "back", "wall") == 0
     assert "pokes through" not in shell.said

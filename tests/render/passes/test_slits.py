@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from kagezou.document.model import Document
-from kagezou.document.style import apply_style
+from kagezou.document.styling import put_style
 from kagezou.geometry.slits import Slits
 from kagezou.io.clips.style_files import bundled_styles
 from kagezou.render.renderer import Renderer
@@ -180,7 +180,7 @@ class TestTime:
 @pytest.mark.parametrize("frame", [1, 9, 30])
 def test_torn_water_opens_the_body_and_leaves_no_specks(renderer: Renderer, figure: Path, frame: int) -> None:
     style = next(each.style for each in bundled_styles() if each.style.name.en == "Torn water")
-    document = apply_style(standing(figure), "layer-1", style, frame)
+    document = put_style(standing(figure), ("layer-1",), style, frame).document
     parts = parts_of(coverage(renderer, document, frame) >= 0.5, diagonal=True)
     assert len(parts) >= 6
     assert min(len(part) for part in parts) >= 60

@@ -27,6 +27,7 @@ from kagezou.ui.system.clipboard import Clipboard
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
     properties.OVERHEAD_RADIUS.name: "point",
+    properties.OVERHEAD_SIMPLIFY.name: "point",
     properties.LIGHT_STEP.name: "point",
     properties.LIGHT_AZIMUTH.name: "sun",
     properties.LIGHT_ELEVATION.name: "sun",

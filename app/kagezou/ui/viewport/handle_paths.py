@@ -31,6 +31,7 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.DECLINATION: (_CLEAR, Qt.PenStyle.SolidLine),
     GuideKind.LAMP_TO_FOOT: (_CLEAR, Qt.PenStyle.DashLine),
     GuideKind.FOOT_TO_CONTACT: (_FAINT, Qt.PenStyle.DashLine),
+    GuideKind.OVERHEAD_AREA: (_CLEAR, Qt.PenStyle.DashLine),
     GuideKind.SUN_DIAL: (_FAINT, Qt.PenStyle.SolidLine),
     GuideKind.SUN_RAY: (_CLEAR, Qt.PenStyle.DashLine),
     GuideKind.TILT_ARC: (_FAINT, Qt.PenStyle.SolidLine),
