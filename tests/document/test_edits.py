@@ -10,6 +10,7 @@ from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document import edits, invariants
 from kagezou.document.address import Address, addresses, path_of, resolve, track_of, value_of
+from kagezou.document.linking import link
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import (
     FOV,
@@ -20,6 +21,8 @@ from kagezou.document.properties import (
     OPACITY,
     VISIBLE,
 )
+from kagezou.document.set_pieces import add_piece
+from kagezou.document.set_properties import PIECE_LEAN
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from tests.documents import documents
@@ -231,3 +234,28 @@ def test_a_document_is_sound_after_every_edit(document: Document, data: st.DataO
         edits.set_exposures(document, layer_id, (Exposure(frame, None),)),
     ):
         invariants.check(changed)
+
+
+class TestUnset:
+    """What is taken away is as if nobody had ever set it."""
+
+    def test_of_scene_layer_and_piece(self) -> None:
+        plain = edits.add_layer(Document(Canvas(100, 100)), "A", Cels(), Box(0, 0, 9, 9))
+        plain = add_piece(plain, "Wall", "wall")
+        for address, value in (
+            (Address(FOV), 30.0),
+            (Address(OPACITY, "layer-1"), 0.2),
+            (Address(PIECE_LEAN, piece_id=plain.pieces[0].id), 5.0),
+        ):
+            changed = edits.set_key(plain, address, 3, value)
+            assert changed != plain
+            assert edits.unset(changed, address) == plain
+            assert edits.unset(plain, address) is plain
+
+    def test_of_a_linked_property_it_goes_from_all(self) -> None:
+        plain = Document(Canvas(100, 100))
+        for name in "AB":
+            plain = edits.add_layer(plain, name, Cels(), Box(0, 0, 9, 9))
+        address = Address(OPACITY, "layer-1")
+        linked = link(edits.set_constant(plain, address, 0.2), address)
+        assert edits.unset(linked, address).layers == plain.layers

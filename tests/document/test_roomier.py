@@ -8,10 +8,11 @@ from hypothesis import strategies as st
 
 from kagezou.document.address import Address, addresses, value_of
 from kagezou.document.edits import add_layer, set_constant, set_key
-from kagezou.document.figure_properties import BACKGROUND_POSITION, POSITION
+from kagezou.document.figure_properties import ANCHOR, BACKGROUND_POSITION, POSITION
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
-from kagezou.document.properties import FOV, GROUND_POSITION, GROUNDING, LIGHT_POSITION
-from kagezou.document.roomier import roomier
+from kagezou.document.properties import FOV, GROUND_POSITION, GROUNDING, LIGHT_POSITION, TABLE
+from kagezou.document.property import Kind
+from kagezou.document.roomier import PLACES, roomier
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.vectors import Vector4
@@ -77,3 +78,9 @@ def test_everything_that_is_no_place_is_as_it_was(document: Document, across: in
     for address in addresses(document):
         if address.property.name not in moved | {"anchor"}:
             assert value_of(after, address, 7) == value_of(document, address, 7)
+
+
+def test_every_place_in_the_table_is_known() -> None:
+    """A new property whose values are places has to go along, too."""
+    kinds = (Kind.POINT, Kind.PLACE, Kind.POINTS)
+    assert {line for line in TABLE if line.kind in kinds and line.unit == "px"} == {*PLACES, ANCHOR}

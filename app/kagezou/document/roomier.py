@@ -13,7 +13,7 @@ from kagezou.document.properties import FOV, GROUND_POSITION, GROUNDING, LIGHT_P
 from kagezou.document.property import AnyProperty, Usual
 from kagezou.document.set_properties import PIECE_POSITION
 
-_PLACES: Final = frozenset((GROUND_POSITION, LIGHT_POSITION, BACKGROUND_POSITION, POSITION, GROUNDING, PIECE_POSITION))
+PLACES: Final = frozenset((GROUND_POSITION, LIGHT_POSITION, BACKGROUND_POSITION, POSITION, GROUNDING, PIECE_POSITION))
 """The properties whose values are places on the canvas; an anchor is one in its drawing."""
 
 
@@ -63,7 +63,7 @@ def _moved_tracks(tracks: Tracks, table: Mapping[str, AnyProperty], way: tuple[i
     places = {
         name: tracks.get(name, Track(prop.default))
         for name, prop in table.items()
-        if prop in _PLACES and (name in tracks or prop.usual is Usual.DEFAULT)
+        if prop in PLACES and (name in tracks or prop.usual is Usual.DEFAULT)
     }
     return MappingProxyType({**tracks, **{name: _moved_track(track, way) for name, track in places.items()}})
 
