@@ -49,8 +49,12 @@ def sheet_of(documents: Sequence[Document], frame: int = 1) -> Picture:
 
     In a row every cell shows the same place, so that the first figure and its shadow are whole in all of them.
     """
-    rows = [np.concatenate(_row(cut, frame), axis=1) for cut in documents]
-    return np.ascontiguousarray(np.concatenate(rows, axis=0)[: -_GAP_PX or None, : -_GAP_PX or None])
+    return framed([np.concatenate(_row(cut, frame), axis=1) for cut in documents])
+
+
+def framed(rows: Sequence[Picture]) -> Picture:
+    """Return rows of cells, all as wide, under one another without the gap beyond the last ones."""
+    return np.ascontiguousarray(np.concatenate(rows, axis=0)[:-_GAP_PX, :-_GAP_PX])
 
 
 def _row(cut: Document, frame: int) -> list[Picture]:
@@ -58,24 +62,24 @@ def _row(cut: Document, frame: int) -> list[Picture]:
     portraits = Portraits(cut, cut.layers[0].id, frame, CELL_PX)
     around = reduce(Box.union, (portraits.box(each) for each in steps))
     backdrop = Backdrop.BACKGROUND if cut.background else Backdrop.WHITE
-    cells = [_cell(portraits.draw(each, around, backdrop)) for each in steps]
+    cells = [cell_of(portraits.draw(each, around, backdrop), CELL_PX) for each in steps]
     portraits.close()
     return cells
 
 
-def _cell(picture: Steps) -> Picture:
-    """Return one picture, small, with a gap to the right and below."""
-    small = _shrunk(picture[..., :3])
-    cell = np.full((CELL_PX + _GAP_PX, CELL_PX + _GAP_PX, 4), (_GREY, _GREY, _GREY, 255), np.uint8)
-    top, left = ((CELL_PX - side) // 2 for side in small.shape[:2])
+def cell_of(picture: Steps, side_px: int) -> Picture:
+    """Return one picture, no side over ``side_px``, with a gap to the right and below."""
+    small = _shrunk(picture[..., :3], side_px)
+    cell = np.full((side_px + _GAP_PX, side_px + _GAP_PX, 4), (_GREY, _GREY, _GREY, 255), np.uint8)
+    top, left = ((side_px - side) // 2 for side in small.shape[:2])
     cell[top : top + small.shape[0], left : left + small.shape[1], :3] = small
     return cell
 
 
-def _shrunk(picture: Steps) -> Picture:
-    """Return a picture of which no side is over a cell's, each pixel the mean of those it stands for."""
+def _shrunk(picture: Steps, most_px: int) -> Picture:
+    """Return a picture of which no side is over ``most_px``, each pixel the mean of those it stands for."""
     longest = max(picture.shape[:2])
-    height, width = (max(round(side * min(CELL_PX / longest, 1.0)), 1) for side in picture.shape[:2])
+    height, width = (max(round(side * min(most_px / longest, 1.0)), 1) for side in picture.shape[:2])
     rows, columns = (_means(whole, small) for whole, small in ((picture.shape[0], height), (picture.shape[1], width)))
     fewer = (rows @ picture.astype(np.float32).reshape(picture.shape[0], -1)).reshape(height, picture.shape[1], -1)
     return np.asarray(np.rint(columns @ fewer), np.uint8)

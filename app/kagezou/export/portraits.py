@@ -1,5 +1,6 @@
 """Small pictures of a figure: head, feet and shadow whole, also where the shadow leaves the canvas."""
 
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from kagezou.document.model import Document
 from kagezou.document.roomier import roomier
 from kagezou.document.scaling import scaled
+from kagezou.export.cut_measures import ShadowSeen, shadow_over_cut
 from kagezou.geometry.box import Box, around, centred_offset
 from kagezou.geometry.placement import around_placed, canvas_from_centred
 from kagezou.io.images.cel_cache import CelCache
@@ -52,9 +54,12 @@ class Portraits:
             self._cels = SmallerCels(CelCache(), larger.box, self._divisor)
         self._renderer = Renderer(self._cels, divisor=self._divisor)
 
-    def box(self, document: Document) -> Box:
-        """Return what holds the figure and its shadow, px of the portraits' own canvas; all where nothing is seen."""
-        scene = evaluate(self._smaller(document), self._frame)
+    def box(self, document: Document, frame: int | None = None) -> Box:
+        """Return what holds the figure and its shadow, px of the portraits' own canvas; all where nothing is seen.
+
+        ``frame`` is another one than that of the portraits.
+        """
+        scene = evaluate(self._smaller(document), self._frame if frame is None else frame)
         shadows = (self._renderer.shadow(scene, layer) for layer in scene.layers if layer.id == self._figure_id)
         seen = [_seen(image.alpha, image.box) for image in shadows]
         found = around(
@@ -62,10 +67,16 @@ class Portraits:
         )
         return scene.canvas if found is None else found
 
-    def draw(self, document: Document, place: Box, backdrop: Backdrop) -> Steps:
-        """Return the square around a box, (H, H, 4), white where there is no canvas."""
-        self._renderer.draw_picture(evaluate(self._smaller(document), self._frame), backdrop)
+    def draw(self, document: Document, place: Box, backdrop: Backdrop, frame: int | None = None) -> Steps:
+        """Return the square around a box, (H, H, 4), white where there is no canvas; ``frame`` as for :meth:`box`."""
+        self._renderer.draw_picture(
+            evaluate(self._smaller(document), self._frame if frame is None else frame), backdrop
+        )
         return square_of(self._renderer.read_picture(), place)
+
+    def over_cut(self, document: Document, frames: Sequence[int]) -> tuple[ShadowSeen, ...]:
+        """Return what is seen of the figure's shadow on frames, px of the portraits' own canvas."""
+        return shadow_over_cut(self._smaller(document), self._figure_id, frames, self._renderer, self._cels)
 
     def close(self) -> None:
         """Give the memory back; the context must be current."""

@@ -52,14 +52,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if options.project is None:
         if options.save is not None:
             raise UsageProblem(Message("--save keeps the look of a character of a project: which project?"))
-        give("\n".join(f"{each.name.en}\t{each.name.in_language('ja')}" for each in _styles().values()))
+        give("\n".join(f"{each.name.en}\t{each.name.in_language('ja')}" for each in styles_by_name().values()))
         return 0
     if options.save is not None:
         _keep(load(options.project), options)
         return 0
     if options.style is None:
         raise UsageProblem(Message("which style? (kagezou style lists them)"))
-    style = _named(options.style)
+    style = named_style(options.style)
     document = load(options.project)
     styled = _styled(document, style, options)
     _say(document, styled)
@@ -121,8 +121,15 @@ def _say(before: "Document", styled: "Styled") -> None:
         note(sentence)
 
 
-def _named(name: str) -> "Style":
-    styles = _styles()
+def named_style(name: str) -> "Style":
+    """Return the style of a name, in English or Japanese, whatever its case.
+
+    Raises
+    ------
+    UsageProblem
+        There is none.
+    """
+    styles = styles_by_name()
     wanted = name.casefold()
     for each in styles.values():
         if wanted in (each.name.en.casefold(), each.name.in_language("ja").casefold()):
@@ -131,7 +138,8 @@ def _named(name: str) -> "Style":
     raise UsageProblem(Message("there is no style {style!r}{hint}", style=name, hint=hint))
 
 
-def _styles() -> "dict[str, Style]":
+def styles_by_name() -> "dict[str, Style]":
+    """Return the bundled styles and one's own by their English names; files that cannot be read are told."""
     from kagezou.io.clips.style_files import bundled_styles, own_styles
 
     own, problems = own_styles(_own_folder())

@@ -54,6 +54,19 @@ class _Runs:
         return _ranges(self.starts[wanted], lengths), np.repeat(self.parts[wanted], lengths)
 
 
+def part_areas(mask: NDArray[np.bool_], *, diagonal: bool) -> NDArray[np.float64]:
+    """Return how many pixels each connected part of a mask (H, W) has, the largest first.
+
+    ``diagonal`` is whether pixels that touch at a corner are connected.
+    """
+    if not mask.any():
+        return np.zeros(0)
+    runs = _Runs.of(np.pad(mask, 1), diagonal=diagonal)
+    # Every part has the number of one of its runs.
+    areas = runs.areas()[np.unique(runs.parts)]
+    return np.asarray(np.sort(areas)[::-1], np.float64)
+
+
 def without_least_parts(covered: Covered, least_px2: float) -> Covered:
     """Return a shadow without islands and holes smaller than an area; the array itself where there are none.
 
