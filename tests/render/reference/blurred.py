@@ -299,5 +299,5 @@ def _laid_on(field: Squares, shadow: Squares) -> Array:
 
 def _patches(squares: Squares) -> Patches:
     rows, columns = np.nonzero(squares.value > 0)
-    along = squares.low[0] + (columns + 0.5) * squares.step
+    along: Array = squares.low[0] + np.asarray(columns + 0.5, np.float64) * squares.step
     return Patches(along, squares.away[rows], squares.value[rows, columns] * squares.step**2)
