@@ -73,6 +73,12 @@ EDGES = Property(
     Message("Smooth: anti-aliased; hard: a pixel is all shadow or none, as in pixel art, whatever the softness."),
     choices=("smooth", "hard"),
 )  # fmt: skip
+HOLD = Property(
+    "shadow.hold", Kind.NUMBER, Scope.LAYER, 0.0,
+    Message("Hold at the feet"),
+    Message("How far a simplified shadow that has drawn away from the feet is slid back until it begins under them."),
+    low=0.0, high=1.0, slides=(0.0, 1.0),
+)  # fmt: skip
 LEAST_PART = Property(
     "shadow.least_part", Kind.NUMBER, Scope.LAYER, 0.0,
     Message("Least part"),

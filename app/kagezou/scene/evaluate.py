@@ -4,7 +4,7 @@ from dataclasses import replace
 from math import floor
 
 from kagezou.document import properties, set_properties
-from kagezou.document.figure_properties import EDGES, LEAST_PART, PAINTED, SHADOWS_UNITE, SHAPE
+from kagezou.document.figure_properties import EDGES, HOLD, LEAST_PART, PAINTED, SHADOWS_UNITE, SHAPE
 from kagezou.document.model import Document, Layer, Tracks, parts_of
 from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
@@ -192,7 +192,8 @@ def _simplify(of_scene: Tracks, tracks: Tracks, frame: int, overhead: float) -> 
     amount, distance = joined(amount, distance, at_least, overhead)
     if amount < LEAST_PX or not value_at(tracks, properties.SIMPLIFY_ON, frame):
         return None
-    return Simplify(amount, distance, value_at(tracks, properties.ELONGATION, frame))
+    elongation, hold = (value_at(tracks, prop, frame) for prop in (properties.ELONGATION, HOLD))
+    return Simplify(amount, distance, elongation, hold)
 
 
 def _edge(tracks: Tracks, frame: int, wider_px: float) -> Edge | None:

@@ -18,11 +18,14 @@ class Simplify:
         d, the distance from the contact line at which it is reached; 0 for the same everywhere.
     elongation
         e, from 0, toward a disc, to 1, toward the ellipse of the shadow's own moments.
+    hold
+        From 0, where the shape lies, to 1, slid so that it begins under the feet.
     """
 
     amount_px: float
     distance_px: float
     elongation: float = 0.0
+    hold: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

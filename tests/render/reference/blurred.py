@@ -10,6 +10,7 @@ from math import ceil, hypot
 import numpy as np
 
 from kagezou.geometry.ground import canvas_from_plane
+from kagezou.geometry.hold import Patches, slide_to_feet
 from kagezou.scene.scene import ShadowCast
 from tests.render.reference import raycast
 from tests.render.reference.raycast import Array, Art
@@ -275,3 +276,28 @@ def simplified(shadow: Squares, amount_px: float, distance_px: float) -> Shape:
     enough = 10.0 if distance_px == 0 else 40.0
     field = blurred(shadow.pooled(2) if amount_px >= enough else shadow, amount_px, distance_px)
     return Shape(field, level_of(field, shadow.area))
+
+
+def held(shadow: Squares, shape: Shape, hold: float) -> tuple[Shape, tuple[float, float]]:
+    """Return a shape slid to the feet, and from how much farther it is read, px along the contact line and away."""
+    field = shape.field
+    left = Squares(field.line, field.low, field.step, np.minimum(_laid_on(field, shadow), field.value > shape.level))
+    whole = Squares(field.line, field.low, field.step, (field.value > shape.level).astype(np.float64))
+    slide = slide_to_feet(_patches(shadow), _patches(whole), _patches(left), hold)
+    low = (field.low[0] - slide[0], field.low[1] - slide[1])
+    return Shape(Squares(field.line, low, field.step, field.value), shape.level), slide
+
+
+def _laid_on(field: Squares, shadow: Squares) -> Array:
+    """Return a shadow on the squares of a field, which are as large or twice as large and have the same corners."""
+    shadow = shadow.pooled(round(field.step / shadow.step))
+    column, row = (round((a - b) / field.step) for a, b in zip(shadow.low, field.low, strict=True))
+    result = np.zeros_like(field.value)
+    result[row : row + shadow.value.shape[0], column : column + shadow.value.shape[1]] = shadow.value
+    return result
+
+
+def _patches(squares: Squares) -> Patches:
+    rows, columns = np.nonzero(squares.value > 0)
+    along: Array = squares.low[0] + np.asarray(columns + 0.5, np.float64) * squares.step
+    return Patches(along, squares.away[rows], squares.value[rows, columns] * squares.step**2)

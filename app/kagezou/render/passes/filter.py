@@ -35,6 +35,7 @@ from kagezou.render.prepare.filter_job import (
     stretched,
 )
 from kagezou.render.prepare.filter_uniforms import shape_uniforms, slit_uniforms, strength, width_uniforms
+from kagezou.render.prepare.held_shape import slide_of
 from kagezou.render.prepare.outline_tiles import SeenChart, outline_tiles
 from kagezou.render.prepare.shadow_tiles import Boxes as TileBoxes
 from kagezou.render.prepare.shadow_tiles import around_boxes
@@ -118,7 +119,9 @@ class ShapePass:
             for chart in job.charts
             for strip in chart.strips
         ]
-        return Blurred(job, matte, area_preserving_level(counted), tuple(each.blurred for each in counted))
+        level, alone = area_preserving_level(counted), job.charts[0].strips
+        job = replace(job, slide=slide_of(job, alone, counted[: len(alone)], level))
+        return Blurred(job, matte, level, tuple(each.blurred for each in counted))
 
     def show(self, blurred: "Blurred", view: BlurView, target: Target, sharp: Target | None = None) -> Box | None:
         """Draw what a receiver shows of a blurred shadow; return the box that may hold it.

@@ -185,7 +185,7 @@ def _casts_wholly(job: FilterJob, found: Cast, part: Matrix) -> bool:
 
 
 def _art_from_blurred(found: Cast, job: FilterJob) -> Matrix:
-    return np.asarray(found.art_from_canvas @ job.canvas_from_plane)
+    return np.asarray(found.art_from_canvas @ job.canvas_from_read)
 
 
 def _with_its_edge(cast: ShadowCast) -> ShadowCast:

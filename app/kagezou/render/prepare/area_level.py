@@ -97,25 +97,34 @@ def area_preserving_level(bands: Sequence[Counted]) -> float:
     return (low + high) / 2
 
 
+def covered_areas(band: Counted, level: float, finer: int) -> NDArray[np.float64]:
+    """Return how much of each place of a band is over a level, px²: texels, or ``finer``² places in each of them."""
+    middle, reach, areas = _told(band, finer)
+    parts = np.clip((middle - np.float32(level)) / reach + np.float32(0.5), 0, 1)
+    return np.asarray(parts * areas, np.float64)
+
+
 def _slopes(band: Counted, finer: int) -> _Slopes:
     """Return the places of a band that hold anything: texels, of a small band finer ones."""
+    middle, reach, areas = _told(band, finer)
+    held = middle > 0
+    if band.counts is not None:
+        held &= np.repeat(np.repeat(band.counts, finer, axis=0), finer, axis=1)
+    return _Slopes(middle[held], reach[held], areas[held])
+
+
+def _told(band: Counted, finer: int) -> tuple[Floats, Floats, Floats]:
+    """Return what the drawn spline has in the middle of each place, how steep it is, and what area that stands for."""
     if finer == 1:
         values = _at_texels(band.blurred, band.margin)
     else:
-        rows, columns = (_places(side, band.margin, finer) for side in band.blurred.shape)
+        rows, columns = (places_of(side, band.margin, finer) for side in band.blurred.shape)
         values = _spline(_spline(band.blurred, rows, 0), columns, 1)
     # One place more on each side, for the slopes; the outline crosses a place half a step either way.
     middle = values[1:-1, 1:-1]
     reach = (np.abs(values[1:-1, 2:] - values[1:-1, :-2]) + np.abs(values[2:, 1:-1] - values[:-2, 1:-1])) / 4
     areas = np.repeat(band.weights / finer**2, finer).astype(np.float32)
-    held = middle > 0
-    if band.counts is not None:
-        held &= np.repeat(np.repeat(band.counts, finer, axis=0), finer, axis=1)
-    return _Slopes(
-        middle[held],
-        np.maximum(reach[held], np.float32(1e-12)),
-        np.broadcast_to(areas[:, np.newaxis], middle.shape)[held],
-    )
+    return middle, np.maximum(reach, np.float32(1e-12)), np.broadcast_to(areas[:, np.newaxis], middle.shape)
 
 
 def _at_texels(texels: Floats, margin: int) -> Floats:
@@ -126,8 +135,11 @@ def _at_texels(texels: Floats, margin: int) -> Floats:
     return np.asarray((rows[:, :-2] + 4 * rows[:, 1:-1] + rows[:, 2:]) / np.float32(6))
 
 
-def _places(texels: int, margin: int, finer: int) -> NDArray[np.float64]:
-    """Return where along an axis the spline is looked at: evenly within the part that counts, and once beyond."""
+def places_of(texels: int, margin: int, finer: int) -> NDArray[np.float64]:
+    """Return where along an axis the spline is looked at, texel middles at whole numbers.
+
+    Evenly within the part that counts, and once beyond on either side.
+    """
     count = (texels - 2 * margin) * finer
     return margin - 0.5 + (np.arange(-1, count + 1) + 0.5) / finer
 

@@ -73,6 +73,8 @@ class FilterJob:
         Where the shadow lies on the receiver alone, in u and v of the blur.
     charts
         The receiver alone, then those with ``development``'s sheets.
+    slide
+        How much farther in u and v of the blur a place of the receiver is read, px; known when the shape is.
     """
 
     cast: ShadowCast
@@ -83,6 +85,7 @@ class FilterJob:
     blur: Blur
     charts: tuple[Chart, ...] = ()
     development: Development = FLAT
+    slide: tuple[float, float] = (0.0, 0.0)
 
     @property
     def strips(self) -> tuple[Strip, ...]:
@@ -100,13 +103,24 @@ class FilterJob:
         return stretched(canvas_from_plane(self.cast.camera, self.plane), self.ground_from_blurred)
 
     @property
+    def canvas_from_read(self) -> Matrix:
+        """The (3, 3) map from (u, v) of the blur to where on the canvas what is there is seen: slid to the feet."""
+        return self.slid(self.canvas_from_plane)
+
+    def slid(self, from_blurred: Matrix) -> Matrix:
+        """Return a map from (u, v, 1) of the blur for what is read there, which is seen that much nearer."""
+        back = np.eye(3)
+        back[:2, 2] = (-self.slide[0], -self.slide[1])
+        return np.asarray(from_blurred @ back)
+
+    @property
     def receiver_from_blurred(self) -> Matrix:
-        """The (2, 3) map from (u, v, 1) of the blur to the receiver's own (u, v)."""
+        """The (2, 3) map from (u, v, 1) of the blur to the receiver's own (u, v), where what is read there is seen."""
         receiver, plane = self.cast.receivers[0], self.plane
         axes = np.array([receiver.u, receiver.v])
         turn = axes @ np.array([plane.u, plane.v]).T
         shift = axes @ (np.array(plane.origin) - np.array(receiver.origin))
-        return np.column_stack([turn @ self.ground_from_blurred, shift])
+        return self.slid(np.column_stack([turn @ self.ground_from_blurred, shift]))
 
     @property
     def heave(self) -> Matrix:
@@ -180,14 +194,14 @@ class BlurView:
     @staticmethod
     def of_ground(job: FilterJob, box: Box) -> "BlurView":
         """Return what the job's receiver itself shows."""
-        return BlurView(job, job.cast.receivers[0], job.canvas_from_plane, box, 0, job.development.joins_of(GROUND))
+        return BlurView(job, job.cast.receivers[0], job.canvas_from_read, box, 0, job.development.joins_of(GROUND))
 
     @staticmethod
     def of_sheet(job: FilterJob, number: int, box: Box) -> "BlurView":
         """Return what a face that is laid flat shows."""
         sheet = job.development.sheets[number]
         canvas_from_flat = canvas_from_plane(job.cast.camera, sheet.face.plane) @ np.linalg.inv(sheet.flat_from_plane)
-        on_canvas = stretched(canvas_from_flat, job.ground_from_blurred)
+        on_canvas = job.slid(stretched(canvas_from_flat, job.ground_from_blurred))
         return BlurView(job, sheet.face.plane, on_canvas, box, sheet.chart, job.development.joins_of(number))
 
     @property
@@ -207,8 +221,8 @@ class BlurView:
         return np.asarray(np.linalg.inv(stretch) @ join.there_from_here @ stretch)
 
     def seam_of(self, join: Join) -> Matrix:
-        """Return the ends (2, 2) of a join in u and v of the blur."""
-        return np.asarray(join.seam @ np.linalg.inv(self.job.ground_from_blurred).T)
+        """Return the ends (2, 2) of a join in u and v of the blur, where what is seen there is read."""
+        return np.asarray(join.seam @ np.linalg.inv(self.job.ground_from_blurred).T + self.job.slide)
 
     def reach_of(self, join: Join) -> float:
         """Return how far from its seam a join is felt: as far as the blur reaches there, px of the blur.

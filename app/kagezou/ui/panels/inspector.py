@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
 from kagezou.document.address import Address
-from kagezou.document.figure_properties import LEAST_PART, LIFT_LINES, PLACEMENT_LINES, SHADOWS_UNITE
+from kagezou.document.figure_properties import HOLD, LEAST_PART, LIFT_LINES, PLACEMENT_LINES, SHADOWS_UNITE
 from kagezou.document.piece_kinds import kind_of, matters
 from kagezou.document.properties import TABLE
 from kagezou.document.property import AnyProperty, Scope
@@ -35,7 +35,7 @@ _ONLY_FOR_LIGHT = {
 """Properties that mean nothing for the other kind of light and are hidden then."""
 
 _SHAPE = (
-    properties.SIMPLIFY_ON, properties.SIMPLIFY, properties.DISTANCE, properties.ELONGATION, LEAST_PART,
+    properties.SIMPLIFY_ON, properties.SIMPLIFY, properties.DISTANCE, properties.ELONGATION, HOLD, LEAST_PART,
     properties.GROW, properties.SOFTNESS, properties.PENUMBRA,
 )  # fmt: skip
 _SHADOW_OF_SET = (SET_COLOR, SET_OPACITY, SET_BLEND)
