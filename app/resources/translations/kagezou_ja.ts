@@ -3652,6 +3652,14 @@ Drop a folder of cels here.</source>
         <translation>くっきり</translation>
     </message>
     <message>
+        <source>Hold at the feet</source>
+        <translation>足元に留める</translation>
+    </message>
+    <message>
+        <source>How far a simplified shadow that has drawn away from the feet is slid back until it begins under them.</source>
+        <translation>単純化で足元から離れた影を、足の下から始まる位置までどれだけ引き戻すか。</translation>
+    </message>
+    <message>
         <source>How large the drawings are; below 0 they are mirrored.</source>
         <translation>作画の大きさ。0 より小さいと反転します。</translation>
     </message>
