@@ -23,6 +23,7 @@ from kagezou.render.passes.plane_cast import PlaneCast
 from kagezou.render.prepare.area_level import Counted, area_preserving_level
 from kagezou.render.prepare.area_level import Floats as Texels
 from kagezou.render.prepare.band_atlas import Strip
+from kagezou.render.prepare.blur_kernel import elongated
 from kagezou.render.prepare.blur_tiles import blur_tiles
 from kagezou.render.prepare.filter_boxes import box_near_contact, box_seen, sure_values
 from kagezou.render.prepare.filter_charts import Receivers, charted, counted_texels
@@ -30,7 +31,6 @@ from kagezou.render.prepare.filter_job import (
     BlurView,
     FilterJob,
     blur_of,
-    elongated,
     extent_of,
     stretched,
 )
