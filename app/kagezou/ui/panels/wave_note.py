@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
-from kagezou.document.wave_edits import WAVE_SETS, loop_waves, wave_of
+from kagezou.document.wave_edits import WAVE_SETS, has_waves, loop_waves, wave_of
 from kagezou.geometry.waves import tear_of
 from kagezou.ui.system.bridge import Bridge
 
@@ -40,15 +40,16 @@ class WaveNote(QWidget):
     def refresh(self) -> None:
         """Show what is set at the frame looked at."""
         tracks = self._bridge.document.layer(self._layer_ids[0]).tracks
-        tear = tear_of(tuple(wave_of(tracks, lines, self._bridge.frame) for lines in WAVE_SETS))
-        if tear == 0:
+        waves = tuple(wave_of(tracks, lines, self._bridge.frame) for lines in WAVE_SETS)
+        tear = tear_of(waves)
+        if all(wave.reach_px == 0 for wave in waves):
             said = self.tr("No waves")
         elif tear < 1:
             said = self.tr("Tear %1: the outline wobbles")
         else:
             said = self.tr("Tear %1: the outline is torn into stripes")
         self.words.setText(said.replace("%1", f"{tear:.2f}"))
-        self.loop.setEnabled(tear > 0)
+        self.loop.setEnabled(has_waves(tracks, self._bridge.frame))
 
     def snap_to_loop(self) -> None:
         """Make the waves come back after the cut, as one step; keyed speeds become constant."""
