@@ -31,6 +31,7 @@ LOOKS: dict[str, dict[str, object]] = {
         "layers.A.shadow.wave2.amplitude": 4,
         "layers.A.shadow.wave_seed": 7,
     },
+    "slits": {"layers.A.shadow.slits": 0.8, "layers.A.shadow.slit_spacing": 70, "layers.A.shadow.slit_growth": 0.1},
 }
 
 

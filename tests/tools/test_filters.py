@@ -5,6 +5,7 @@ import pytest
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.document.property import AnyProperty
+from kagezou.document.wave_properties import SLITS
 from kagezou.tools.handles import handles_of
 from kagezou.tools.pointer import Modifiers
 from kagezou.tools.view import CanvasView
@@ -34,6 +35,8 @@ def ids(document: Document) -> set[str]:
         (WAVY, {"filter.wave1"}),
         ((*WAVY, (properties.WAVE2.amplitude, 1.0)), {"filter.wave1", "filter.wave2"}),
         ((*WAVY, (properties.WAVES_ON, False)), set()),
+        ((*SUN, (SLITS, 0.5)), {"filter.wave1"}),
+        ((*SUN, (SLITS, 0.5), (properties.WAVE2.amplitude, 1.0)), {"filter.wave1", "filter.wave2"}),
     ],
 )
 def test_only_filters_in_use_have_handles(settings: Settings, wanted: set[str]) -> None:

@@ -5,9 +5,9 @@ from typing import Final
 from kagezou.document import properties
 from kagezou.document.model import Tracks
 from kagezou.document.values import value_at
-from kagezou.document.wave_properties import SLIT_GROWTH, SLIT_SPACING, SLITS, WaveLines
+from kagezou.document.wave_edits import WAVE_SETS, wave_of
+from kagezou.document.wave_properties import SLIT_GROWTH, SLIT_SPACING, SLITS
 from kagezou.geometry.slits import Slits
-from kagezou.geometry.waves import Wave
 from kagezou.scene.filters import Water
 
 _LEAST_PX: Final = 0.01
@@ -32,7 +32,7 @@ def water_at(tracks: Tracks, frame: int, height_px: float, length_frames: int) -
     if not value_at(tracks, properties.WAVES_ON, frame):
         return None
     seed = int(value_at(tracks, properties.WAVE_SEED, frame))
-    waves = tuple(wave_of(tracks, lines, frame) for lines in (properties.WAVE1, properties.WAVE2))
+    waves = tuple(wave_of(tracks, lines, frame) for lines in WAVE_SETS)
     first = tuple(wave.varied(seed, number) for number, wave in enumerate(waves, 1))
     ripples = tuple(each.at(frame) for each in first if each.wave.reach_px >= _LEAST_PX)
     anchor = value_at(tracks, properties.WAVE_ANCHOR, frame)
@@ -42,12 +42,3 @@ def water_at(tracks: Tracks, frame: int, height_px: float, length_frames: int) -
         still = Slits(share, spacing, growth, max(anchor, CLEAR_OF_FIGURE * height_px), seed=seed)
         slits = still.upon(first[0], frame, length_frames)
     return Water(ripples, anchor, slits) if ripples or slits else None
-
-
-def wave_of(tracks: Tracks, lines: WaveLines, frame: int) -> Wave:
-    """Return one set of waves of a layer as it is set at a frame."""
-    numbers = (lines.amplitude, lines.wavelength, lines.direction, lines.velocity)
-    amplitude, wavelength, direction, velocity = (value_at(tracks, prop, frame) for prop in numbers)
-    elements = (lines.sideways, lines.depth_shear, lines.sideways_shear, lines.depth)
-    a00, a01, a10, a11 = (value_at(tracks, prop, frame) for prop in elements)
-    return Wave(amplitude, wavelength, direction, velocity, (a00, a01, a10, a11))

@@ -7,7 +7,7 @@ from math import atan2, cos, degrees, hypot, radians, sin
 
 from kagezou.document import properties
 from kagezou.document.model import Document
-from kagezou.document.wave_properties import WaveLines
+from kagezou.document.wave_properties import SLITS, WaveLines
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.vectors import Vector3, dot
@@ -101,7 +101,9 @@ def _is_simplified(geometry: FrameGeometry) -> bool:
 def _waves(geometry: FrameGeometry) -> dict[str, WaveLines]:
     if not geometry.value(properties.WAVES_ON):
         return {}
-    return {name: lines for name, lines in _WAVES.items() if geometry.value(lines.amplitude) > 0}
+    # Gaps go with the first set even where it moves nothing.
+    opens = {WAVE1} if geometry.value(SLITS) > 0 else set()
+    return {name: lines for name, lines in _WAVES.items() if name in opens or geometry.value(lines.amplitude) > 0}
 
 
 def _plane(geometry: FrameGeometry) -> Plane:

@@ -24,3 +24,50 @@ def test_a_lamp_that_was_set_stays(shell: Shell, tmp_path: Path) -> None:
     assert shell("set", project, "layers.A.position=[600,180]", "--frame", 4) == 0
     assert "turns round while the figure travels" in shell.said
     assert shell.json("get", project, "light.kind") == "point"
+
+
+class TestLoopingWaves:
+    def project(self, shell: Shell, tmp_path: Path) -> Path:
+        project = tmp_path / "p.kage"
+        drawings = make_drawings(tmp_path / "walk", 48, (64, 36))
+        assert shell("new", project, "--no-feet", "--character", f"A={drawings}", "--character", f"B={drawings}") == 0
+        return project
+
+    def test_both_speeds_are_set_and_said(self, shell: Shell, tmp_path: Path) -> None:
+        project = self.project(shell, tmp_path)
+        shell.ok("set", project, "layers.A.shadow.wave1.velocity=1", "--frame", 1)
+        shell.ok("set", project, "layers.A.shadow.wave1.velocity=5", "--frame", 9)
+        assert shell("set", project, "layers.A.shadow.wave1.amplitude=5", "--loop-waves") == 0
+        # The first frame's 1 px a frame are 48 of a length of 60; 2 px of the other are 96 of 37.
+        assert "A: wave 1 goes 1.25 px a frame; crests that pass in the cut: 1" in shell.said
+        assert "A: wave 2 goes 2.3125 px a frame; crests that pass in the cut: 3" in shell.said
+        assert "B: " not in shell.said
+        for layer, first, second in (("A", 1.25, 37 * 3 / 48), ("B", 3.0, 2.0)):
+            assert shell.json("get", project, f"layers.{layer}.shadow.wave1.velocity") == first
+            assert shell.json("get", project, f"layers.{layer}.shadow.wave2.velocity") == second
+
+    def test_gaps_go_with_waves_of_no_height(self, shell: Shell, tmp_path: Path) -> None:
+        project = self.project(shell, tmp_path)
+        assert shell("set", project, "layers.B.shadow.slits=0.5", "--loop-waves") == 0
+        assert "B: wave 1 goes 2.5 px a frame" in shell.said
+
+    def test_what_keeps_waves_from_looping_is_said(self, shell: Shell, tmp_path: Path) -> None:
+        project = self.project(shell, tmp_path)
+        shell.ok("set", project, "layers.A.shadow.wave1.wavelength=50", "--frame", 1)
+        assert shell("set", project, "layers.A.shadow.wave1.amplitude=5", "--loop-waves") == 0
+        assert "the length of wave 1 is keyed" in shell.said
+        assert "the length of wave 2 is keyed" not in shell.said
+
+    def test_without_waves_nothing_is_written(self, shell: Shell, tmp_path: Path) -> None:
+        project = self.project(shell, tmp_path)
+        before = project.read_bytes()
+        assert shell("set", project, "--loop-waves") == 0
+        assert "no shadow lies on waves" in shell.said
+        assert project.read_bytes() == before
+
+    def test_what_cannot_be_meant_is_refused(self, shell: Shell, tmp_path: Path) -> None:
+        project = self.project(shell, tmp_path)
+        assert shell("set", project) == 2
+        assert "there is nothing to set" in shell.said
+        assert shell("set", project, "--loop-waves", "--frame", 3) == 2
+        assert "goes without --frame" in shell.said

@@ -19,6 +19,7 @@ FILTERS: dict[str, dict[str, object]] = {
     "simplified": {SHADOW + "simplify": 30.0},
     "with the distance": {SHADOW + "simplify": 40.0, SHADOW + "distance": 200.0},
     "in waves": {SHADOW + "simplify": 12.0, SHADOW + "wave1.amplitude": 6.0, SHADOW + "wave1.wavelength": 90.0},
+    "opened": {SHADOW + "simplify": 12.0, SHADOW + "slits": 0.8, SHADOW + "slit_growth": 0.1},
     "grown": {SHADOW + "grow": 6.0},
 }
 VIEWS: dict[str, dict[str, object]] = {

@@ -9,6 +9,7 @@ from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_constant
 from kagezou.document.property import AnyProperty
+from kagezou.document.wave_properties import SLITS
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.project.open_project import OpenProject
@@ -44,6 +45,20 @@ def test_it_says_when_the_outline_tears(filled: OpenProject, note: WaveNote) -> 
     assert note.words.text() == "Tear 0.63: the outline wobbles"
     put(filled, properties.WAVE1.amplitude, 20.0)
     assert note.words.text() == "Tear 2.09: the outline is torn into stripes"
+
+
+def test_what_moves_along_the_crests_is_waves_too(filled: OpenProject, note: WaveNote) -> None:
+    put(filled, properties.WAVE1.amplitude, 20.0)
+    put(filled, properties.WAVE1.depth, 0.0)
+    put(filled, properties.WAVE1.direction, 90.0)
+    assert note.words.text() == "Tear 0.00: the outline wobbles"
+    assert note.loop.isEnabled()
+
+
+def test_gaps_can_loop_without_waves(filled: OpenProject, note: WaveNote) -> None:
+    put(filled, SLITS, 0.5)
+    assert note.words.text() == "No waves"
+    assert note.loop.isEnabled()
 
 
 def test_the_speeds_snap_to_the_cut(filled: OpenProject, note: WaveNote) -> None:

@@ -22,6 +22,7 @@ EXAMPLES = """\
   kagezou set walk.kage layers.Hero.shadow.color=#1A2340 layers.Hero.shadow.opacity=0.5 light.kind=sun
   kagezou set walk.kage light.azimuth=-40 --frame 1
   kagezou set walk.kage light.azimuth=40 --frame 48 --interp bezier
+  kagezou set water.kage --loop-waves        the last frame leads into the first
   kagezou set walk.kage 'layers.Hero.grounding=[[420,900],[510,900]]'
   kagezou set walk.kage layers.arm.joins=Hero      one more cel of Hero; "" makes it a character of its own
   kagezou set walk.kage layers.Hero.paper=border        drawings without alpha: white inside outlines stays (or white)
@@ -34,9 +35,14 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file to change")
     parser.add_argument(
         "assignments",
-        nargs="+",
+        nargs="*",
         metavar="PATH=JSON",
         help="a property and its value as JSON; words such as sun, #20203A and true need no quotes",
+    )
+    parser.add_argument(
+        "--loop-waves",
+        action="store_true",
+        help="set the speeds of all waves to the nearest at which the last frame of the cut leads into the first",
     )
     parser.add_argument("--frame", type=whole_number, metavar="N", help="set a key on this frame, counted from 1")
     parser.add_argument(
@@ -50,12 +56,13 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     from kagezou.io.project.file import load, save
     from kagezou.scene.misfits import misfits_of, new_misfits
 
-    if options.interp is not None and options.frame is None:
-        raise UsageProblem(Message("--interp says how a key goes on and needs --frame"))
+    _check(options)
     interpolation = None if options.interp is None else Interpolation(options.interp)
     before = document = load(options.project)
     for text in options.assignments:
         document = _assigned(document, text, options.frame, interpolation)
+    if options.loop_waves:
+        document = _looping(document)
     if document is before:
         return 0
     if _are_moved(before, document):
@@ -69,6 +76,31 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         note(misfit.message)
     save(document, options.project)
     return 0
+
+
+def _check(options: Namespace) -> None:
+    """Refuse what cannot be meant."""
+    if not options.assignments and not options.loop_waves:
+        raise UsageProblem(Message("there is nothing to set; PATH=JSON or --loop-waves is needed"))
+    if options.loop_waves and options.frame is not None:
+        raise UsageProblem(Message("--loop-waves is for the whole cut and goes without --frame"))
+    if options.interp is not None and options.frame is None:
+        raise UsageProblem(Message("--interp says how a key goes on and needs --frame"))
+
+
+def _looping(document: "Document") -> "Document":
+    """Return the document with waves that come back after the cut, and say how fast they go."""
+    from kagezou.document.wave_edits import has_waves, loop_waves, loops_said
+
+    figures = [layer for layer in document.layers if layer.joins is None]
+    waved = tuple(layer.id for layer in figures if has_waves(layer.tracks, 1))
+    document = loop_waves(document, waved, 1)
+    for layer_id in waved:
+        for sentence in loops_said(document, layer_id):
+            note(sentence)
+    if not waved:
+        note(Message("no shadow lies on waves"))
+    return document
 
 
 def _are_moved(before: "Document", after: "Document") -> bool:

@@ -1,17 +1,10 @@
 """What the waves of a layer will do: whether they tear the outline, and a way to make them loop."""
 
-from itertools import product
-
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
-from kagezou.document import properties
-from kagezou.document.address import Address
-from kagezou.document.edits import set_constant
+from kagezou.document.wave_edits import WAVE_SETS, has_waves, loop_waves, wave_of
 from kagezou.geometry.waves import tear_of
-from kagezou.scene.water import wave_of
 from kagezou.ui.system.bridge import Bridge
-
-_SETS = (properties.WAVE1, properties.WAVE2)
 
 
 class WaveNote(QWidget):
@@ -47,20 +40,18 @@ class WaveNote(QWidget):
     def refresh(self) -> None:
         """Show what is set at the frame looked at."""
         tracks = self._bridge.document.layer(self._layer_ids[0]).tracks
-        tear = tear_of(tuple(wave_of(tracks, lines, self._bridge.frame) for lines in _SETS))
-        if tear == 0:
+        waves = tuple(wave_of(tracks, lines, self._bridge.frame) for lines in WAVE_SETS)
+        tear = tear_of(waves)
+        if all(wave.reach_px == 0 for wave in waves):
             said = self.tr("No waves")
         elif tear < 1:
             said = self.tr("Tear %1: the outline wobbles")
         else:
             said = self.tr("Tear %1: the outline is torn into stripes")
         self.words.setText(said.replace("%1", f"{tear:.2f}"))
-        self.loop.setEnabled(tear > 0)
+        self.loop.setEnabled(has_waves(tracks, self._bridge.frame))
 
     def snap_to_loop(self) -> None:
         """Make the waves come back after the cut, as one step; keyed speeds become constant."""
-        document, frame = self._bridge.document, self._bridge.frame
-        for layer_id, lines in product(self._layer_ids, _SETS):
-            wave = wave_of(document.layer(layer_id).tracks, lines, frame).looping(document.canvas.length_frames)
-            document = set_constant(document, Address(lines.velocity, layer_id), wave.velocity_px)
+        document = loop_waves(self._bridge.document, self._layer_ids, self._bridge.frame)
         self._bridge.session.edit(self.tr("Loop waves"), document)
