@@ -4108,12 +4108,20 @@ Drop a folder of cels here.</source>
         <translation>{layer} に描画できないベクターシェイプがあります</translation>
     </message>
     <message>
+        <source>{layer}: the length of wave {number} is keyed, so that the cut does not loop</source>
+        <translation>{layer}:波{number}の波長にキーがあるため、カットはループしません</translation>
+    </message>
+    <message>
         <source>{layer}: the timesheet has no column for it; it keeps its timing</source>
         <translation>{layer}：タイムシートに列がありません。タイミングはそのままです</translation>
     </message>
     <message>
         <source>{layer}: the timesheet names cels without a drawing; they stay empty: {missing}{more}</source>
         <translation>{layer}：タイムシートのセルに当たる絵がなく、空セルになります：{missing}{more}</translation>
+    </message>
+    <message>
+        <source>{layer}: wave {number} goes {velocity:g} px a frame; crests that pass in the cut: {crests}</source>
+        <translation>{layer}:波{number}は1フレームに{velocity:g} px進みます(カット内に通る波の山:{crests})</translation>
     </message>
     <message>
         <source>{line}: a key cannot lie on frame {frame}, frames count from 1</source>
