@@ -5,11 +5,16 @@ is found by the homographies of shadows (spec 2), with the way away from the mir
 light.
 """
 
+from typing import Final
+
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.polygon import clipped, distance_form
 from kagezou.geometry.shadow import Cast
 from kagezou.geometry.vectors import Matrix, Vector4, height_over
+
+_EDGE_ON: Final = 1e-9
+"""The ground is seen edge-on by an eye that is hardly over it."""
 
 
 def away_from_mirrored_eye(camera: Camera, ground: Plane) -> Vector4 | None:
@@ -19,7 +24,7 @@ def away_from_mirrored_eye(camera: Camera, ground: Plane) -> Vector4 | None:
     look down on the ground.
     """
     height = height_over(ground.equation, camera.eye)
-    if height <= 0:
+    if height <= _EDGE_ON:
         return None
     x, y, z = (eye - 2 * height * up for eye, up in zip(camera.eye[:3], ground.normal, strict=True))
     return (-x, -y, -z, -camera.eye[3])
