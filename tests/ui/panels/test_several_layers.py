@@ -294,7 +294,7 @@ def test_a_section_is_copied_pasted_and_reset_as_one_step(inspector: Inspector, 
     inspector.menus.fill_section(rows, menu)
     act(menu, "Copy All").trigger()
     session.select(session.document.layers[0].id)
-    act(row_menu(inspector, "shadow.fade"), "Paste 8 Values").trigger()
+    act(row_menu(inspector, "shadow.fade"), "Paste 9 Values").trigger()
     assert field_of(inspector, "shadow.simplify").value == 33.0
     assert opacities(trio) == [0.6, 0.3, 0.9], "other sections stay"
     assert session.undo_name == "Paste values"
