@@ -13,12 +13,13 @@ from kagezou.document.edits import set_key
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Document
 from kagezou.geometry.ground import place_on
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Point2, dot
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.piece_frames import piece_frame
 from kagezou.tools.corner import Lay, drawing, ground_line, is_on_ground, wall_line
 from kagezou.tools.pointer import Modifiers, Pointer
-from kagezou.tools.sight import moved, seen
+from kagezou.tools.sight import moved
 from tests.tools.tool_scenes import FREE, LAYER, PIECE, document_with, number, place
 
 grounds = st.builds(

@@ -17,11 +17,12 @@ from kagezou.geometry.ground import place_on
 from kagezou.geometry.vectors import Point2, dot
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.piece_frames import PieceFrame, piece_frame
+from kagezou.scene.set_outlines import outlines_of
 from kagezou.tools.handle import GuideKind
 from kagezou.tools.handles import handles_of, nudge
+from kagezou.tools.piece_hits import piece_at
 from kagezou.tools.pointer import Modifiers
 from kagezou.tools.readout import readout
-from kagezou.tools.set_outlines import outlines_of, piece_at
 from kagezou.tools.sight import between
 from kagezou.tools.view import CanvasView
 from tests.tools.tool_scenes import FREE, PIECE, Hand, document_with, handle, handles, number, place, with_piece
@@ -202,13 +203,14 @@ class TestOutlines:
         assert piece_at(outlines, view, view.view_from_canvas((244.0, 820.0)), 5.0) == "piece-1"
         assert piece_at((), view, corner, 5.0) is None
 
-    def test_the_set_is_drawn_while_it_is_worked_on_with_what_is_hidden_apart(self) -> None:
+    def test_the_set_is_drawn_always_and_with_what_is_hidden_apart_while_it_is_worked_on(self) -> None:
         document = self.two()
         kinds = [guide.kind for guide in handles_of(document, 1, None, CanvasView(), PIECE).guides]
         assert (kinds.count(GuideKind.PIECE_EDGE), kinds.count(GuideKind.PIECE_HIDDEN)) == (9, 3)
         assert kinds.count(GuideKind.PIECE_OTHER) == 1
         kinds = [guide.kind for guide in handles_of(document, 1, "layer-1", CanvasView()).guides]
-        assert not any("piece" in kind for kind in kinds)
+        assert GuideKind.PIECE_EDGE not in kinds
+        assert (kinds.count(GuideKind.PIECE_OTHER), kinds.count(GuideKind.PIECE_FLOOR)) == (10, 3)
 
     def test_what_is_switched_off_has_none(self) -> None:
         assert outlines_of(with_piece(document_with(), "box", present=False), 1) == ()

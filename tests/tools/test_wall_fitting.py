@@ -14,6 +14,7 @@ from kagezou.document.invariants import check
 from kagezou.document.model import Cels, Document, Drawing, Exposure
 from kagezou.geometry.box import Box
 from kagezou.geometry.sets.measures import PieceKind
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import dot
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.misfits import MisfitKind, misfits_of
@@ -22,7 +23,7 @@ from kagezou.standing.foot import Foot
 from kagezou.tools.corner import drawing, wall_line
 from kagezou.tools.placing import add_placed
 from kagezou.tools.pointer import Modifiers, Pointer
-from kagezou.tools.sight import between, moved, seen
+from kagezou.tools.sight import between, moved
 from kagezou.tools.wall_fitting import FigureSide, farthest_back, reach_on, sides_of
 from tests.tools.tool_scenes import FIGURE, LAYER, document_with
 

@@ -11,6 +11,7 @@ from typing import Self, TypeAlias
 
 import numpy as np
 
+from kagezou.export.guides import with_guides
 from kagezou.export.painter import Painter
 from kagezou.export.pictures import FlatPicture, Picture, ShadowPicture
 from kagezou.export.sources import Sources
@@ -30,6 +31,7 @@ from kagezou.scene.scene import (
     ShadowCast,
     ShadowLook,
 )
+from kagezou.scene.set_outlines import SetLines
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +242,8 @@ _Shown: TypeAlias = tuple[
 class CompositeContent(Content):
     """The finished picture: the background and each layer, from the bottom.
 
-    ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any.
+    ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any. ``guides`` are
+    lines drawn over everything, None for none.
     """
 
     background: PlacedDrawing | None
@@ -248,21 +251,23 @@ class CompositeContent(Content):
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
     shadows_unite: bool = True
+    guides: SetLines | None = None
 
     @classmethod
-    def of(cls, scene: Scene) -> Self:
+    def of(cls, scene: Scene, guides: SetLines | None = None) -> Self:
         """Return the content of a whole scene."""
         layers = tuple(
             (each.drawing, each.cast, each.look, each.received, each.contact, each.reflection) for each in scene.layers
         )
         clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
         seen_as_clay = (scene.camera, clay) if clay else None
-        return cls(scene, scene.background, layers, scene.set_shadow, seen_as_clay, scene.shadows_unite)
+        return cls(scene, scene.background, layers, scene.set_shadow, seen_as_clay, scene.shadows_unite, guides)
 
     def draw(self, painter: Painter) -> Picture:
         """Draw it over the background."""
         painter.renderer.draw_picture(self.scene, Backdrop.BACKGROUND, painter.depth)
-        return FlatPicture(painter.renderer.read_picture())
+        pixels = painter.renderer.read_picture()
+        return FlatPicture(pixels if self.guides is None else with_guides(pixels, self.guides))
 
     @property
     def sources(self) -> Sources:

@@ -62,6 +62,8 @@ class ExportRequest:
         Whether mattes of the ground and of every set piece are written as well.
     united
         Whether the shadows of each look are written as one as well.
+    guides
+        Whether the outlines of the set are drawn into the composites, for looking at them.
     """
 
     folder: Path
@@ -78,6 +80,7 @@ class ExportRequest:
     only: str | None = None
     receivers: bool = False
     united: bool = False
+    guides: bool = False
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:
@@ -90,6 +93,8 @@ class ExportRequest:
             raise UsageProblem(
                 Message("a layered frame holds the shadows of a look as a group; ask for one of the two")
             )
+        if self.guides and not self.composite:
+            raise UsageProblem(Message("guides are drawn into composites; ask for those as well"))
         if not self.layered and self.format not in SUFFIXES:
             hint = Message(", which needs layered frames,") if self.format in LAYERED_SUFFIXES else ""
             raise UsageProblem(

@@ -165,7 +165,7 @@ def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Su
     if request.receivers or request.only == RECEIVERS:
         yield from ((each.label, each.subject) for each in receivers_of(document))
     if request.composite:
-        yield COMPOSITE, CompositeSubject()
+        yield COMPOSITE, CompositeSubject(request.guides)
 
 
 def _united(document: Document, names: dict[str, str]) -> Iterator[tuple[str, Subject]]:

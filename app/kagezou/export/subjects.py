@@ -22,6 +22,7 @@ from kagezou.export.layered import LayeredContent, LayerOfFrame
 from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene
+from kagezou.scene.set_outlines import set_lines
 
 SET: Final = "set"
 GROUND: Final = "ground"
@@ -168,16 +169,18 @@ class ReceiverSubject:
 
 @dataclass(frozen=True, slots=True)
 class CompositeSubject:
-    """Background, shadows and characters in one picture."""
+    """Background, shadows and characters in one picture, perhaps with the outlines of the set over them."""
+
+    with_guides: bool = False
 
     @property
     def owner(self) -> str:
         """Whose it is: `EVERYTHING`."""
         return EVERYTHING
 
-    def content_at(self, _document: Document, scene: Scene, _frame: int) -> Content:
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return the finished picture."""
-        return CompositeContent.of(scene)
+        return CompositeContent.of(scene, set_lines(document, frame) if self.with_guides else None)
 
 
 @dataclass(frozen=True, slots=True)

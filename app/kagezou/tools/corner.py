@@ -13,13 +13,14 @@ from kagezou.document.set_pieces import add_piece, stood_up
 from kagezou.geometry.ground import place_on
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.sets.shapes import stand_on
+from kagezou.geometry.sight import depth_of, seen
 from kagezou.geometry.vectors import Point2, Vector3, dot
 from kagezou.tools.drag import STEP_DEG, Drag
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
 from kagezou.tools.pointer import Pointer
 from kagezou.tools.set_piece import before_horizon
-from kagezou.tools.sight import between, depth_of, moved, part_seen_at, seen
+from kagezou.tools.sight import between, moved, part_seen_at
 from kagezou.tools.view import CanvasView
 from kagezou.tools.wall_fitting import FigureSide, reach_on, sides_of
 

@@ -10,13 +10,14 @@ from kagezou.document.model import Document
 from kagezou.document.wave_properties import SLITS, WaveLines
 from kagezou.geometry.contact import contact_plane
 from kagezou.geometry.ground import Plane
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Vector3, dot
 from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
 from kagezou.tools.shadow import tip_of
-from kagezou.tools.sight import between, place_seen_at, seen
+from kagezou.tools.sight import between, place_seen_at
 from kagezou.tools.sun import unwound
 
 DISTANCE = "filter.distance"

@@ -8,12 +8,13 @@ from math import acos, atan2, cos, degrees, hypot, inf, radians
 
 from kagezou.document import properties
 from kagezou.document.model import Document
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Point2
 from kagezou.message import Message
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import REACH_PX, seen
+from kagezou.tools.sight import REACH_PX
 
 POSITION = "ground.position"
 END = "ground.end"

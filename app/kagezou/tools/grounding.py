@@ -4,13 +4,13 @@ from dataclasses import replace
 
 from kagezou.document import properties
 from kagezou.document.model import Document
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Point2
 from kagezou.message import Message
 from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
 from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import seen
 from kagezou.tools.view import CanvasView
 
 GROUNDING = "grounding"

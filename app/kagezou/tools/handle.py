@@ -150,6 +150,8 @@ class GuideKind(StrEnum):
     """An edge of the set piece under the pointer."""
     PIECE_OTHER = "piece-other"
     """An edge of another piece of the set."""
+    PIECE_FLOOR = "piece-floor"
+    """Where another piece meets the ground."""
     PIECE_ARM = "piece-arm"
     """From where a piece stands out of its front."""
     LEAN_ARM = "lean-arm"

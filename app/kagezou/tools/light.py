@@ -7,12 +7,13 @@ dragged over the ground, the lamp following at its height. Neither can push the 
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.geometry.light import foot_of, lamp
+from kagezou.geometry.sight import MIN_DEPTH, depth_of, seen
 from kagezou.geometry.vectors import Vector3, dot, height_over
 from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import MIN_DEPTH, between, depth_of, moved, place_seen_at, seen, within_reach
+from kagezou.tools.sight import between, moved, place_seen_at, within_reach
 
 LAMP = "light.lamp"
 FOOT = "light.foot"

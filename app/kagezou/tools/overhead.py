@@ -9,12 +9,13 @@ from typing import Final
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.geometry.light import horizontal_distance
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Vector3, dot
 from kagezou.scene.overhead import RADIUS_OF_FIGURE
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import between, moved, place_seen_at, seen
+from kagezou.tools.sight import between, moved, place_seen_at
 
 OVERHEAD = "light.overhead"
 

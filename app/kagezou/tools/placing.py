@@ -11,11 +11,12 @@ from kagezou.document.piece_kinds import BUILT_KINDS, TRAITS
 from kagezou.document.set_pieces import add_piece, stood_up
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.sets.shapes import stand_on
+from kagezou.geometry.sight import MIN_DEPTH, depth_of, seen
 from kagezou.geometry.vectors import Vector3, dot
 from kagezou.scene.piece_frames import piece_frame
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.shadow import tip_of
-from kagezou.tools.sight import MIN_DEPTH, between, depth_of, moved, seen
+from kagezou.tools.sight import between, moved
 from kagezou.tools.view import CanvasView
 from kagezou.tools.wall_fitting import FigureSide, farthest_back, reach_on, sides_of
 

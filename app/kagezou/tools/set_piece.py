@@ -10,6 +10,7 @@ from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
 from kagezou.document.piece_kinds import matters
 from kagezou.geometry.ground import place_on, world_from_canvas_on
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Point2, Vector3, dot
 from kagezou.message import Message
 from kagezou.scene.piece_frames import PieceFrame
@@ -17,7 +18,7 @@ from kagezou.tools.drag import SNAP_VIEW_PX, Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.ground import kept_near
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import between, moved, place_seen_at, seen
+from kagezou.tools.sight import between, moved, place_seen_at
 from kagezou.tools.sun import unwound
 
 POSITION = "piece.position"

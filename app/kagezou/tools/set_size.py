@@ -10,13 +10,14 @@ from kagezou.document import set_properties as lines
 from kagezou.document.model import Document
 from kagezou.document.piece_kinds import TRAITS, matters
 from kagezou.document.property import Property
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Vector3
 from kagezou.scene.piece_frames import PieceFrame
+from kagezou.scene.set_outlines import outlines_of
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.set_outlines import outlines_of
-from kagezou.tools.sight import moved, part_seen_at, seen
+from kagezou.tools.sight import moved, part_seen_at
 
 WIDTH = "piece.width"
 DEPTH = "piece.depth"
@@ -43,9 +44,7 @@ def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
 
 
 def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
-    """Return the edges of the whole set while a piece of it is worked on."""
-    if geometry.piece_id is None:
-        return ()
+    """Return the edges of the whole set: those of a piece that is worked on, faintly those of all others."""
     made: list[Guide] = []
     for outline in outlines_of(geometry.document, geometry.frame):
         if outline.piece_id == geometry.piece_id:
@@ -53,6 +52,7 @@ def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
             made += [Guide(GuideKind.PIECE_EDGE, line) for line in outline.seen]
         else:
             made += [Guide(GuideKind.PIECE_OTHER, line) for line in outline.seen]
+            made += [Guide(GuideKind.PIECE_FLOOR, line) for line in outline.floor]
     return tuple(made)
 
 

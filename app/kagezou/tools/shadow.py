@@ -13,6 +13,7 @@ from kagezou.document.model import Document
 from kagezou.document.values import value_at
 from kagezou.geometry.card import Card
 from kagezou.geometry.light import GRAZING_DARK_DEG
+from kagezou.geometry.sight import MIN_DEPTH, depth_of, seen
 from kagezou.geometry.vectors import Point2, Vector3, dot, height_over
 from kagezou.message import Message
 from kagezou.scene.evaluate import light_at
@@ -21,18 +22,7 @@ from kagezou.scene.poses import casting_of
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import (
-    MIN_DEPTH,
-    REACH_PX,
-    between,
-    depth_of,
-    is_edge_on,
-    moved,
-    on_plane,
-    place_seen_at,
-    seen,
-    within_reach,
-)
+from kagezou.tools.sight import REACH_PX, between, is_edge_on, moved, on_plane, place_seen_at, within_reach
 from kagezou.tools.sun import unwound
 
 TIP = "shadow.tip"

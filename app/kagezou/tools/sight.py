@@ -1,17 +1,10 @@
-"""Places of the world as the camera sees them, and back from a canvas point onto a plane, without ever blowing up.
-
-A lamp may stand beside or behind the eye, where a true projection flies off to infinity and comes back mirrored. The
-handles' picture therefore divides by no less than ``MIN_DEPTH``: equal to the camera's for everything before that
-depth, continuous beyond it, and still invertible on every plane.
-"""
+"""Ways in the world, and from a canvas point back onto a plane: what drags are worked out by."""
 
 from math import copysign, hypot, sqrt
 
 from kagezou.geometry.camera import Camera
+from kagezou.geometry.sight import MIN_DEPTH, depth_of
 from kagezou.geometry.vectors import Point2, Vector3, Vector4, dot
-
-MIN_DEPTH = 0.05
-"""The least part of the eye's distance from the drawing at which things are still seen in true perspective."""
 
 EDGE_ON = 0.02
 """A plane is seen edge-on when the eye is nearer to it than this part of the eye's distance from the drawing."""
@@ -33,21 +26,6 @@ def moved(point: Vector3, *steps: tuple[float, Vector3]) -> Vector3:
 def between(start: Vector3, end: Vector3) -> Vector3:
     """Return the way from one point to another."""
     return (end[0] - start[0], end[1] - start[1], end[2] - start[2])
-
-
-def seen(camera: Camera, point: Vector3) -> Point2:
-    """Return where a world point is shown on the canvas, canvas px."""
-    depth = max(depth_of(camera, point), MIN_DEPTH)
-    ex, ey, _, ew = camera.eye
-    if ew == 0:
-        return (point[0], point[1])
-    return (ex + (point[0] - ex) / depth, ey + (point[1] - ey) / depth)
-
-
-def depth_of(camera: Camera, point: Vector3) -> float:
-    """Return the distance before the eye as part of the drawing's: 1 at the drawing, 0 at the eye."""
-    _, _, distance, w = camera.eye
-    return 1.0 - w * point[2] / distance
 
 
 def is_edge_on(camera: Camera, point: Vector3, normal: Vector3) -> bool:

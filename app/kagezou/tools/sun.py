@@ -10,12 +10,12 @@ from math import atan2, cos, degrees, hypot, pi, radians, sin
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.document.property import Property
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Point2
 from kagezou.message import Message
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import seen
 
 SUN = "light.sun"
 

@@ -10,11 +10,11 @@ from math import asin, cos, degrees, radians, sin
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.geometry.card import MAX_SLOPE_DEG
+from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.handle import Cursor, Guide, GuideKind, Handle, HandleShape
-from kagezou.tools.sight import seen
 
 TILT = "tilt.lever"
 

@@ -40,6 +40,16 @@ def test_render_as_one_object(shell: Shell, project: Path) -> None:
     assert shell.json(*words, "--skip-existing")["trusted"] == 2
 
 
+def test_render_draws_guides_into_composites(shell: Shell, project: Path) -> None:
+    assert shell("piece", project, "add", "back", "wall") == 0
+    words = ["render", project, "--composite", "--frames", "1", "-o"]
+    shell.ok(*words, project.parent / "plain")
+    shell.ok(*words, project.parent / "guided", "--guides")
+    plain, guided = (project.parent / each / "composite" / "composite_0001.png" for each in ("plain", "guided"))
+    assert plain.read_bytes() != guided.read_bytes()
+    assert "composites" in shell.fails(2, "render", project, "-o", project.parent / "no", "--guides")
+
+
 def test_render_names_every_missing_drawing(shell: Shell, project: Path) -> None:
     for number in (1, 3):
         (project.parent / "hero" / f"walk_000{number}.png").unlink()

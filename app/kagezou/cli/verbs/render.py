@@ -17,6 +17,7 @@ one file for every frame. Prints the folders. A picture that is held or comes ag
 EXAMPLES = """\
   kagezou render walk.kage -o shadows
   kagezou render walk.kage -o shadows --composite --frames 1-48
+  kagezou render walk.kage -o look --composite --guides --frames 1,13,25        where the set stands
   kagezou render walk.kage -o shadows --layer Hero --format exr
   kagezou render walk.kage -o frames --layered --depth 16
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
@@ -37,6 +38,11 @@ def add_arguments(parser: Parser) -> None:
     )
     parser.add_argument(
         "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
+    )
+    parser.add_argument(
+        "--guides",
+        action="store_true",
+        help="with --composite: outlines and floor lines of the set over it, for looking, not for compositing",
     )
     parser.add_argument(
         "--receivers", action="store_true", help="also DIR/ground_matte/ and DIR/PIECE_matte/: where each is seen"
@@ -82,6 +88,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         layered=options.layered,
         receivers=options.receivers,
         united=options.united,
+        guides=options.guides,
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
         keep_going=options.keep_going,

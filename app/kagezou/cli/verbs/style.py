@@ -113,12 +113,15 @@ def _say(before: "Document", styled: "Styled") -> None:
     from kagezou.cli.values import text_of_value
     from kagezou.document.address import path_of
     from kagezou.document.styling import notes_on
+    from kagezou.scene.misfits import misfits_of, new_misfits
 
     for change in styled.changes:
         values = f"{text_of_value(change.before)} -> {text_of_value(change.after)}"
         give(f"{path_of(before, change.address)} {values}")
     for sentence in notes_on(styled, styled.style.name.en, _ASKING, lambda address: path_of(before, address)):
         note(sentence)
+    for misfit in new_misfits(misfits_of(before), misfits_of(styled.document)):
+        note(misfit.message)
 
 
 def named_style(name: str) -> "Style":

@@ -29,7 +29,13 @@ from kagezou.ui.widgets.space_bar import SpaceBar
 
 _PILL, _PILL_EDGE, _PILL_TEXT = QColor(16, 16, 16, 235), QColor(255, 255, 255, 46), QColor("#f4f4f4")
 _SHADE = QColor(0, 0, 0, 150)
-_SHOWN = (GuideKind.GROUND_LINE, GuideKind.GROUND_OUTLINE, GuideKind.PIECE_EDGE, GuideKind.PIECE_OTHER)
+_SHOWN = (
+    GuideKind.GROUND_LINE,
+    GuideKind.GROUND_OUTLINE,
+    GuideKind.PIECE_EDGE,
+    GuideKind.PIECE_OTHER,
+    GuideKind.PIECE_FLOOR,
+)
 _PRESSES = (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick, QEvent.Type.TabletPress)
 _MOVES = (QEvent.Type.MouseMove, QEvent.Type.TabletMove)
 _RELEASES = (QEvent.Type.MouseButtonRelease, QEvent.Type.TabletRelease)

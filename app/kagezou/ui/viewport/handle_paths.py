@@ -44,6 +44,7 @@ _GUIDES: dict[GuideKind, tuple[int, Qt.PenStyle]] = {
     GuideKind.PIECE_HIDDEN: (_CLEAR, Qt.PenStyle.DashLine),
     GuideKind.PIECE_TOUCHED: (_STRONG, Qt.PenStyle.SolidLine),
     GuideKind.PIECE_OTHER: (_FAINT, Qt.PenStyle.SolidLine),
+    GuideKind.PIECE_FLOOR: (_CLEAR, Qt.PenStyle.SolidLine),
     GuideKind.PIECE_ARM: (_CLEAR, Qt.PenStyle.SolidLine),
     GuideKind.LEAN_ARM: (_STRONG, Qt.PenStyle.SolidLine),
     GuideKind.LEAN_ARC: (_FAINT, Qt.PenStyle.SolidLine),

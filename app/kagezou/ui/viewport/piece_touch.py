@@ -1,7 +1,8 @@
 """The pieces of the set under the pointer: which outline it is on, and choosing that piece."""
 
+from kagezou.scene.set_outlines import PieceOutline, outlines_of
 from kagezou.tools.handle import Guide, GuideKind
-from kagezou.tools.set_outlines import PieceOutline, outlines_of, piece_at
+from kagezou.tools.piece_hits import piece_at
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.pointer_report import PointerReport
 from kagezou.ui.viewport.viewpoint import Viewpoint
