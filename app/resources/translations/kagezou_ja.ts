@@ -3900,6 +3900,10 @@ Drop a folder of cels here.</source>
         <translation>点 [{axes}] ({unit})</translation>
     </message>
     <message>
+        <source>guides are drawn into composites; ask for those as well</source>
+        <translation>ガイドは合成画像に描かれます。合成画像も指定してください</translation>
+    </message>
+    <message>
         <source>it is too large for values</source>
         <translation>値のファイルとしては大きすぎます</translation>
     </message>
