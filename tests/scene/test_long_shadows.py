@@ -1,9 +1,11 @@
 """Long shadows: those of the style for the evening stay on the picture, and what leaves it is told."""
 
 from itertools import product
+from pathlib import Path
 
 import pytest
 
+from kagezou.document.edits import set_background
 from kagezou.document.model import Document
 from kagezou.io.clips.style_files import bundled_styles
 from kagezou.scene.misfits import Misfit, MisfitKind, misfits_at
@@ -58,3 +60,31 @@ def test_where_no_sun_keeps_it_that_is_told() -> None:
 )
 def test_others_are_not_asked(values: dict[str, object]) -> None:
     assert leaving(with_values(lit(-62.0, 20.0), values)) == []
+
+
+def climbing(document: Document) -> list[Misfit]:
+    return [each for each in misfits_at(document, 1) if each.kind is MisfitKind.CLIMBS]
+
+
+def on_a_painting(azimuth: float, elevation: float, **values: object) -> Document:
+    return set_background(lit(azimuth, elevation, **values), Path("/nowhere/park.png"))
+
+
+def test_a_shadow_that_runs_up_a_painting_is_told_and_perspective_lays_it_down() -> None:
+    (told,) = climbing(on_a_painting(0.0, 18.0))
+    assert str(told.message).startswith("A's long shadow runs up the background on frame 1, for without perspective")
+    assert climbing(on_a_painting(0.0, 18.0, **{"camera.fov": 40.0})) == []
+
+
+@pytest.mark.parametrize(
+    "document",
+    [
+        lit(0.0, 18.0),
+        on_a_painting(0.0, 60.0),
+        on_a_painting(180.0, 18.0),
+        on_a_painting(0.0, 18.0, **{"shadow.shape": "disc"}),
+    ],
+    ids=["no background", "a high sun", "toward the viewer", "a disc"],
+)
+def test_other_shadows_do_not_climb(document: Document) -> None:
+    assert climbing(document) == []

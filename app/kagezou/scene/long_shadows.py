@@ -1,4 +1,4 @@
-"""Long shadows of a low sun: whether the head of one still falls on the picture, and which sun would keep it there."""
+"""Long shadows: whether the head of one still falls on the picture, and whether one climbs up a background."""
 
 from collections.abc import Iterator
 from typing import Final
@@ -11,8 +11,9 @@ from kagezou.document.properties import LIGHT_AZIMUTH, LIGHT_ELEVATION, LIGHT_KI
 from kagezou.document.values import value_at
 from kagezou.geometry.light import sun
 from kagezou.geometry.shadow import cast_on
-from kagezou.geometry.vectors import Point2
+from kagezou.geometry.vectors import Matrix, Point2, Vector4
 from kagezou.message import Message
+from kagezou.scene.evaluate import light_at
 from kagezou.scene.figure_card import Moment
 from kagezou.scene.placing import figure_box
 from kagezou.scene.poses import casting_of
@@ -25,6 +26,9 @@ _ELEVATIONS_DEG: Final = range(15, 61, 5)
 
 _HEAD: Final = ((0.0, 0.0), (-0.25, 0.15), (0.25, 0.15))
 """The outline of a head: from the middle of the top of the box around a figure, in parts of its width and height."""
+
+_CLIMBED: Final = 0.6
+"""A shadow whose head is seen higher over the feet than this part of the figure's height climbs up the picture."""
 
 _STEEPER_COUNTS: Final = 2.0
 """A degree of elevation takes more from the look than one of azimuth."""
@@ -55,6 +59,26 @@ def leaving_words(on: Moment, layer: Layer) -> Message | None:
     )
 
 
+def climbing_words(on: Moment, layer: Layer) -> Message | None:
+    """Return what to say of a shadow that runs far up a background for want of perspective; None else.
+
+    Seen straight on, the ground has no horizon: over a painted picture a long shadow climbs into what stands there.
+    """
+    is_flat = on.camera.eye[3] == 0 and on.document.behind.drawing_at(on.frame) is not None
+    if not is_flat or value_at(layer.tracks, SHAPE, on.frame) == "disc":
+        return None
+    head = _head_on_canvas(on, layer, light_at(on.document, on.frame, on.ground))
+    box = figure_box(on.document, layer.id, on.frame)
+    if head is None or box.bottom - float(head[1, 0] / head[2, 0]) <= _CLIMBED * box.height:
+        return None
+    return Message(
+        "{figure}'s long shadow runs up the background on frame {frame}, for without perspective the ground has no "
+        "horizon: camera.fov, or matching the camera to the picture, lays it down",
+        figure=layer.name,
+        frame=on.frame,
+    )
+
+
 def _suns() -> Iterator[Point2]:
     """Yield azimuths and elevations that shadows fall away from the viewer under."""
     return ((float(azimuth), float(elevation)) for azimuth in _AZIMUTHS_DEG for elevation in _ELEVATIONS_DEG)
@@ -62,7 +86,17 @@ def _suns() -> Iterator[Point2]:
 
 def _is_kept(on: Moment, layer: Layer, way: Point2) -> bool:
     """Whether the shadow of a figure's head falls on the picture under the sun of an azimuth and an elevation."""
-    light, box = sun(on.ground, *way), figure_box(on.document, layer.id, on.frame)
+    head = _head_on_canvas(on, layer, sun(on.ground, *way))
+    if head is None:
+        return False
+    x, y, w = head
+    inside = (w > 0) & (x >= 0) & (x <= w * on.camera.width_px) & (y >= 0) & (y <= w * on.camera.height_px)
+    return bool(inside.all())
+
+
+def _head_on_canvas(on: Moment, layer: Layer, light: Vector4) -> Matrix | None:
+    """Return where the shadow of a figure's head is seen, homogeneous (3, N), its top first; None where none is."""
+    box = figure_box(on.document, layer.id, on.frame)
     card, lowered = casting_of(on, layer, on.frame, light)
     places = [(box.middle[0] + x * box.width, box.top + y * box.height) for x, y in _HEAD]
     head = np.array([place if lowered is None else lowered.lowered(place) for place in places])
@@ -70,7 +104,5 @@ def _is_kept(on: Moment, layer: Layer, way: Point2) -> bool:
     piece = next((each for each in card.pieces if each.holds(top)), card.pieces[0])
     cast = cast_on(on.camera, on.ground, piece, light)
     if cast is None:
-        return False
-    x, y, w = np.linalg.inv(cast.art_from_canvas) @ np.column_stack([head, np.ones(len(head))]).T
-    inside = (w > 0) & (x >= 0) & (x <= w * on.camera.width_px) & (y >= 0) & (y <= w * on.camera.height_px)
-    return bool(inside.all())
+        return None
+    return np.asarray(np.linalg.inv(cast.art_from_canvas) @ np.column_stack([head, np.ones(len(head))]).T)

@@ -21,7 +21,7 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at, ground_at, light_at
 from kagezou.scene.figure_card import Moment, card_of
-from kagezou.scene.long_shadows import leaving_words
+from kagezou.scene.long_shadows import climbing_words, leaving_words
 from kagezou.scene.overhead import dark_words, joined_words
 from kagezou.scene.pieces import pieces_at
 from kagezou.scene.placing import drawing_of, figure_box, shown_parts
@@ -48,6 +48,8 @@ class MisfitKind(Enum):
     """Nothing wrong: a lamp overhead is four, whose shadows are simplified to one."""
     LEAVES = auto()
     """The head of a long shadow falls beside the picture."""
+    CLIMBS = auto()
+    """A long shadow runs up the background, whose ground has no perspective."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +158,12 @@ def _slivers(on: Moment, layer: Layer) -> Iterator[Misfit]:
 
 
 def _lighting(on: Moment, layer: Layer) -> Iterator[Misfit]:
-    asked = ((MisfitKind.DARK, dark_words), (MisfitKind.JOINED, joined_words), (MisfitKind.LEAVES, leaving_words))
+    asked = (
+        (MisfitKind.DARK, dark_words),
+        (MisfitKind.JOINED, joined_words),
+        (MisfitKind.LEAVES, leaving_words),
+        (MisfitKind.CLIMBS, climbing_words),
+    )
     for kind, ask in asked:
         words = ask(on, layer)
         if words is not None:

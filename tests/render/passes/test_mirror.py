@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from kagezou.document import edits
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.set_pieces import add_piece
+from kagezou.document.wave_edits import loop_waves
 from kagezou.geometry.box import Box
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
@@ -156,3 +157,25 @@ def test_it_lies_in_the_picture_over_shadows_and_under_figures(renderer: Rendere
     clear = drawing == 0
     assert np.abs(picture - wanted)[clear].max() < 2 / 255
     assert np.allclose(picture[drawing == 1], np.array([200, 120, 60]) / 255, atol=1e-6)
+
+
+def test_waves_that_loop_bring_shadow_gaps_and_reflection_back(renderer: Renderer, figure: Path) -> None:
+    """Frame 1 is the frame after the last one, and the one between is another."""
+    values = VIEWS["waves"] | {"layers.A.shadow.slits": 0.8, "layers.A.shadow.wave1.amplitude": 14.0}
+    document = mirroring(figure, values)
+    document = replace(document, canvas=replace(document.canvas, length_frames=24))
+    document = with_values(document, {"layers.A.shadow.wave1.velocity": 7.3, "layers.A.shadow.wave2.velocity": -2.1})
+    document = loop_waves(document, ("layer-1",), 1)
+    shown = [evaluate(document, frame) for frame in (1, 13, 25)]
+    assert shown[0].layers[0].cast != shown[1].layers[0].cast
+
+    def covered(scene: Scene) -> NDArray[np.float64]:
+        return np.asarray(renderer.coverage(scene, scene.layers[0]) / 65535)
+
+    def mirrored(scene: Scene) -> NDArray[np.float64]:
+        return drawn(renderer, scene)
+
+    for draw in (covered, mirrored):
+        first, between, again = map(draw, shown)
+        assert np.abs(first - again).max() < 0.02
+        assert np.abs(first - between).max() > 0.5
