@@ -161,7 +161,7 @@ def test_it_lies_in_the_picture_over_shadows_and_under_figures(renderer: Rendere
 
 def test_waves_that_loop_bring_shadow_gaps_and_reflection_back(renderer: Renderer, figure: Path) -> None:
     """Frame 1 is the frame after the last one, and the one between is another."""
-    values = VIEWS["waves"] | {"layers.A.shadow.slits": 0.8, "layers.A.shadow.wave1.amplitude": 14.0}
+    values = {**VIEWS["waves"], "layers.A.shadow.slits": 0.8, "layers.A.shadow.wave1.amplitude": 14.0}
     document = mirroring(figure, values)
     document = replace(document, canvas=replace(document.canvas, length_frames=24))
     document = with_values(document, {"layers.A.shadow.wave1.velocity": 7.3, "layers.A.shadow.wave2.velocity": -2.1})
