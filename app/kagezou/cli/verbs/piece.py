@@ -133,7 +133,8 @@ def _imported(document: "Document", options: Namespace) -> "Document":
 
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
     from kagezou.document.set_properties import PIECE_KIND
-    from kagezou.tools.placing import add_placed
+    from kagezou.importing.silhouettes import silhouettes_of
+    from kagezou.tools.placing import NewPiece, add_placed
 
     kind = words[0] if words else ""
     if kind not in PIECE_KIND.choices:
@@ -148,7 +149,8 @@ def _added(document: "Document", name: str, words: list[str]) -> "Document":
             if kind
             else Message("add what? {known}", known=known)
         )
-    return add_placed(document, 1, None, PieceKind(kind), name, _values(words[1:]))[0]
+    new = NewPiece(PieceKind(kind), name, _values(words[1:]))
+    return add_placed(document, 1, None, new, silhouettes_of(document, 1))[0]
 
 
 def _kinds() -> str:
