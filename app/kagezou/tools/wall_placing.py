@@ -1,17 +1,23 @@
 """Where a new wall stands: behind all figures over the whole cut, where their shadows bend well, across the canvas."""
 
 from collections.abc import Iterable
+from math import inf
 from typing import Final, NamedTuple
 
 import numpy as np
 
+from kagezou.document.model import Document
+from kagezou.document.piece_kinds import TRAITS, kind_of
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.sets.shapes import stand_on
 from kagezou.geometry.sight import MIN_DEPTH, depth_of, seen
 from kagezou.geometry.vectors import Matrix, Vector3, dot, height_over
+from kagezou.message import Message
+from kagezou.scene.evaluate import camera_at, ground_at
+from kagezou.scene.piece_frames import piece_frame
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.sight import between, moved
-from kagezou.tools.wall_fitting import FigureSide, reach_on
+from kagezou.tools.wall_fitting import FigureSide, reach_on, sides_of
 
 _NEAR, _BEST, _FAR = 0.35, 0.5, 0.7
 """Which part of the way of a shadow should lie on the ground before the wall."""
@@ -70,6 +76,22 @@ def wall_spot(
         if place is not None:
             return _fitted(geometry, place, sides, tall)
     return None
+
+
+def cut_notes(before: Document, after: Document) -> tuple[Message, ...]:
+    """Return what the user should know of new walls that are too low for the shadows on them over the cut."""
+    known, camera, ground = {piece.id for piece in before.pieces}, camera_at(after, 1), ground_at(after, 1)
+    new = [piece for piece in after.pieces if piece.id not in known and TRAITS[kind_of(piece)].is_backdrop]
+    sides = sides_of(after, 1) if new else ()
+    notes = []
+    for piece in new:
+        found = piece_frame(piece, 1, camera, ground)
+        reach = None if found is None else reach_on(sides, found.stand, inf)
+        if found is not None and reach is not None and reach.top > found.measures.height_px:
+            notes.append(
+                Message("{piece}: shadows reach over its upper edge at some time and are cut off", piece=piece.name)
+            )
+    return tuple(notes)
 
 
 def _places(
