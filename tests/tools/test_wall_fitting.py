@@ -21,10 +21,10 @@ from kagezou.scene.misfits import MisfitKind, misfits_of
 from kagezou.scene.piece_frames import piece_frame
 from kagezou.standing.foot import Foot
 from kagezou.tools.corner import drawing, wall_line
-from kagezou.tools.placing import add_placed
+from kagezou.tools.placing import NewPiece, add_placed
 from kagezou.tools.pointer import Modifiers, Pointer
 from kagezou.tools.sight import between, moved
-from kagezou.tools.wall_fitting import FigureSide, farthest_back, reach_on, sides_of
+from kagezou.tools.wall_fitting import FigureSide, reach_on, sides_of
 from tests.tools.tool_scenes import FIGURE, LAYER, document_with
 
 lamps = st.tuples(st.floats(-300, 1300), st.floats(-1500, -400), st.floats(600, 2500))
@@ -51,7 +51,7 @@ def two(lamp: tuple[float, float, float], fov: float = 0.0) -> Document:
 def test_a_wall_that_is_put_beheads_nobody_and_holds_the_shadows(
     lamp: tuple[float, float, float], fov: float, layer_id: str | None
 ) -> None:
-    document, piece_id = add_placed(two(lamp, fov), 1, layer_id, PieceKind.WALL, "Back")
+    document, piece_id = add_placed(two(lamp, fov), 1, layer_id, NewPiece(PieceKind.WALL, "Back"))
     check(document)
     assert all(each.kind is not MisfitKind.POKES for each in misfits_of(document))
     camera, ground = camera_at(document, 1), ground_at(document, 1)
@@ -59,7 +59,8 @@ def test_a_wall_that_is_put_beheads_nobody_and_holds_the_shadows(
     assert found is not None
     sides = sides_of(document, 1)
     # Behind all figures …
-    assert farthest_back(sides, ground, found.stand.origin) == 0
+    ways = [between(found.stand.origin, end) for side in sides for end in (side.foot, side.top)]
+    assert min(dot(way, ground.v) for way in ways) > 0
     # … and at least as large as what falls on it.
     reach = reach_on(sides, found.stand, 3 * 1000)
     if reach is not None:
@@ -72,7 +73,7 @@ def test_a_wall_that_is_put_beheads_nobody_and_holds_the_shadows(
 @pytest.mark.parametrize("x", [-300.0, 300.0, 900.0])
 def test_the_head_of_the_figure_falls_onto_the_wall(x: float) -> None:
     document, piece_id = add_placed(
-        document_with((p.LIGHT_POSITION, (x, -200.0, 2200.0))), 1, LAYER, PieceKind.WALL, "Back"
+        document_with((p.LIGHT_POSITION, (x, -200.0, 2200.0))), 1, LAYER, NewPiece(PieceKind.WALL, "Back")
     )
     found = piece_frame(document.piece(piece_id), 1, camera_at(document, 1), ground_at(document, 1))
     assert found is not None
@@ -103,7 +104,7 @@ def test_a_wall_that_is_drawn_behind_the_figures_is_high_enough(
 
 def test_where_a_shadow_falls_on_a_wall_is_seen_there() -> None:
     document, piece_id = add_placed(
-        document_with((p.LIGHT_POSITION, (300.0, -200.0, 2200.0))), 1, LAYER, PieceKind.WALL, "B"
+        document_with((p.LIGHT_POSITION, (300.0, -200.0, 2200.0))), 1, LAYER, NewPiece(PieceKind.WALL, "B")
     )
     camera, ground = camera_at(document, 1), ground_at(document, 1)
     found = piece_frame(document.piece(piece_id), 1, camera, ground)

@@ -12,7 +12,7 @@ from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.sight import between, moved, on_plane
 from kagezou.tools.view import CanvasView
 
-_MOST_FRAMES: Final = 13
+_MOST_FRAMES: Final = 49
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,12 +54,6 @@ def _sides(geometry: FrameGeometry) -> Iterator[FigureSide]:
         foot, top = (on_plane(geometry.camera, card.piece_at(end).plane, end) for end in ends)
         if foot is not None and top is not None:
             yield FigureSide(foot, top, geometry.light)
-
-
-def farthest_back(sides: Iterable[FigureSide], ground: Plane, place: Vector3) -> float:
-    """Return how far behind a place of the ground the figures reach, ground px; 0 where they stand before it."""
-    ways = (dot(between(place, end), ground.v) for side in sides for end in (side.foot, side.top))
-    return max(-min(ways, default=0.0), 0.0)
 
 
 def reach_on(sides: Iterable[FigureSide], stand: Plane, most_px: float) -> Reach | None:

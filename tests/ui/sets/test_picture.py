@@ -14,6 +14,7 @@ from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.property import AnyProperty
 from kagezou.document.set_pieces import add_piece
+from kagezou.tools.handle import GuideKind
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, move, place_of
 
@@ -54,6 +55,19 @@ def test_an_outline_under_the_pointer_says_its_name_and_a_click_works_on_it(
     assert (bridge.piece_id, bridge.layer_id) == ("piece-1", None)
     assert bridge.session.undo_name == history, "choosing is no step"
     assert viewport.controller.selected_id == "piece.position"
+
+
+def test_pieces_are_faintly_outlined_while_a_layer_is_worked_on(furnished: MainWindow) -> None:
+    viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
+    bridge.session.select(bridge.document.layers[0].id)
+    kinds = {guide.kind for guide in viewport.controller.handles.guides}
+    assert kinds >= {GuideKind.PIECE_OTHER, GuideKind.PIECE_FLOOR}
+    with_lines = viewport.overlay.grab().toImage()
+    without = bridge.document
+    for piece in without.pieces:
+        without = set_constant(without, Address(s.PIECE_PRESENT, piece_id=piece.id), raw=False)
+    bridge.session.edit("Switch off", without)
+    assert viewport.overlay.grab().toImage() != with_lines
 
 
 def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished: MainWindow) -> None:

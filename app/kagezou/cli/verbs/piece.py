@@ -15,9 +15,10 @@ if TYPE_CHECKING:
     from kagezou.document.model import Document
 
 DESCRIPTION = """\
-Put a piece into the set, take one out, rename or copy it, or list them. A new wall stands behind the characters, and
-their shadows fit on it; any other piece stands beside them or behind; all are sized from the characters, who stand
-upright from then on as the set does (layers.NAME.upright). kagezou set changes everything about it: set.NAME.position,
+Put a piece into the set, take one out, rename or copy it, or list them. A new wall spans the canvas behind the
+characters, where their shadows bend up it and fit on it; any other piece stands where the topmost character's shadow
+falls on it and can be read, as far as there is such a place. All are sized from the characters, who stand upright from
+then on as the set does (layers.NAME.upright). kagezou set changes everything about it: set.NAME.position,
 .angle, .lean, .width, .height, .depth, .count, .receives, .blocks, .casts, .kind and .present, for the whole cut or by
 keys.
 
@@ -66,6 +67,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     from kagezou.document.set_pieces import stood_up_notes
     from kagezou.io.project.file import load, save
     from kagezou.scene.misfits import misfits_of, new_misfits
+    from kagezou.tools.wall_placing import cut_notes
 
     before = load(options.project)
     if options.action == "list":
@@ -83,7 +85,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if after is before:
         return 0
     if options.action == "add" and options.words[:1] != [PieceKind.MESH]:
-        for sentence in stood_up_notes(before, after):
+        for sentence in (*stood_up_notes(before, after), *cut_notes(before, after)):
             note(sentence)
     for misfit in new_misfits(misfits_of(before), misfits_of(after)):
         note(misfit.message)
@@ -133,7 +135,8 @@ def _imported(document: "Document", options: Namespace) -> "Document":
 
 def _added(document: "Document", name: str, words: list[str]) -> "Document":
     from kagezou.document.set_properties import PIECE_KIND
-    from kagezou.tools.placing import add_placed
+    from kagezou.importing.silhouettes import silhouettes_of
+    from kagezou.tools.placing import NewPiece, add_placed
 
     kind = words[0] if words else ""
     if kind not in PIECE_KIND.choices:
@@ -148,7 +151,8 @@ def _added(document: "Document", name: str, words: list[str]) -> "Document":
             if kind
             else Message("add what? {known}", known=known)
         )
-    return add_placed(document, 1, None, PieceKind(kind), name, _values(words[1:]))[0]
+    new = NewPiece(PieceKind(kind), name, _values(words[1:]))
+    return add_placed(document, 1, None, new, silhouettes_of(document, 1))[0]
 
 
 def _kinds() -> str:

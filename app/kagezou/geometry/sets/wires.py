@@ -13,9 +13,10 @@ from typing import NamedTuple
 import numpy as np
 
 from kagezou.geometry.ground import Plane
-from kagezou.geometry.sets.bodies import Ball, Body, Drum, Solid, vector
+from kagezou.geometry.sets.bodies import Ball, Body, Drum, vector
 from kagezou.geometry.sets.measures import Measures
 from kagezou.geometry.sets.shapes import SHAPES, DrawnOut, Profile, Sheet
+from kagezou.geometry.sets.ways import way_within, ways_to
 from kagezou.geometry.vectors import Matrix, Vector3, Vector4
 
 RIM_PARTS = 48
@@ -145,40 +146,9 @@ def _split(edges: Sequence[_Edge], bodies: Sequence[Body], eye: Vector4, size: f
 
 def _crossed(body: Body, points: Matrix, eye: Vector4) -> Matrix:
     """Return for how many px the way from each point (N, 3) to the eye lies within a body."""
-    ways = np.array(eye[:3]) - eye[3] * points
-    lengths = np.linalg.norm(ways, axis=1)
-    ways = ways / np.maximum(lengths, 1e-9)[:, None]
-    begin, end = np.zeros(len(points)), lengths if eye[3] else np.full(len(points), 1e9)
-    planes = [facet.equation for facet in body.facets] if isinstance(body, Solid) else []
-    if isinstance(body, Drum):
-        planes = list(body.ends)
-    if planes:
-        normals, offsets = np.array(planes)[:, :3].T, np.array(planes)[:, 3]
-        begin, end = _under(points @ normals + offsets, ways @ normals, begin, end)
-    if isinstance(body, Ball | Drum):
-        begin, end = _within(body.quadric, points, ways, begin, end)
+    ways, lengths = ways_to(eye, points)
+    begin, end = way_within(body, points, ways, np.zeros(len(points)), lengths)
     return np.maximum(end - begin, 0.0)
-
-
-def _under(heights: Matrix, rises: Matrix, begin: Matrix, end: Matrix) -> tuple[Matrix, Matrix]:
-    """Return the part of each way from ``begin`` to ``end`` over none of the planes; heights are (N, planes)."""
-    level = np.abs(rises) < 1e-9
-    crossings = -heights / np.where(level, 1.0, rises)
-    begin = np.maximum(begin, np.where(~level & (rises < 0), crossings, 0.0).max(axis=1))
-    end = np.minimum(end, np.where(~level & (rises > 0), crossings, np.inf).min(axis=1))
-    return begin, np.where((level & (heights > -1e-6)).any(axis=1), begin, end)
-
-
-def _within(form: Matrix, points: Matrix, ways: Matrix, begin: Matrix, end: Matrix) -> tuple[Matrix, Matrix]:
-    """Return the part of each way from ``begin`` to ``end`` that lies within a quadric."""
-    start = np.column_stack([points, np.ones(len(points))])
-    way = np.column_stack([ways, np.zeros(len(ways))])
-    a, b, c = (np.einsum("ij,jk,ik->i", x, form, y) for x, y in ((way, way), (way, start), (start, start)))
-    inside = b * b - a * c
-    meets = (inside > 0) & (a > 1e-12)
-    root, whole = np.sqrt(np.where(meets, inside, 0.0)), np.where(a > 1e-12, a, 1.0)
-    begin = np.where(meets, np.maximum(begin, (-b - root) / whole), begin)
-    return begin, np.where(meets, np.minimum(end, (-b + root) / whole), begin)
 
 
 def _points(line: Matrix) -> tuple[Vector3, ...]:

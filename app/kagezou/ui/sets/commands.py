@@ -9,7 +9,8 @@ from kagezou.document.set_pieces import copy_piece, remove_piece
 from kagezou.document.set_properties import PIECE_POSITION
 from kagezou.errors import Problem
 from kagezou.geometry.sets.measures import PieceKind
-from kagezou.tools.placing import add_placed
+from kagezou.importing.silhouettes import silhouettes_of
+from kagezou.tools.placing import NewPiece, add_placed
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.kind_words import words_for_adding
 from kagezou.ui.system.words import choice_name, translated
@@ -39,7 +40,9 @@ class SetCommands(QObject):
         bridge = self._bridge
         layer_id = bridge.layer_id
         try:
-            document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, kind, choice_name(kind))
+            shapes = silhouettes_of(bridge.document, bridge.frame)
+            new = NewPiece(kind, choice_name(kind))
+            document, piece_id = add_placed(bridge.document, bridge.frame, layer_id, new, shapes)
         except Problem as problem:
             self.refused.emit(translated(problem))
             return

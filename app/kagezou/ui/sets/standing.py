@@ -6,6 +6,7 @@ from kagezou.document.model import Document
 from kagezou.document.set_pieces import stood_up_notes
 from kagezou.importing.lighting import turning_note
 from kagezou.scene.misfits import Misfit, misfits_at, new_misfits
+from kagezou.tools.wall_placing import cut_notes
 from kagezou.ui.system.bridge import Bridge
 
 
@@ -37,7 +38,7 @@ class StandingNotes(QObject):
         before, document = self._document, self._bridge.document
         found = misfits_at(document, self._bridge.frame)
         if len(document.pieces) > len(before.pieces):
-            for note in stood_up_notes(before, document):
+            for note in (*stood_up_notes(before, document), *cut_notes(before, document)):
                 self.noted.emit(note)
         for misfit in new_misfits(self._known, found):
             self.noted.emit(misfit.message)

@@ -64,6 +64,8 @@ _TONES = {
 }
 """Colour and width of guides that come in kinds, which their dashes tell apart too; all others are white and thin."""
 
+_SHADES = {GuideKind.PIECE_OTHER: 50}
+"""How dark the line under a guide is, of those that are always there: many of them lie on each other."""
 
 _EXPLAINING: dict[GuideKind, tuple[str, ...]] = {
     GuideKind.GROUND_OUTLINE: ("ground.", "light."),
@@ -190,7 +192,9 @@ def paint_guide(painter: QPainter, guide: Guide, view: CanvasView, area: QRectF)
     room = area.adjusted(-8, -8, 8, 8)
     # Guides may run far beyond the screen, where dashing them would take for ever.
     lines = [line for a, b in zip(points, ends, strict=False) if (line := clipped(a, b, room))]
-    for pen in (QPen(_SHADE, width + 1.6), QPen(tone, width, style)):
+    shade = QColor(_SHADE)
+    shade.setAlpha(_SHADES.get(guide.kind, _SHADE.alpha()))
+    for pen in (QPen(shade, width + 1.6), QPen(tone, width, style)):
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         painter.setPen(pen)
         for a, b in lines:
