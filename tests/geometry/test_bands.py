@@ -45,7 +45,8 @@ def test_the_distance_of_a_width_is_where_it_is_that_wide(
     blur = Blur(amount, distance, base, slope)
     sigma = blur.sigma_at(away)
     first = blur.distance_of(sigma)
-    assert first <= away * (1 + 1e-6) + 1e-3
+    # Where the width hardly changes, numbers do not tell one place from another.
+    assert first <= away * (1 + 1e-6) + 1e-3 or blur.sigma_at(first) == pytest.approx(sigma, rel=1e-13)
     assert blur.sigma_at(first) == pytest.approx(sigma, rel=1e-6, abs=1e-6)
 
 

@@ -4084,6 +4084,10 @@ Drop a folder of cels here.</source>
         <translation>フレーム {frame} で {figure} が {piece} を突き抜けていて、影が切れます：キャラクターの後ろをもっと空けるか、upright = 1 にすると切れません</translation>
     </message>
     <message>
+        <source>{figure}&apos;s long shadow runs up the background on frame {frame}, for without perspective the ground has no horizon: camera.fov, or matching the camera to the picture, lays it down</source>
+        <translation>フレーム {frame} で {figure} の長い影が背景を駆け上がっています。遠近がないと地面に地平線がありません。camera.fov か背景へのカメラ合わせで寝かせられます</translation>
+    </message>
+    <message>
         <source>{figure}: on frame {frame} its two grounding points leave {percent:.0f} % of the shadow that one has; feet or one point keep it whole</source>
         <translation>{figure}：フレーム {frame} では接地点が 2 つあるため、影が 1 点のときの {percent:.0f} % しか残りません。足または接地点 1 つなら保たれます</translation>
     </message>
@@ -4362,6 +4366,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: {where}: {value!r} is not kept in its canonical form</source>
         <translation>{path}：{where}：{value!r} は標準の形で保存されていません</translation>
+    </message>
+    <message>
+        <source>{piece}: shadows reach over its upper edge at some time and are cut off</source>
+        <translation>{piece}：影が上端を越える時があり、そこで切れます</translation>
     </message>
     <message>
         <source>{place}: {cause}</source>

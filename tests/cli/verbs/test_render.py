@@ -195,6 +195,8 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
         "moved cel",
         "joined cels",
         *places,
+        "reflection",
+        "contact",
         "opacity",
         *simplifying,
         "light on a set",
