@@ -65,6 +65,15 @@ def test_a_figure_at_the_edge_is_whole(walk: Document, place: list[int]) -> None
     assert skin_px(seen) == 8 * 20
 
 
+def test_a_reflection_that_leaves_the_canvas_is_whole(renderer: Renderer, walk: Document) -> None:
+    mirrored = with_values(walk, layers__A__reflection__opacity=1.0)
+    renderer.draw_picture(evaluate(mirrored, 1), Backdrop.WHITE)
+    assert not is_empty_around(renderer.read_picture())
+    seen = portrait(mirrored)
+    assert is_empty_around(seen)
+    assert skin_px(seen) == 2 * 8 * 20
+
+
 def test_it_is_as_large_as_it_can_be(walk: Document) -> None:
     """What is longest of figure and shadow nearly fills the square."""
     seen = portrait(walk)

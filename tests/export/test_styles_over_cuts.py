@@ -154,3 +154,10 @@ def test_torn_water_opens_the_body_into_stripes_that_last(looked_at: dict[tuple[
         assert mean([each.main_share for each in over.seen]) < 0.75, figure
         assert max(abs(b - a) for a, b in pairwise(counts)) <= 4, figure
         assert mean([float(abs(b - a)) for a, b in pairwise(counts)]) <= 1.5, figure
+
+
+def test_only_round_shadows_lie_under_their_figures(looked_at: dict[tuple[str, str], OverCut]) -> None:
+    for figure, over in of(looked_at, "Round shadow"):
+        assert sum(each.is_under_figure for each in over.seen) > 0.7 * len(over.seen), figure
+    for figure, over in of(looked_at, "Long evening"):
+        assert not any(each.is_under_figure for each in over.seen), figure

@@ -97,9 +97,9 @@ def judged(renderer: Renderer, figure: Path, seed: int) -> Agreement | None:
 
 
 def test_the_closed_form_agrees_with_rays_over_a_sweep(renderer: Renderer, figure: Path) -> None:
-    results = {seed: judged(renderer, figure, seed) for seed in range(80)}
+    results = {seed: judged(renderer, figure, seed) for seed in range(64)}
     cases = {seed: each for seed, each in results.items() if each is not None}
-    assert len(cases) >= 60
+    assert len(cases) >= 48
     assert not {seed: each for seed, each in cases.items() if not each.is_right}
 
 

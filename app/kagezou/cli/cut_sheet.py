@@ -64,7 +64,8 @@ def words_on(seen: Sequence[ShadowSeen]) -> Iterator[str]:
     yield f"least island {min(each.part_areas_px2[-1] for each in seen):.0f} px2"
     yield f"area {areas.min() / areas.mean():.2f}-{areas.max() / areas.mean():.2f} of its mean"
     yield f"hidden {100 * np.mean([each.hidden for each in seen]):.0f} %"
-    yield f"direction within {swing_deg(seen):.0f} deg"
+    under = sum(each.is_under_figure for each in seen)
+    yield f"direction within {swing_deg(seen):.0f} deg" if 2 * under < len(seen) else "under the figure"
     moved = [(each.outline_px, each.drawing_px) for each in seen]
     shadow, drawing = (
         float(np.mean([0.0 if one is None else one for one in each])) for each in zip(*moved, strict=True)

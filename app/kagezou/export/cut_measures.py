@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import atan2, degrees
+from math import atan2, degrees, hypot, sqrt
 from typing import Final
 
 import numpy as np
@@ -21,6 +21,9 @@ Mask = NDArray[np.bool_]
 
 _HALF: Final = 32768
 
+_UNDER: Final = 0.4
+"""Nearer than this part of its width and height together a shadow lies under its figure."""
+
 
 @dataclass(frozen=True, slots=True)
 class ShadowSeen:
@@ -38,6 +41,8 @@ class ShadowSeen:
         Which part of it lies under the figure, 0 to 1.
     direction_deg
         Where its middle lies, seen from where the figure stands: 0 to the right, 90 down.
+    away_px
+        How far from there.
     outline_px
         How far its outline moved since the frame before, on average; None on the first frame and without a shadow.
     drawing_px
@@ -49,8 +54,14 @@ class ShadowSeen:
     hole_areas_px2: tuple[float, ...]
     hidden: float
     direction_deg: float
+    away_px: float
     outline_px: float | None
     drawing_px: float | None
+
+    @property
+    def is_under_figure(self) -> bool:
+        """Whether its middle is so near to where the figure stands that it has no direction."""
+        return self.away_px < _UNDER * sqrt(self.area_px2)
 
     @property
     def main_share(self) -> float:
@@ -101,11 +112,12 @@ def _measured(
     area = float(len(rows))
     return ShadowSeen(
         area,
-        tuple(part_areas(shadow, diagonal=True)),
+        tuple(part_areas(shadow, diagonal=True).tolist()),
         # What is around the shadow is the largest part of what is not in it.
-        tuple(part_areas(~np.pad(shadow, 1), diagonal=False)[1:]),
+        tuple(part_areas(~np.pad(shadow, 1), diagonal=False)[1:].tolist()),
         float(np.count_nonzero(shadow & figure)) / area,
         degrees(atan2(away[1], away[0])),
+        hypot(*away),
         None if before is None else _moved(before[0], shadow),
         None if before is None else _moved(before[1], figure),
     )

@@ -55,13 +55,17 @@ class Portraits:
         self._renderer = Renderer(self._cels, divisor=self._divisor)
 
     def box(self, document: Document, frame: int | None = None) -> Box:
-        """Return what holds the figure and its shadow, px of the portraits' own canvas; all where nothing is seen.
+        """Return what holds the figure, its shadow and its reflection; the canvas where nothing is seen.
+
+        In px of the portraits' own canvas.
 
         ``frame`` is another one than that of the portraits.
         """
         scene = evaluate(self._smaller(document), self._frame if frame is None else frame)
         shadows = (self._renderer.shadow(scene, layer) for layer in scene.layers if layer.id == self._figure_id)
         seen = [_seen(image.alpha, image.box) for image in shadows]
+        mirrored = (each for each in scene.layers if each.id == self._figure_id and each.reflection is not None)
+        seen += [_seen(self._renderer.reflection(scene, each)[..., 3], scene.canvas) for each in mirrored]
         found = around(
             *seen, *(self._cel_box(scene, each) for each in scene.layers if each.figure_id == self._figure_id)
         )
