@@ -1,7 +1,7 @@
 """What an artist looks at in a shadow over a whole cut, as numbers."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, degrees, hypot, sqrt
 from typing import Final
 
@@ -9,17 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.document.model import Document
-from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.camera import project
-from kagezou.io.images.cel_cache import CelSource
-from kagezou.render.prepare.least_parts import part_areas
+from kagezou.io.pixels.connected import part_areas
+from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
+from kagezou.scene.companions import without_companions
 from kagezou.scene.evaluate import contact_of, evaluate
 from kagezou.scene.scene import LayerScene, Scene
 
 Mask = NDArray[np.bool_]
 
 _HALF: Final = 32768
+_HALF_OPAQUE: Final = 128
 
 _UNDER: Final = 0.4
 """Nearer than this part of its width and height together a shadow lies under its figure."""
@@ -70,7 +71,7 @@ class ShadowSeen:
 
 
 def shadow_over_cut(
-    document: Document, figure_id: str, frames: Sequence[int], renderer: Renderer, cels: CelSource
+    document: Document, figure_id: str, frames: Sequence[int], renderer: Renderer
 ) -> tuple[ShadowSeen, ...]:
     """Return what is seen of a figure's shadow on frames that follow one another; frames without one are left out.
 
@@ -80,15 +81,13 @@ def shadow_over_cut(
         The cut, and the layer of the figure.
     frames
         Upward.
-    renderer, cels
-        What draws, with the context that is current, and where its drawings come from.
+    renderer
+        What draws, with the context that is current.
     """
-    return tuple(_seen(document, figure_id, frames, renderer, cels))
+    return tuple(_seen(document, figure_id, frames, renderer))
 
 
-def _seen(
-    document: Document, figure_id: str, frames: Sequence[int], renderer: Renderer, cels: CelSource
-) -> Iterator[ShadowSeen]:
+def _seen(document: Document, figure_id: str, frames: Sequence[int], renderer: Renderer) -> Iterator[ShadowSeen]:
     before: tuple[Mask, Mask] | None = None
     for frame in frames:
         scene = evaluate(document, frame)
@@ -97,7 +96,7 @@ def _seen(
             before = None
             continue
         shadow = renderer.coverage(scene, layer) >= _HALF
-        figure = _figure(scene, figure_id, cels)
+        figure = _figure(scene, figure_id, renderer)
         if shadow.any():
             yield _measured(scene, layer, shadow, figure, before)
         before = (shadow, figure) if shadow.any() else None
@@ -135,22 +134,9 @@ def _length(mask: Mask) -> float:
     return float(crossings) * np.pi / 4
 
 
-def _figure(scene: Scene, figure_id: str, cels: CelSource) -> Mask:
-    """Return where the drawings of a figure are at least half opaque; cels that a layer moves are left out."""
-    mask = np.zeros((scene.canvas.height, scene.canvas.width), np.bool_)
-    for layer in scene.layers:
-        if layer.figure_id != figure_id or layer.drawing is None or layer.drawing.placement is not None:
-            continue
-        matte = cels.matte(layer.drawing.source)
-        if matte.box is None:
-            continue
-        box = matte.box.moved(*centred_offset(scene.canvas, matte.width_px, matte.height_px))
-        seen = box.intersection(scene.canvas)
-        if seen is not None:
-            part = matte.alpha[seen.top - box.top : seen.bottom - box.top, seen.left - box.left : seen.right - box.left]
-            mask[_slices(seen)] |= 2 * part.astype(np.uint32) >= np.iinfo(part.dtype).max
-    return mask
-
-
-def _slices(box: Box) -> tuple[slice, slice]:
-    return slice(box.top, box.bottom), slice(box.left, box.right)
+def _figure(scene: Scene, figure_id: str, renderer: Renderer) -> Mask:
+    """Return where the drawings of a figure are at least half opaque."""
+    drawings = tuple(without_companions(layer) for layer in scene.layers if layer.figure_id == figure_id)
+    bare = replace(scene, background=None, layers=drawings, pieces=(), set_shadow=None)
+    renderer.draw_picture(bare, Backdrop.TRANSPARENT)
+    return np.asarray(renderer.read_picture()[..., 3] >= _HALF_OPAQUE)

@@ -80,7 +80,7 @@ class Portraits:
 
     def over_cut(self, document: Document, frames: Sequence[int]) -> tuple[ShadowSeen, ...]:
         """Return what is seen of the figure's shadow on frames, px of the portraits' own canvas."""
-        return shadow_over_cut(self._smaller(document), self._figure_id, frames, self._renderer, self._cels)
+        return shadow_over_cut(self._smaller(document), self._figure_id, frames, self._renderer)
 
     def close(self) -> None:
         """Give the memory back; the context must be current."""

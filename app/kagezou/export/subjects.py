@@ -34,8 +34,8 @@ _WHITE: Final = (255, 255, 255)
 
 
 @dataclass(frozen=True, slots=True)
-class ShadowSubject:
-    """A character's shadow on the ground and the set."""
+class _OfLayer:
+    """Something of a layer, by its id."""
 
     layer_id: str
 
@@ -43,6 +43,11 @@ class ShadowSubject:
     def owner(self) -> str:
         """Whose it is: the layer's id."""
         return self.layer_id
+
+
+@dataclass(frozen=True, slots=True)
+class ShadowSubject(_OfLayer):
+    """A character's shadow on the ground and the set."""
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return the shadow; an empty cel and a hidden layer have an empty one."""
@@ -72,15 +77,8 @@ class UnitedSubject:
 
 
 @dataclass(frozen=True, slots=True)
-class ReceivedSubject:
+class ReceivedSubject(_OfLayer):
     """What other characters cast on one."""
-
-    layer_id: str
-
-    @property
-    def owner(self) -> str:
-        """Whose it is: the layer's id."""
-        return self.layer_id
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return what falls on the layer; an empty picture where nothing can."""
@@ -91,15 +89,8 @@ class ReceivedSubject:
 
 
 @dataclass(frozen=True, slots=True)
-class ContactSubject:
+class ContactSubject(_OfLayer):
     """The dark patches under a character's feet."""
-
-    layer_id: str
-
-    @property
-    def owner(self) -> str:
-        """Whose they are: the layer's id."""
-        return self.layer_id
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return the patches; an empty picture where there are none."""
@@ -111,15 +102,8 @@ class ContactSubject:
 
 
 @dataclass(frozen=True, slots=True)
-class ReflectionSubject:
+class ReflectionSubject(_OfLayer):
     """A character mirrored in the ground."""
-
-    layer_id: str
-
-    @property
-    def owner(self) -> str:
-        """Whose it is: the layer's id."""
-        return self.layer_id
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return the reflection; an empty picture where there is none."""

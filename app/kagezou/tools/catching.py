@@ -18,6 +18,7 @@ from kagezou.geometry.card import Card, CardPiece
 from kagezou.geometry.sets.bodies import Body
 from kagezou.geometry.sets.ways import ENDLESS_PX, way_within, ways_to
 from kagezou.geometry.vectors import Matrix, Vector4
+from kagezou.io.pixels.connected import part_areas
 from kagezou.tools.frame_geometry import FrameGeometry
 from kagezou.tools.view import CanvasView
 
@@ -138,7 +139,7 @@ def catch_of(
         shown=float(seen.sum() / max(found.sum(), 1)),
         part=float(dark.sum() / max(lit.sum(), 1)),
         area_px=float(dark.sum()) * step * step,
-        parts=sum(size > least for size in _part_sizes(dark.reshape(x.shape))),
+        parts=int((part_areas(dark.reshape(x.shape), diagonal=False) > least).sum()),
     )
 
 
@@ -184,19 +185,6 @@ def _crosses(caster: Caster, piece: CardPiece, camera: Camera, points: Matrix, w
         met &= a * x + b * y + c >= 0
     covered: Flags = met & caster.covers(x, y)
     return covered
-
-
-def _part_sizes(dark: Flags) -> list[int]:
-    """Return how many cells each part of a picture (H, W) has; cells beside each other hang together."""
-    height, width = dark.shape
-    labels = np.where(dark, np.arange(1, dark.size + 1).reshape(dark.shape), 0)
-    while True:
-        room = np.pad(labels, 1)
-        beside = [room[a : a + height, b : b + width] for a, b in ((0, 1), (2, 1), (1, 0), (1, 2))]
-        grown = np.where(dark, np.maximum.reduce([labels, *beside]), 0)
-        if (grown == labels).all():
-            return [int(size) for size in np.unique(labels[dark], return_counts=True)[1]]
-        labels = grown
 
 
 def _any(flags: Iterable[Flags], count: int) -> Flags:

@@ -14,10 +14,11 @@ from kagezou.io.clips.style_files import bundled_styles
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import ShadowCast
+from tests.render.passes.test_filter import cast_in, document_with
 from tests.render.prepare.test_least_parts import parts_of
 from tests.render.reference import blurred, raycast, set_raycast
 from tests.render.reference.blurred import ContactLine, Shape
-from tests.render.reference.figures import figure_alpha, standing, with_values
+from tests.render.reference.figures import figure_alpha, standing
 from tests.render.reference.outlines import Shift
 from tests.render.reference.raycast import Array
 from tests.render.reference.unfolded import FoldedGround
@@ -30,17 +31,6 @@ PERSPECTIVE = {"camera.fov": 40.0, "ground.roll": 8.0, "layers.A.grounding": [[4
 WALL: Pieces = {
     "wall": {"kind": "wall", "position": [500, 750], "width": 2400, "height": 1100, "angle": -8, "lean": 25}
 }
-
-
-def document_with(figure: Path, look: Mapping[str, object], scene: Mapping[str, object] | None = None) -> Document:
-    named = {SHADOW + name: value for name, value in look.items()}
-    return with_values(with_values(standing(figure), scene or {}), named)
-
-
-def cast_in(document: Document, frame: int = 1) -> ShadowCast:
-    cast = evaluate(document, frame).layers[0].cast
-    assert cast is not None
-    return cast
 
 
 def slits_of(cast: ShadowCast) -> Slits:

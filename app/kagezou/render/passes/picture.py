@@ -1,6 +1,8 @@
 """The finished picture: backdrop, background, shadows and characters, laid one over the other in that order."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.placement import Placement, around_placed
@@ -22,6 +24,11 @@ from kagezou.scene.scene import PlacedDrawing, ShadowCast, ShadowLook
 COLOR_BUDGET_BYTES = 256 << 20
 
 _NO_COLOR = (0.0, 0.0, 0.0)
+_AS_IT_IS: Mapping[str, Uniform] = MappingProxyType(
+    {"u_is_picture": True, "u_color": _NO_COLOR, "u_opacity": 1.0, "u_multiply": False}
+)
+"""How a picture is laid that has colours and alpha of its own."""
+
 _LINE_COLOR = (0xD5 / 255, 0x5E / 255, 0.0)
 """Vermilion: seen on paper, on dark drawings and by those who see few colours."""
 
@@ -108,14 +115,7 @@ class PicturePass:
 
     def lay_reflection(self, mirrored: Texture, box: Box) -> None:
         """Lay a picture of the canvas' size, straight colour and alpha, over the picture."""
-        uniforms: dict[str, Uniform] = {
-            "u_source_corner_px": (0.0, 0.0),
-            "u_is_picture": True,
-            "u_color": _NO_COLOR,
-            "u_opacity": 1.0,
-            "u_multiply": False,
-        }
-        self._lay(self._target, box, mirrored, uniforms)
+        self._lay(self._target, box, mirrored, {**_AS_IT_IS, "u_source_corner_px": (0.0, 0.0)})
 
     def lay_outline(self, coverage: Texture, box: Box, line_px: int) -> None:
         """Lay a shadow's outline over the picture as a line that reaches ``line_px`` to both sides of it."""
@@ -191,13 +191,7 @@ class PicturePass:
         if seat is None or cel.matte.box is None:
             return
         texture = self._colors.texture(cel)
-        uniforms: dict[str, Uniform] = {
-            "u_is_picture": True,
-            "u_color": _NO_COLOR,
-            "u_opacity": 1.0,
-            "u_multiply": False,
-        }
-        self._lay(target, seat.box, texture, uniforms | seat.uniforms, seat.switches)
+        self._lay(target, seat.box, texture, {**_AS_IT_IS, **seat.uniforms}, seat.switches)
 
     def _lay(
         self,

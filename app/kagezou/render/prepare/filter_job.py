@@ -256,7 +256,7 @@ def blur_of(cast: ShadowCast, away_scale: float) -> Blur:
         width, grow = cast.edge.softness_px, abs(cast.edge.grow_px)
         slope = RAMP * cast.edge.penumbra / _EDGE_SIGMAS * away_scale
     if cast.water is not None:
-        moved = sum(ripple.wave.reach_px for ripple in cast.water.ripples)
+        moved = cast.water.reach_px
     needed = (RAMP * width + grow) / _EDGE_SIGMAS
     finest = min(FINEST_SIGMA_PX, _FULL_AT_ONCE * (width + grow + moved))
     return Blur(amount, distance, max(needed, finest), slope if slope > 1e-6 else 0.0)
