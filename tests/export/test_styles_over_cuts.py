@@ -4,17 +4,18 @@ Lengths and areas are those of figures made small, so that whole cuts are looked
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from OpenImageIO import ROI, UINT8, ImageBuf, ImageBufAlgo
 
 from kagezou.cli.contact_sheet import roomy
 from kagezou.cli.cut_sheet import swing_deg
-from kagezou.document.model import Document
+from kagezou.document.model import Document, Exposure
 from kagezou.document.style import Style
 from kagezou.document.styling import put_style
 from kagezou.export.cut_measures import ShadowSeen
@@ -22,7 +23,12 @@ from kagezou.export.portraits import Portraits
 from kagezou.importing.feet import document_with_feet
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.clips.style_files import bundled_styles
+from kagezou.io.images.cel_cache import CelCache
+from kagezou.io.images.writing import write_rgba
+from kagezou.io.pixels.connected import part_areas
 from kagezou.render.gpu.context import open_headless_context
+from kagezou.render.renderer import Renderer
+from kagezou.scene.evaluate import evaluate
 
 FIGURES = {
     "dance": "animdraw_duo_dance/A",
@@ -154,6 +160,29 @@ def test_torn_water_opens_the_body_into_stripes_that_last(looked_at: dict[tuple[
         assert mean([each.main_share for each in over.seen]) < 0.75, figure
         assert max(abs(b - a) for a, b in pairwise(counts)) <= 4, figure
         assert mean([float(abs(b - a)) for a, b in pairwise(counts)]) <= 1.5, figure
+
+
+def test_torn_water_opens_a_walk_of_usual_size_on_every_frame(samples: Path, tmp_path: Path) -> None:
+    """At least six parts of 60 px² and more while the walk goes round three times, and none of less."""
+    for number in range(8):
+        small = ImageBuf(str(samples / f"kenney_male_adventurer/maleAdventurer_walk{number}.png"))
+        wide, high = 5 * small.spec().width, 5 * small.spec().height
+        large = ImageBufAlgo.resize(small, roi=ROI(0, wide, 0, high, 0, 1, 0, 4))
+        write_rgba(tmp_path / f"walk_{number + 1:04d}.png", np.ascontiguousarray(large.get_pixels(UINT8)))
+    document = roomy([CharacterSource("walk", tmp_path)]).document
+    document = document_with_feet(document, [document.layers[0].id]).document
+    walk = replace(document.layers[0].cels, exposures=tuple(Exposure(1 + at, at % 8) for at in range(24)))
+    document = replace(document, layers=(replace(document.layers[0], cels=walk),))
+    document = replace(document, canvas=replace(document.canvas, length_frames=24))
+    document = put_style(document, [document.layers[0].id], style_named("Torn water"), 1).document
+    with open_headless_context():
+        renderer = Renderer(CelCache())
+        for frame in range(1, 25):
+            scene = evaluate(document, frame)
+            areas = part_areas(renderer.coverage(scene, scene.layers[0]) >= 32768, diagonal=True)
+            assert len(areas) >= 6, frame
+            assert areas.min() >= 60, frame
+        renderer.close()
 
 
 def test_only_round_shadows_lie_under_their_figures(looked_at: dict[tuple[str, str], OverCut]) -> None:
