@@ -7,6 +7,7 @@ from kagezou.document.edits import set_background_cels, set_canvas, still
 from kagezou.document.model import Document
 from kagezou.importing.cel_sizes import canvas_size, measured_cels
 from kagezou.importing.cels_of_files import NewCels, cels_of, gap_notes, printable
+from kagezou.importing.file_notes import said_once
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe
@@ -37,14 +38,17 @@ def background_of(path: Path, progress: Progress = no_progress) -> NewCels:
     progress(LoadPhase.FINDING, 0, 0)
     if not source.is_dir() and (source.is_file() or "#" not in source.name):
         info = probe(source)
-        return NewCels(printable(source.stem), still(source), (info.width_px, info.height_px), 1, ())
+        name = printable(source.stem)
+        said = said_once(name, [(source, info.notes)])
+        return NewCels(name, still(source), (info.width_px, info.height_px), 1, said)
     found = find_sequences(source)
     first, *others = found.sequences
     name = printable(source.name if source.is_dir() else first.name)
     cels = cels_of(first)
     measured = measured_cels(name, cels.drawings, progress)
     unused = [*(each.name for each in others), *(each.name for each in found.left_out)]
-    notes = (*_left_out(source, first.name, unused), *gap_notes(name, first), *measured.notes)
+    doubts = said_once(name, [(source, found.notes)])
+    notes = (*doubts, *_left_out(source, first.name, unused), *gap_notes(name, first), *measured.notes)
     cels = replace(cels, drawings=measured.drawings)
     return NewCels(name, cels, measured.size_px, cels.exposures[-1].frame, notes)
 

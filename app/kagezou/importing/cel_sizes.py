@@ -6,6 +6,7 @@ from typing import Final
 
 from kagezou.document.model import Drawing
 from kagezou.errors import InputProblem
+from kagezou.importing.file_notes import said_once
 from kagezou.importing.progress import LoadPhase, Progress
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import ImageInfo, probe
@@ -28,7 +29,7 @@ class MeasuredCels:
     size_px
         The largest width and the largest height.
     notes
-        About drawings that differ or cannot be opened, one sentence each.
+        About drawings that differ or cannot be opened, and what of their files is not used, one sentence each.
     """
 
     drawings: tuple[Drawing, ...]
@@ -93,4 +94,5 @@ def measured_cels(name: str, drawings: tuple[Drawing, ...], progress: Progress) 
     known = {id(drawing): (info.width_px, info.height_px) for drawing, info in infos}
     sized = tuple(replace(drawing, size_px=known.get(id(drawing))) for drawing in drawings)
     size = (max(width for width, _ in sizes), max(height for _, height in sizes))
+    notes += said_once(name, ((drawing.path, info.notes) for drawing, info in infos))
     return MeasuredCels(sized, size, tuple(notes))

@@ -8,6 +8,7 @@ from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import measured_cels
+from kagezou.importing.file_notes import said_once
 from kagezou.importing.painted import notes_on_painted_shadows
 from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
@@ -100,7 +101,9 @@ def held_by(source: CharacterSource, progress: Progress = no_progress) -> Held:
     if is_psd(path) and path.is_file():
         return _joining(source, _held_by_psd(source, path, progress))
     found = find_sequences(path)
-    notes = [_left_out(path, (shown(Path(each.name)) for each in found.left_out))] if found.left_out else []
+    notes = list(said_once(source.name or printable(path.stem), [(path, found.notes)]))
+    if found.left_out:
+        notes.append(_left_out(path, (shown(Path(each.name)) for each in found.left_out)))
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
@@ -130,7 +133,7 @@ def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Hel
                     name, cels, measured.size_px, 1, (*measured.notes, *on_paper, *notes_on_painted_shadows(name, cels))
                 )
             ],
-            [],
+            list(said_once(name, [(path, tree.notes)])),
         )
     cast = characters_in(tree, path.stem)
     backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
@@ -147,7 +150,7 @@ def _held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Hel
         replace(_psd_cels(name, each, path, size), joins=each.joins and head + printable(each.joins))
         for name, each in zip(names, characters, strict=True)
     ]
-    notes = [*_joined_in(path, layers), *_left_out_of(path, cast)]
+    notes = [*said_once(path.stem, [(path, tree.notes)]), *_joined_in(path, layers), *_left_out_of(path, cast)]
     return Held(layers, notes, tuple(PicturePart(path, node.address) for node in backgrounds))
 
 

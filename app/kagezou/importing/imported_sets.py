@@ -26,6 +26,7 @@ from kagezou.geometry.mesh_ray import first_hit
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.geometry.vectors import Matrix, Point2, Vector3
+from kagezou.importing.file_notes import said_once
 from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece, placement, track_through
 from kagezou.io.files.faults import shown
@@ -101,7 +102,7 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
     }
     added = add_piece(document, wanted.name, PieceKind.MESH, values, wanted.path)
     document = stood_up(added)
-    notes = stood_up_notes(added, document)
+    notes = (*said_once(wanted.name, [(wanted.path, meshes.notes(wanted.path))]), *stood_up_notes(added, document))
     piece_id = document.pieces[-1].id
     document = set_constant(document, Address(lines.GROUND_RECEIVES), raw=False)
     if camera is None:

@@ -20,7 +20,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
 
     A cel that no drawing has stays empty. A layer without a column keeps its exposures.
     """
-    notes: list[Message] = []
+    notes = [Message("the timesheet: {note}", note=note) for note in sheet.notes]
     free = list(document.layers)
     for track in sheet.tracks:
         layer = _layer_for(track.name, free)

@@ -13,9 +13,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kagezou.errors import InputProblem
-from kagezou.geometry.mesh import Mesh
 from kagezou.io.sets import bounded_bytes, mesh_cache
-from kagezou.io.sets.mesh_cache import MeshCache, is_mesh, read_mesh
+from kagezou.io.sets.mesh_cache import MeshCache, SetContents, is_mesh, read_set
 from tests.io.sets.mesh_files import TRIANGLE, glb, gltf, tree_with, triangle_tree
 
 CUBE = """\
@@ -38,7 +37,7 @@ f 4 1 5 8
 
 def sentence(path: Path) -> str:
     with pytest.raises(InputProblem) as found:
-        read_mesh(path)
+        read_set(path)
     text = str(found.value)
     assert text.startswith(str(path.parent)), text
     assert "\n" not in text
@@ -46,7 +45,7 @@ def sentence(path: Path) -> str:
 
 
 def test_a_glb_is_read_where_its_nodes_stand(tmp_path: Path) -> None:
-    mesh = read_mesh(glb(tmp_path / "a.glb", *triangle_tree()))
+    mesh = read_set(glb(tmp_path / "a.glb", *triangle_tree())).mesh
     assert sorted(map(tuple, mesh.vertices)) == sorted(map(tuple, TRIANGLE + np.array([0, 3, 0])))
     assert len(mesh.triangles) == 1
     assert len(mesh.lines) == 3, "the borders"
@@ -57,14 +56,14 @@ def test_gltf_beside_its_numbers_or_with_them_inside(tmp_path: Path) -> None:
     (tmp_path / "figures 1.bin").write_bytes(data)
     tree["buffers"] = [{"byteLength": len(data), "uri": "figures%201.bin"}]
     (tmp_path / "a.gltf").write_text(json.dumps(tree))
-    inside = read_mesh(gltf(tmp_path / "b.gltf", *triangle_tree()))
-    beside = read_mesh(tmp_path / "a.gltf")
+    inside = read_set(gltf(tmp_path / "b.gltf", *triangle_tree())).mesh
+    beside = read_set(tmp_path / "a.gltf").mesh
     assert np.array_equal(beside.vertices, inside.vertices)
 
 
 def test_an_obj_is_joined_at_its_corners_and_creased_at_its_edges(tmp_path: Path) -> None:
     (tmp_path / "cube.obj").write_text("mtllib ../../secret.mtl\nusemtl x\n" + CUBE)
-    mesh = read_mesh(tmp_path / "cube.obj")
+    mesh = read_set(tmp_path / "cube.obj").mesh
     assert (len(mesh.vertices), len(mesh.triangles), len(mesh.lines)) == (8, 12, 12)
 
 
@@ -73,7 +72,7 @@ def test_other_formats(tmp_path: Path, suffix: str) -> None:
     import trimesh
 
     trimesh.creation.box((1, 2, 3)).export(tmp_path / f"box.{suffix}")
-    mesh = read_mesh(tmp_path / f"box.{suffix}")
+    mesh = read_set(tmp_path / f"box.{suffix}").mesh
     assert (len(mesh.vertices), len(mesh.triangles)) == (8, 12)
     assert mesh.corners[1] - mesh.corners[0] == pytest.approx([1, 2, 3])
 
@@ -89,7 +88,7 @@ def test_a_usd_stage_is_read_where_its_prims_stand(tmp_path: Path) -> None:
         ' def Mesh "hidden" {\n  token visibility = "invisible"\n  int[] faceVertexCounts = [3]\n'
         "  int[] faceVertexIndices = [0, 1, 2]\n  point3f[] points = [(0, 0, 9), (1, 0, 9), (1, 1, 9)]\n }\n}\n"
     )
-    mesh = read_mesh(tmp_path / "a.usda")
+    mesh = read_set(tmp_path / "a.usda").mesh
     assert (len(mesh.vertices), len(mesh.triangles)) == (4, 2)
     assert mesh.vertices[:, 2] == pytest.approx(5.0)
     (tmp_path / "b.usda").write_text("#usda 1.0\ndef Mesh {")
@@ -112,7 +111,7 @@ def test_a_set_is_kept_until_its_file_changes(tmp_path: Path) -> None:
 
 
 def test_the_real_set_is_read(samples: Path) -> None:
-    mesh = read_mesh(samples / "bg3d_dungeon_stairs" / "scene.glb")
+    mesh = read_set(samples / "bg3d_dungeon_stairs" / "scene.glb").mesh
     assert len(mesh.triangles) == 13770
     assert mesh.corners[1] == pytest.approx([6.0, 3.06, 4.8], abs=1e-5)
 
@@ -210,7 +209,7 @@ def test_a_damaged_file_is_a_set_or_a_sentence(tmp_path: Path, data: st.DataObje
         whole[data.draw(st.integers(0, len(whole) - 1))] = data.draw(st.integers(0, 255))
     path.write_bytes(whole[: data.draw(st.integers(0, len(whole)))] if data.draw(st.booleans()) else whole)
     with contextlib.suppress(InputProblem):
-        assert len(read_mesh(path).triangles)
+        assert len(read_set(path).mesh.triangles)
 
 
 def test_many_threads_get_one_reading(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -222,14 +221,14 @@ def test_many_threads_get_one_reading(tmp_path: Path, monkeypatch: pytest.Monkey
         asked.release()
         return bounded_bytes.state_of(wanted)
 
-    def slow(wanted: Path) -> Mesh:
+    def slow(wanted: Path) -> SetContents:
         readings.append(wanted)
         for _ in range(4 if len(readings) == 1 else 0):
             assert asked.acquire(timeout=60), "all four ask while one reads"
-        return read_mesh(wanted)
+        return read_set(wanted)
 
     monkeypatch.setattr(mesh_cache, "state_of", state_of)
-    monkeypatch.setattr(mesh_cache, "read_mesh", slow)
+    monkeypatch.setattr(mesh_cache, "read_set", slow)
     with ThreadPoolExecutor(4) as pool:
         found = list(pool.map(cache.mesh, [path] * 4))
     assert all(each is found[0] for each in found)

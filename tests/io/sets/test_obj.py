@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kagezou.errors import InputProblem
-from kagezou.io.sets.mesh_cache import read_mesh
+from kagezou.io.sets.mesh_cache import read_set
 from kagezou.io.sets.obj import bare_obj
 from tests.io.sets.set_files import CUBE_OBJ, written
 
@@ -23,17 +23,17 @@ def test_corners_may_be_counted_back_from_where_they_are_named() -> None:
 
 @pytest.mark.parametrize("face", ["1 2 3 4", "1/1 2/2 3/3 4/4", "-4 -3 -2 -1", "1//1 2//1 3//1 4//1"])
 def test_a_face_of_four_corners_is_two_triangles(tmp_path: Path, face: str) -> None:
-    mesh = read_mesh(written(tmp_path / "a.obj", f"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf {face}\n"))
+    mesh = read_set(written(tmp_path / "a.obj", f"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf {face}\n")).mesh
     assert (len(mesh.vertices), len(mesh.triangles), len(mesh.lines)) == (4, 2, 4)
 
 
 def test_many_groups_and_materials_cost_nothing(tmp_path: Path) -> None:
     lines = CUBE_OBJ.splitlines()
     scattered = "\n".join(f"g g{number}\nusemtl m{number}\n{line}" for number, line in enumerate(lines * 3))
-    plain = read_mesh(written(tmp_path / "plain.obj", CUBE_OBJ))
-    assert np.array_equal(read_mesh(written(tmp_path / "a.obj", scattered)).vertices, plain.vertices)
+    plain = read_set(written(tmp_path / "plain.obj", CUBE_OBJ)).mesh
+    assert np.array_equal(read_set(written(tmp_path / "a.obj", scattered)).mesh.vertices, plain.vertices)
 
 
 def test_corners_that_are_no_numbers_are_damage(tmp_path: Path) -> None:
     with pytest.raises(InputProblem, match="cannot be read as a set"):
-        read_mesh(written(tmp_path / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -x 2\n"))
+        read_set(written(tmp_path / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -x 2\n"))

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from kagezou.document.address import Address
     from kagezou.document.model import Document, Layer, Piece
     from kagezou.document.whole_cut import SaidOf
-    from kagezou.message import Translate
+    from kagezou.message import Message, Translate
 
 DESCRIPTION = "Say what is in a project: canvas, layers, drawings, missing files, and which properties have keys."
 EXAMPLES = """\
@@ -65,6 +65,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "linked": [name for name in OF_LAYER if name in document.linked],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": list(_missing(document)),
+        "notes": [str(note) for note in _notes(document)],
     }
 
 
@@ -170,6 +171,16 @@ def _lines(document: "Document") -> Iterator[str]:
         yield f"keys        {path_of(document, address)} on {frames}"
     for name in _missing(document):
         yield f"missing     {name}"
+    for note in _notes(document):
+        yield f"note        {note}"
+
+
+def _notes(document: "Document") -> "tuple[Message, ...]":
+    """Return what the readers of its files did not use or had to assume."""
+    from kagezou.importing.file_notes import notes_on_files
+    from kagezou.io.sets.mesh_cache import MeshCache
+
+    return notes_on_files(document, MeshCache())
 
 
 def _property_table(document: "Document") -> Json:

@@ -98,13 +98,17 @@ class Cel:
 
 @dataclass(frozen=True, slots=True)
 class ImageInfo:
-    """What the header of a picture says; the size is that of the upright canvas."""
+    """What the header of a picture says; the size is that of the upright canvas.
+
+    ``notes`` say what of the file is not used and what had to be assumed, without the file's name.
+    """
 
     width_px: int
     height_px: int
     channels: int
     has_alpha: bool
     bit_depth: int
+    notes: tuple[Message, ...] = ()
 
 
 def probe(source: PictureSource) -> ImageInfo:

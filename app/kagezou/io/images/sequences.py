@@ -50,10 +50,14 @@ class Sequence:
 
 @dataclass(frozen=True)
 class Found:
-    """What a source holds: its sequences by name in natural order, and pictures that belong to none of them."""
+    """What a source holds: its sequences by name in natural order, and pictures that belong to none of them.
+
+    ``notes`` say which readings of names are doubtful, without the source's name.
+    """
 
     sequences: tuple[Sequence, ...]
     left_out: tuple[Path, ...]
+    notes: tuple[Message, ...] = ()
 
 
 def find_sequences(source: Path) -> Found:

@@ -80,11 +80,15 @@ class PsdNode:
 
 @dataclass(frozen=True, slots=True)
 class PsdTree:
-    """A whole PSD file: its canvas, px, and its layers from the lowest up; none where it is flattened."""
+    """A whole PSD file: its canvas, px, and its layers from the lowest up; none where it is flattened.
+
+    ``notes`` say what of the file is not used and what had to be assumed, without the file's name.
+    """
 
     width_px: int
     height_px: int
     layers: tuple[PsdNode, ...]
+    notes: tuple[Message, ...] = ()
 
 
 def psd_header(path: Path) -> PsdHeader:

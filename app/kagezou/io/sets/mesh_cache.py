@@ -5,6 +5,7 @@ What a file claims is compared with what it holds before a decoder allocates any
 
 import threading
 from collections import OrderedDict
+from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
 from typing import Any, Final
@@ -33,6 +34,22 @@ _State = tuple[Path, int, int]
 """A file, its size and its time of change."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class SetContents:
+    """What a file of a set holds.
+
+    Parameters
+    ----------
+    mesh
+        All its triangles, every node where it stands.
+    notes
+        What of the file is not used and what had to be assumed, without the file's name.
+    """
+
+    mesh: Mesh
+    notes: tuple[Message, ...] = ()
+
+
 class MeshCache:
     """Meshes read from files, bounded by memory, the least lately used going first; any thread may ask.
 
@@ -46,7 +63,7 @@ class MeshCache:
 
     def __init__(self, limit_bytes: int = DEFAULT_LIMIT_BYTES) -> None:
         self._limit_bytes = limit_bytes
-        self._kept: OrderedDict[_State, Mesh] = OrderedDict()
+        self._kept: OrderedDict[_State, SetContents] = OrderedDict()
         self._reading: dict[_State, threading.Lock] = {}
         self._lock = threading.Lock()
 
@@ -58,6 +75,13 @@ class MeshCache:
         InputProblem
             It cannot be read.
         """
+        return self._contents(path).mesh
+
+    def notes(self, path: Path) -> tuple[Message, ...]:
+        """Return what of a file is not used and what had to be assumed; raises as `mesh` does."""
+        return self._contents(path).notes
+
+    def _contents(self, path: Path) -> SetContents:
         key = (path, *state_of(path))
         if (kept := self._found(key)) is not None:
             return kept
@@ -67,26 +91,26 @@ class MeshCache:
         try:
             with reading:
                 if (kept := self._found(key)) is None:
-                    kept = read_mesh(path)
+                    kept = read_set(path)
                     self._keep(key, kept)
         finally:
             with self._lock:
                 self._reading.pop(key, None)
         return kept
 
-    def _found(self, key: _State) -> Mesh | None:
+    def _found(self, key: _State) -> SetContents | None:
         with self._lock:
             kept = self._kept.get(key)
             if kept is not None:
                 self._kept.move_to_end(key)
             return kept
 
-    def _keep(self, key: _State, mesh: Mesh) -> None:
+    def _keep(self, key: _State, contents: SetContents) -> None:
         with self._lock:
             for other in [each for each in self._kept if each[0] == key[0]]:
                 del self._kept[other]
-            self._kept[key] = mesh
-            while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > self._limit_bytes:
+            self._kept[key] = contents
+            while len(self._kept) > 1 and sum(each.mesh.nbytes for each in self._kept.values()) > self._limit_bytes:
                 self._kept.popitem(last=False)
 
 
@@ -95,7 +119,7 @@ def is_mesh(path: Path) -> bool:
     return path.suffix.lower() in MESH_SUFFIXES
 
 
-def read_mesh(path: Path) -> Mesh:
+def read_set(path: Path) -> SetContents:
     """Read all the triangles of a file as one mesh, every node where it stands.
 
     Raises
@@ -119,7 +143,7 @@ def read_mesh(path: Path) -> Mesh:
         vertices, triangles = _read_by_trimesh(path, packed_gltf(path, MAX_TRIANGLES), "glb")
     else:
         vertices, triangles = _read_by_trimesh(path, bytes_of(path), suffix.removeprefix("."))
-    return _checked(path, vertices, triangles)
+    return SetContents(_checked(path, vertices, triangles))
 
 
 def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from kagezou.message import Message
+
 
 @dataclass(frozen=True, slots=True)
 class SheetTrack:
@@ -21,8 +23,12 @@ class SheetTrack:
 
 @dataclass(frozen=True, slots=True)
 class Timesheet:
-    """The first sheet of a file: its name, its length, its cel columns from the lowest to the topmost."""
+    """The first sheet of a file: its name, its length, its cel columns from the lowest to the topmost.
+
+    ``notes`` say what of the file is not used and what had to be assumed, without the file's name.
+    """
 
     name: str
     length_frames: int
     tracks: tuple[SheetTrack, ...]
+    notes: tuple[Message, ...] = ()

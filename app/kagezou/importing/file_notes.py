@@ -1,0 +1,69 @@
+"""What readers say of files, said once: what of a file was not used, and what of it had to be assumed."""
+
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+from kagezou.document.model import Document, Drawing
+from kagezou.errors import InputProblem
+from kagezou.io.files.faults import shown
+from kagezou.io.images.reading import probe
+from kagezou.io.pixels.signatures import is_psd
+from kagezou.io.psd.file import psd_tree
+from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.message import Message
+
+
+def said_once(name: str, said: Iterable[tuple[Path, tuple[Message, ...]]]) -> tuple[Message, ...]:
+    """Return what is to be said of the files of a layer called ``name``, each sentence once.
+
+    Parameters
+    ----------
+    name
+        The layer.
+    said
+        Each file with what its reader says of it.
+    """
+    every = list(dict.fromkeys(said))
+    files: dict[Message, list[Path]] = {}
+    for path, notes in every:
+        for note in notes:
+            files.setdefault(note, []).append(path)
+    return tuple(_of_files(name, note, paths, len(every)) for note, paths in files.items())
+
+
+def _of_files(name: str, note: Message, paths: list[Path], count: int) -> Message:
+    if len(paths) == count > 1:
+        return Message("{name}: {note}, in all its {count} files", name=name, note=note, count=count)
+    if len(paths) > 1:
+        return Message(
+            "{name}: {note}, in {files} of {count} files, first in {path}",
+            name=name,
+            note=note,
+            files=len(paths),
+            count=count,
+            path=shown(paths[0]),
+        )
+    return Message("{path}: {note}", path=shown(paths[0]), note=note)
+
+
+def notes_on_files(document: Document, meshes: MeshCache) -> tuple[Message, ...]:
+    """Return what the readers of all the files of a document say; a file that cannot be read says nothing here."""
+    made: list[Message] = []
+    for name, drawings in (
+        *((layer.name, layer.cels.drawings) for layer in document.layers),
+        ("background", document.behind.drawings),
+    ):
+        made += said_once(name, _of_drawings(drawings))
+    for piece in document.pieces:
+        if piece.source is not None:
+            with suppress(InputProblem):
+                made += said_once(piece.name, [(piece.source, meshes.notes(piece.source))])
+    return tuple(dict.fromkeys(made))
+
+
+def _of_drawings(drawings: Iterable[Drawing]) -> Iterator[tuple[Path, tuple[Message, ...]]]:
+    for drawing in drawings:
+        with suppress(InputProblem):
+            own = probe(drawing.source).notes
+            yield drawing.path, (*own, *(psd_tree(drawing.path).notes if is_psd(drawing.path) else ()))
