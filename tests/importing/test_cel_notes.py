@@ -5,8 +5,8 @@ import numpy as np
 from kagezou.document.model import Cels
 from kagezou.geometry.box import Box
 from kagezou.importing.cel_notes import notes_on
-from kagezou.importing.cels_of_files import NewCels
 from kagezou.importing.figures import Figure
+from kagezou.importing.new_cels import NewCels
 
 CANVAS = Box(0, 0, 100, 80)
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from kagezou.importing.cels_of_files import CharacterSource, held_by
+from kagezou.importing.cels_of_files import held_by
+from kagezou.importing.new_cels import CharacterSource
 from kagezou.io.images.reading import read_cel
 from kagezou.picture_source import Paper
 

@@ -6,8 +6,9 @@ from pathlib import Path
 from kagezou.document.edits import set_background_cels, set_canvas, still
 from kagezou.document.model import Document
 from kagezou.importing.cel_sizes import canvas_size, measured_cels
-from kagezou.importing.cels_of_files import NewCels, cels_of, gap_notes, printable
+from kagezou.importing.cels_of_files import cels_of, gap_notes
 from kagezou.importing.file_notes import said_once
+from kagezou.importing.new_cels import NewCels, printable
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe

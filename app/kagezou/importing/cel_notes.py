@@ -1,8 +1,8 @@
 """What is said about drawings that were brought onto the canvas but may not lie there as was meant."""
 
 from kagezou.geometry.box import Box
-from kagezou.importing.cels_of_files import NewCels
 from kagezou.importing.figures import Figure
+from kagezou.importing.new_cels import NewCels
 from kagezou.message import Message
 
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kagezou.errors import InputProblem
-from kagezou.importing.cels_of_files import CharacterSource, printable
+from kagezou.importing.new_cels import CharacterSource, printable
 from kagezou.importing.progress import Progress, no_progress
 from kagezou.importing.psd_characters import characters_in
 from kagezou.importing.staging import Imported, new_document

@@ -13,10 +13,11 @@ from kagezou.geometry.box import Box
 from kagezou.importing.background_pictures import background_of, with_background
 from kagezou.importing.cel_notes import notes_on
 from kagezou.importing.cel_sizes import canvas_size
-from kagezou.importing.cels_of_files import CharacterSource, NewCels, held_by
+from kagezou.importing.cels_of_files import held_by
 from kagezou.importing.figures import MeasuredFigure, measured_figure
 from kagezou.importing.imported import Imported
 from kagezou.importing.lighting import with_ground_and_light
+from kagezou.importing.new_cels import CharacterSource, NewCels
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.timesheet_on_document import timed
 from kagezou.io.files.faults import shown

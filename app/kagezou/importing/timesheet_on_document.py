@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Drawing, Exposure, Layer
-from kagezou.importing.cels_of_files import printable
+from kagezou.importing.new_cels import printable
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.message import Message
 

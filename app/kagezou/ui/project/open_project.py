@@ -14,7 +14,7 @@ from kagezou.document.model import Canvas, Document
 from kagezou.errors import Problem
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.importing.background_pictures import background_of, laid_behind
-from kagezou.importing.cels_of_files import NewCels
+from kagezou.importing.new_cels import NewCels
 from kagezou.importing.progress import LoadPhase, Progress
 from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.importing.staging import Brought, CharacterSource, Imported, brought, exposed, new_document, put_in
