@@ -1,6 +1,6 @@
 """From PSD files to cels: its groups are characters, its numbered layers their drawings."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,7 +15,8 @@ from kagezou.importing.progress import Progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import read_matte
-from kagezou.io.psd.file import psd_tree
+from kagezou.io.psd.file import psd_notes, psd_tree
+from kagezou.io.psd.tree import PsdTree
 from kagezou.io.psd.undrawn import drawn_by_extra
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart
@@ -35,7 +36,7 @@ def held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Held
                     name, cels, measured.size_px, 1, (*measured.notes, *on_paper, *notes_on_painted_shadows(name, cels))
                 )
             ],
-            list(said_once(name, [(path, tree.notes)])),
+            list(said_once(name, [(path, psd_notes(path))])),
         )
     cast = characters_in(tree, path.stem)
     backgrounds = [node for node in cast.backgrounds if _is_opaque(PicturePart(path, node.address))]
@@ -52,7 +53,12 @@ def held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Held
         replace(_psd_cels(name, each, path, size), joins=each.joins and head + printable(each.joins))
         for name, each in zip(names, characters, strict=True)
     ]
-    notes = [*said_once(path.stem, [(path, tree.notes)]), *_joined_in(path, layers), *_left_out_of(path, cast)]
+    notes = [
+        *said_once(path.stem, [(path, psd_notes(path))]),
+        *_joined_in(path, layers),
+        *_left_out_of(path, cast),
+        *_laid_simply(path, tree, cast),
+    ]
     return Held(layers, notes, tuple(PicturePart(path, node.address) for node in backgrounds))
 
 
@@ -109,14 +115,49 @@ def _left_out_of(path: Path, cast: PsdCharacters) -> list[Message]:
                 names=some(node.name for node in cast.hidden),
             )
         )
-    if cast.empty:
+    empty = [node for node in cast.empty if not node.is_adjustment]
+    if empty:
         notes.append(
             Message(
                 "{path}: left out, as they are empty: {names}",
                 path=shown(path),
-                names=some(node.name for node in cast.empty),
+                names=some(node.name for node in empty),
             )
         )
     if cast.unnumbered:
         notes.append(left_out_note(path, (node.name for node in cast.unnumbered)))
     return notes
+
+
+def _laid_simply(path: Path, tree: PsdTree, cast: PsdCharacters) -> list[Message]:
+    """Return what is said about colours that a drawing has in the file by what lies around it, and not here."""
+    every = {node.address: node for top in tree.layers for node in (top, *top.below())}
+    cels = [cel.node for character in cast.characters for cel in character.cels]
+    inside = {node.address for cel in cels for node in cel.below()}
+    adjusting = [
+        node.name
+        for node in every.values()
+        if node.is_adjustment and node.is_visible and not node.is_clipped and node.address not in inside
+    ]
+    around = dict.fromkeys(each for cel in cels for each in _with_groups(cel.address))
+    laid = [node for address in around if (node := every[address]).blend]
+    notes = []
+    if adjusting:
+        notes.append(
+            Message(
+                "{path}: adjustment layers over drawings are not used: {names}", path=shown(path), names=some(adjusting)
+            )
+        )
+    if laid:
+        names = some(f"{node.name} ({node.blend})" for node in laid)
+        notes.append(
+            Message("{path}: these lie simply over what is below them here: {names}", path=shown(path), names=names)
+        )
+    return notes
+
+
+def _with_groups(address: str) -> Iterator[str]:
+    """Yield the addresses of the groups around a layer, the outermost first, and its own."""
+    parts = address.split("/")
+    for end in range(1, len(parts) + 1):
+        yield "/".join(parts[:end])

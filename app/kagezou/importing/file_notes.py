@@ -9,7 +9,7 @@ from kagezou.errors import InputProblem
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe
 from kagezou.io.pixels.signatures import is_psd
-from kagezou.io.psd.file import psd_tree
+from kagezou.io.psd.file import psd_notes
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
 
@@ -66,4 +66,4 @@ def _of_drawings(drawings: Iterable[Drawing]) -> Iterator[tuple[Path, tuple[Mess
     for drawing in drawings:
         with suppress(InputProblem):
             own = probe(drawing.source).notes
-            yield drawing.path, (*own, *(psd_tree(drawing.path).notes if is_psd(drawing.path) else ()))
+            yield drawing.path, (*own, *(psd_notes(drawing.path) if is_psd(drawing.path) else ()))

@@ -15,8 +15,10 @@ from typing import Any, Final
 
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
+from kagezou.io.psd.comparing import follow_clipped_groups
+from kagezou.io.psd.notes import notes_on
 from kagezou.io.psd.pixels import PsdPixels, merged_pixels, part_pixels
-from kagezou.io.psd.tree import DEEPEST, PsdNode, PsdTree, addressed, psd_header
+from kagezou.io.psd.tree import DEEPEST, PsdNode, PsdTree, addressed, psd_header, with_clipped
 from kagezou.io.psd.undrawn import undrawn_in
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart, PictureSource, file_of
@@ -42,7 +44,9 @@ class _Opened:
         self._lock = threading.Lock()
         header = psd_header(path)
         self._image = _parsed(path, size)
+        self._notes: tuple[Message, ...] | None = None
         try:
+            follow_clipped_groups(self._image)
             nodes = self._nodes(self._image, None, 0)
         except InputProblem:
             raise
@@ -71,6 +75,16 @@ class _Opened:
         except Exception as error:  # as above
             raise _damaged(self._path, error, address) from error
 
+    def notes(self) -> tuple[Message, ...]:
+        """Return what is to be said about the file; the first time it is put together as a whole."""
+        try:
+            with self._lock:
+                if self._notes is None:
+                    self._notes = notes_on(self._image)
+                return self._notes
+        except Exception as error:  # as above
+            raise _damaged(self._path, error) from error
+
     def _nodes(self, group: Iterable[Any], parent: str | None, depth: int) -> tuple[PsdNode, ...]:
         if depth > DEEPEST:
             raise input_problem(self._path, Message("its groups are nested too deep"))
@@ -97,9 +111,11 @@ class _Opened:
                     is_clipped=layer.clipping,
                     is_empty=_is_empty(layer) if children is None else all(child.is_empty for child in children),
                     undrawn=undrawn_in(layer),
+                    blend=_blend_of(layer),
+                    is_adjustment=_is_adjustment(layer),
                 )
             )
-        return tuple(nodes)
+        return with_clipped(nodes)
 
 
 class _OpenFiles:
@@ -141,6 +157,19 @@ def psd_tree(path: Path) -> PsdTree:
         It cannot be read; one sentence with name and cause.
     """
     return _SHELF.opened(path).tree
+
+
+def psd_notes(path: Path) -> tuple[Message, ...]:
+    """Return what of a PSD file is not used and what had to be assumed, without its name.
+
+    Its layers are put together once and held against the picture that was saved with them.
+
+    Raises
+    ------
+    InputProblem
+        As for `psd_tree`.
+    """
+    return _SHELF.opened(path).notes()
 
 
 def has_part(part: PicturePart) -> bool:
@@ -228,6 +257,16 @@ def _name_of(layer: Any) -> str:
 def _is_empty(layer: Any) -> bool:
     if layer.kind in {"pixel", "type", "smartobject"}:
         return layer.width < 1 or layer.height < 1 or not layer.has_pixels()
+    return _is_adjustment(layer)
+
+
+def _is_adjustment(layer: Any) -> bool:
     from psd_tools.api.layers import AdjustmentLayer
 
     return isinstance(layer, AdjustmentLayer)
+
+
+def _blend_of(layer: Any) -> str:
+    """Return the name of how a layer is laid on those below it, in small letters; empty for simply over them."""
+    name = str(layer.blend_mode.name).lower().replace("_", " ")
+    return "" if name in {"normal", "pass through"} else name

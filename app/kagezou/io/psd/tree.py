@@ -2,8 +2,8 @@
 
 import struct
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -60,7 +60,11 @@ class PsdNode:
     is_empty
         Whether there are no pixels in it.
     undrawn
-        Effects and fills of its own that will not be seen, by their names.
+        Effects and fills of its own, and of what is clipped to it, that will not be seen, by their names.
+    blend
+        How it is laid on what lies below it, such as ``multiply``; empty for simply over it.
+    is_adjustment
+        Whether it only changes the colours of what lies below it.
     """
 
     name: str
@@ -70,6 +74,8 @@ class PsdNode:
     is_clipped: bool = False
     is_empty: bool = False
     undrawn: tuple[str, ...] = ()
+    blend: str = ""
+    is_adjustment: bool = False
 
     def below(self) -> Iterator["PsdNode"]:
         """Yield everything in it."""
@@ -80,15 +86,11 @@ class PsdNode:
 
 @dataclass(frozen=True, slots=True)
 class PsdTree:
-    """A whole PSD file: its canvas, px, and its layers from the lowest up; none where it is flattened.
-
-    ``notes`` say what of the file is not used and what had to be assumed, without the file's name.
-    """
+    """A whole PSD file: its canvas, px, and its layers from the lowest up; none where it is flattened."""
 
     width_px: int
     height_px: int
     layers: tuple[PsdNode, ...]
-    notes: tuple[Message, ...] = ()
 
 
 def psd_header(path: Path) -> PsdHeader:
@@ -120,6 +122,20 @@ def psd_header(path: Path) -> PsdHeader:
     if size > LARGEST_FILE_BYTES:
         raise input_problem(path, Message("with {megabytes} MB it is larger than can be read", megabytes=size >> 20))
     return PsdHeader(width, height, channels, depth, mode)
+
+
+def with_clipped(nodes: Iterable[PsdNode]) -> tuple[PsdNode, ...]:
+    """Return nodes that lie beside each other, each with what cannot be drawn of those that are clipped to it."""
+    made: list[PsdNode] = []
+    base = -1
+    for node in nodes:
+        made.append(node)
+        if not node.is_clipped or base < 0:
+            base = len(made) - 1
+            continue
+        lost = (each for part in (node, *node.below()) for each in part.undrawn)
+        made[base] = replace(made[base], undrawn=tuple(dict.fromkeys((*made[base].undrawn, *lost))))
+    return tuple(made)
 
 
 def addressed(names: Sequence[str], parent: str | None = None) -> tuple[str, ...]:
