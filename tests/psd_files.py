@@ -92,6 +92,21 @@ def write_psd(path: Path, layers: Sequence[Leaf | Folder], size: tuple[int, int]
     _fill(image, layers)
     path.parent.mkdir(parents=True, exist_ok=True)
     image.save(path)
+    return with_picture(path) if mode == "RGBA" else path
+
+
+def with_picture(path: Path, picture: NDArray[np.uint8] | None = None) -> Path:
+    """Give a file of layers the picture (H, W, 4) that a program saves with them: its own, or another.
+
+    psd-tools would save one that is clear everywhere.
+    """
+    image = PSDImage.open(path)
+    pixels = np.asarray(image.composite(force=True).convert("RGBA")) if picture is None else picture
+    colour, alpha = pixels[..., :3].astype(int), pixels[..., 3:].astype(int)
+    on_white = ((colour * alpha + 255 * (255 - alpha) + 127) // 255).astype(np.uint8)
+    planes = [plane.tobytes() for plane in np.moveaxis(np.concatenate([on_white, pixels[..., 3:]], 2), 2, 0)]
+    image._record.image_data.set_data(planes, image._record.header)
+    image.save(path)
     return path
 
 
