@@ -21,6 +21,7 @@ VERBS: Final = {
     "set": "set properties, for the whole cut or by keys",
     "get": "print the value of a property",
     "info": "say what is in a project, and what is missing",
+    "inspect": "say what any file is understood to be, and what of it is not used",
     "feet": "find the characters' feet anew, and list how they stand",
     "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",

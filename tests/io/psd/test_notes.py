@@ -160,3 +160,8 @@ def test_what_is_lost_of_a_clipped_layer_is_said_of_what_it_is_clipped_to(tmp_pa
     image.save(path)
     (layer,) = held_by(CharacterSource(None, path)).layers
     assert any("ColorBalance" in str(note) for note in layer.notes)
+
+
+def test_an_empty_picture_is_not_compared(tmp_path: Path) -> None:
+    path = with_picture(write_psd(tmp_path / "a.psd", [BASE]), np.zeros((SIZE[1], SIZE[0], 4), np.uint8))
+    assert said(path) == "the picture saved with its layers is empty, so they could not be compared with it"

@@ -3,6 +3,7 @@
 # ruff: noqa: SLF001 - whether a group is clipped is told by its inner record only
 
 from dataclasses import dataclass
+from enum import Enum
 from typing import Any, Final
 
 import numpy as np
@@ -44,16 +45,39 @@ class Difference:
         return self.levels > _ROUNDED
 
 
-def can_be_compared(image: Any) -> bool:
-    """Whether a file of psd-tools has layers and a picture of them, and both are of a size and a colour to compare."""
-    if not len(image) or not image.has_preview() or image.color_mode.value not in {GRAY, RGB}:
-        return False
+class Hindrance(Enum):
+    """Why layers cannot be held against a picture."""
+
+    NO_PICTURE = "no picture"
+    EMPTY = "empty"
+    OTHER = "other"
+
+
+def hindrance(image: Any) -> Hindrance | None:
+    """Return why the layers of a file cannot be held against a picture; None where they can."""
+    if not image.has_preview():
+        return Hindrance.NO_PICTURE
     layers = (max(each.width, 0) * max(each.height, 0) for each in image.descendants() if not each.is_group())
-    return bool(image.width * image.height <= _MOST_PX and sum(layers) <= _MOST_LAYERS_PX)
+    is_large = image.width * image.height > _MOST_PX or sum(layers) > _MOST_LAYERS_PX
+    if is_large or image.color_mode.value not in {GRAY, RGB}:
+        return Hindrance.OTHER
+    return Hindrance.EMPTY if _is_empty(image) else None
+
+
+def _is_empty(image: Any) -> bool:
+    """Whether nothing is seen of the saved picture: some programs save colours under an alpha of 0."""
+    from psd_tools.api.utils import has_transparency
+    from psd_tools.constants import Resource
+
+    header = image._record.header
+    is_named = any(key in image.image_resources for key in (Resource.ALPHA_NAMES_PASCAL, Resource.ALPHA_NAMES_UNICODE))
+    colours = 1 if image.color_mode.value == GRAY else 3
+    has_alpha = has_transparency(image) or (header.channels == colours + 1 and not is_named)
+    return has_alpha and not any(image._record.image_data.get_data(header)[colours])
 
 
 def difference(image: Any) -> Difference:
-    """Return how far the visible layers of a file are from its picture; see `can_be_compared` first."""
+    """Return how far the visible layers of a file are from its picture; see `hindrance` first."""
     from psd_tools.composite import composite
 
     layers = list(image.descendants())
@@ -105,7 +129,7 @@ def follow_clipped_groups(image: Any) -> None:
 
     if not any(each.is_group() and each._record.clipping == Clipping.NON_BASE for each in image.descendants()):
         return
-    as_photoshop = difference(image) if can_be_compared(image) else None
+    as_photoshop = difference(image) if hindrance(image) is None else None
     image.compatibility_mode = CompatibilityMode.CLIP_STUDIO_PAINT
     if as_photoshop is not None and difference(image).share > as_photoshop.share:
         image.compatibility_mode = CompatibilityMode.PHOTOSHOP

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from io import BytesIO
 from typing import Any, Final
 
-from kagezou.io.psd.comparing import LEAST_LEVELS, can_be_compared, difference
+from kagezou.io.psd.comparing import LEAST_LEVELS, Hindrance, difference, hindrance
 from kagezou.io.psd.masks import has_soft_path
 from kagezou.io.psd.stored import GRAY, RGB
 from kagezou.message import Message
@@ -16,6 +16,12 @@ _SHOWN: Final = 3
 _WHOLE_RANGE: Final = (0, 65535)
 _FRAMES: Final = b"FrInVlLs"
 """Before the number of the frames of an animation."""
+
+_UNCOMPARED: Final = {
+    Hindrance.NO_PICTURE: Message("no picture was saved with its layers, so they could not be compared with one"),
+    Hindrance.EMPTY: Message("the picture saved with its layers is empty, so they could not be compared with it"),
+    Hindrance.OTHER: Message("its layers were not compared with the picture in it: it is too large or not in RGB"),
+}
 
 _USUAL: Final = "srgb"
 """In the name of a profile by which colours are taken anyway."""
@@ -105,11 +111,14 @@ def _blends_by_brightness(layer: Any) -> bool:
 
 
 def _of_picture(image: Any) -> Iterator[Message]:
-    if not image.has_preview():
-        yield Message("no picture was saved with its layers, so they could not be compared with one")
-    elif not can_be_compared(image):
-        yield Message("its layers were not compared with the picture in it: it is too large or not in RGB")
-    elif (found := difference(image)).is_seen:
+    why = hindrance(image)
+    if why in {Hindrance.NO_PICTURE, Hindrance.OTHER}:
+        yield _UNCOMPARED[why]
+        return
+    found = difference(image)
+    if found.is_seen and why is Hindrance.EMPTY:
+        yield _UNCOMPARED[why]
+    elif found.is_seen:
         yield Message(
             "its layers, put together here, differ from the picture saved with them by up to {levels:.0f} of 255 "
             "levels; by more than {least} in {share:.1%} of the picture",
