@@ -13,6 +13,7 @@ from kagezou.export.sequences import OutputSequence, sequences_of
 from kagezou.export.uniting import cut_groups
 from kagezou.message import Message
 from kagezou.scene.evaluate import evaluate
+from kagezou.scene.set_extent import check_extent
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,9 +85,11 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     Raises
     ------
     UsageProblem
-        A layer or a frame is asked for that the document does not have, or there is nothing to make.
+        A layer or a frame is asked for that the document does not have, there is nothing to make, or the set is too
+        large to be drawn.
     """
     frames = chosen_frames(document, request)
+    check_extent(evaluate(document, frames[0]).pieces if frames else ())
     sequences = sequences_of(document, request)
     jobs = jobs_of(document, frames, sequences)
     if request.once:

@@ -13,8 +13,9 @@ from kagezou.geometry.light import lamp, sun
 from kagezou.geometry.sets import shapes as shapes
 from kagezou.geometry.sets.bodies import Ball, Body, Drum, Solid
 from kagezou.geometry.sets.faces_seen import GROUND, Face, faces_of, region_box
+from kagezou.geometry.sets.heights import BodyHeights
 from kagezou.geometry.sets.occlusion_cones import Cone, Occlusion, end_cone, occlusion_of
-from kagezou.geometry.sets.regions import Flat, Group, Region, heights_over
+from kagezou.geometry.sets.regions import Flat, Group, Region
 from kagezou.geometry.sets.round_faces_seen import round_faces_of
 from kagezou.geometry.vectors import Vector4, height_over
 from tests.render.reference import set_raycast
@@ -128,7 +129,7 @@ def test_from_straight_above_a_drum_hides_by_its_ends() -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_bodies_stand_on_the_ground_as_large_as_they_are_told(kind: str) -> None:
     bodies = bodies_of(kind)
-    spans = [heights_over(GROUND_PLANE.equation, body) for body in bodies]
+    spans = BodyHeights(bodies).over(GROUND_PLANE.equation).tolist()
     height = {"leaning wall": 220 * np.cos(np.radians(25)), "wall": 220, "box": 90, "steps": 120, "ramp": 100}
     assert min(low for low, _ in spans) == pytest.approx(0, abs=1e-5)
     assert max(high for _, high in spans) == pytest.approx(height.get(kind, 200 if kind == "cylinder" else 160))
@@ -147,10 +148,9 @@ def test_heights_over_a_slanted_plane_hold_every_point_of_a_round_body() -> None
     other = np.cross(drum.axis, side)
     rim = 60 * (np.outer(np.cos(turns), side) + np.outer(np.sin(turns), other))
     heights = np.concatenate([np.array(end) + rim for end in (drum.foot, drum.head)]) @ plane[:3] + plane[3]
-    low, high = heights_over(plane, drum)
+    (low, high), (bottom, top) = BodyHeights([drum, ball]).over(plane).tolist()
     assert (low, high) == pytest.approx((heights.min(), heights.max()), abs=0.01)
-    low, high = heights_over(plane, ball)
-    assert high - low == pytest.approx(160)
+    assert top - bottom == pytest.approx(160)
 
 
 # ---- what a camera sees
@@ -213,7 +213,7 @@ def test_every_point_of_the_canvas_shows_the_face_that_a_ray_meets(camera: Camer
         assert group_holds(each.outline, x[mine], y[mine]).all()
         points = np.stack([x[mine], y[mine], np.ones(mine.sum())])
         assert np.abs(each.seen_at(camera, points)[:3].T - found.point[mine])[~on_end[mine]].max(initial=0) < 1e-6
-        assert heights_over((0.0, 0.0, 1.0, -float(each.centre[2])), bodies[each.body])[0] < 0
+        assert BodyHeights([bodies[each.body]]).over((0.0, 0.0, 1.0, -float(each.centre[2])))[0, 0] < 0
 
 
 @pytest.mark.parametrize("light", LIGHTS, ids=str)
@@ -287,26 +287,29 @@ def test_a_body_that_only_touches_a_receiver_is_not_sunk_into_it() -> None:
     assert regions(-1.0) == regions(0.0) + 1
 
 
+def span_over(flat: Flat, body: Body) -> tuple[float, float]:
+    low, high = BodyHeights([body]).over(flat.equation)[0].tolist()
+    return low, high
+
+
 def test_what_lies_in_a_receiver_s_plane_takes_nothing_but_a_round_footprint() -> None:
     """A box beside a wall of the same plane, and a drum on the ground."""
     at = stand(angle=0.0)
     wall = shapes.wall(at, 300, 220, 0.0)[0]
     lift = faces_of(CAMERAS[1], CANVAS, GROUND_PLANE, (wall,))[1].flat
     twin = shapes.wall(at, 100, 100, 0.0)[0]
-    assert (
-        lift.group(heights_over(lift.equation, twin), occlusion_of(twin, CAMERAS[1].eye), keeps_footprint=True) is None
-    )
+    assert lift.group(span_over(lift, twin), occlusion_of(twin, CAMERAS[1].eye), keeps_footprint=True) is None
     ground = faces_of(CAMERAS[1], CANVAS, GROUND_PLANE, ())[0].flat
     drum = shapes.drum(at, 120, 200)[0]
     kept, bare = (
-        ground.group(heights_over(ground.equation, drum), occlusion_of(drum, CAMERAS[1].eye), keeps_footprint=keeps)
+        ground.group(span_over(ground, drum), occlusion_of(drum, CAMERAS[1].eye), keeps_footprint=keeps)
         for keeps in (True, False)
     )
     assert kept is not None
     assert bare is not None
     assert len(kept[0].regions) == len(bare[0].regions) + 1
     sunk = Ball(at.origin, 50.0)
-    held = ground.group(heights_over(ground.equation, sunk), occlusion_of(sunk, CAMERAS[1].eye), keeps_footprint=True)
+    held = ground.group(span_over(ground, sunk), occlusion_of(sunk, CAMERAS[1].eye), keeps_footprint=True)
     assert held is not None
     assert len(held[0].regions) == 2
     assert isinstance(ground, Flat)

@@ -12,13 +12,15 @@ from pytestqt.qtbot import QtBot
 from kagezou.document import properties
 from kagezou.document.address import Address
 from kagezou.document.edits import set_value
+from kagezou.document.set_pieces import add_piece
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.io.project import file as project_file
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.application import Application
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.system.settings import Settings
-from kagezou.ui.viewport import picture_widget
+from kagezou.ui.viewport import frame_painter, picture_widget
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, picture, shadow_is_on_canvas, write_garbage
@@ -152,6 +154,18 @@ def test_a_broken_cel_is_named_and_the_rest_is_shown(qtbot: QtBot, walking: Main
     walking.parts.open_project.bridge.session.go_to(4)
     qtbot.waitUntil(lambda: walking.parts.bar.text == "")
     assert shadow_is_on_canvas(walking)
+
+
+def test_a_set_that_is_too_large_to_work_with_is_left_out_and_said(
+    qtbot: QtBot, walking: MainWindow, cels: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    walking.parts.project.bring([cels])
+    monkeypatch.setattr(frame_painter, "MOST_AT_HAND", 4)
+    session = walking.parts.open_project.bridge.session
+    session.edit("set", add_piece(session.document, "stairs", PieceKind.STEPS, {"count": 5}))
+    qtbot.waitUntil(lambda: "left out here, but not of what is exported: stairs" in walking.parts.bar.text)
+    session.undo()
+    qtbot.waitUntil(lambda: walking.parts.bar.text == "")
 
 
 def test_a_missing_cel_leaves_the_other_layer(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:

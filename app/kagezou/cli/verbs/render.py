@@ -9,7 +9,7 @@ from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
-from kagezou.cli.terminal import ProgressLine
+from kagezou.cli.terminal import ProgressLine, note
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -76,6 +76,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.project.file import load
     from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
+    from kagezou.scene.evaluate import evaluate
+    from kagezou.scene.set_extent import notes_on_extent
 
     form = options.format or ("psd" if options.layered else "png")
     request = ExportRequest(
@@ -99,6 +101,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         document = load(options.project)
         if options.path_mapping is not None:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
+        for sentence in notes_on_extent(evaluate(document, 1).pieces):
+            note(sentence)
         summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
         if isinstance(lines, JobLines) and summary.failures:
             lines.fail(summary.failures[0].message)

@@ -10,8 +10,9 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import bounding_box, box_polygon, clipped, shifted
 from kagezou.geometry.sets.bodies import Body, Drum, Solid
+from kagezou.geometry.sets.heights import BodyHeights, Spans
 from kagezou.geometry.sets.occlusion_cones import Cone, Occlusion, end_cone, facet_cone, occlusion_of
-from kagezou.geometry.sets.regions import Flat, Group, Region, Taken, apart, beyond, heights_over
+from kagezou.geometry.sets.regions import TOUCHING_PX, Flat, Group, Region, Taken, apart, beyond
 from kagezou.geometry.vectors import Matrix, Vector4
 
 GROUND = -1
@@ -37,7 +38,7 @@ class Face:
     box
         The canvas box it is seen in.
     spans
-        Between which heights over it each body lies, px.
+        (B, 2): between which heights over it each body lies, px.
     """
 
     body: int
@@ -46,29 +47,38 @@ class Face:
     outline: Region | None
     hidden: dict[int, Taken]
     box: Box
-    spans: tuple[tuple[float, float], ...] = ()
+    spans: Spans
 
     def unlit(self, occlusions: dict[int, Occlusion]) -> tuple[Group, ...]:
         """Return what each of the occlusions of a light takes from this face."""
         groups: list[Group] = []
+        over = self._over()
         for index, occlusion in occlusions.items():
-            if index == self.body:
+            if index not in over:
                 continue
-            taken = self.flat.group(self.spans[index], occlusion, keeps_footprint=False)
+            taken = self.flat.group(over[index], occlusion, keeps_footprint=False)
             if taken is not None:
                 seen = self.hidden.get(index)
                 groups.append(self._beyond(taken[0] if seen is None else apart(taken, seen)))
         return tuple(groups)
 
-    def hidden_by(self, bodies: Sequence[Body], occlusions: dict[int, Occlusion]) -> "Face":
-        """Return the face with what the camera's occlusions, but for its own body's, hide of it."""
-        spans = tuple(heights_over(self.flat.equation, body) for body in bodies)
+    def hidden_by(self, occlusions: Sequence[Occlusion]) -> "Face":
+        """Return the face with what the camera's occlusions, one a body, but for its own body's, hide of it."""
         hidden: dict[int, Taken] = {}
-        for index, occlusion in occlusions.items():
-            taken = None if index == self.body else self.flat.group(spans[index], occlusion, keeps_footprint=True)
+        for index, span in self._over().items():
+            taken = self.flat.group(span, occlusions[index], keeps_footprint=True)
             if taken is not None:
                 hidden[index] = (self._beyond(taken[0]), taken[1])
-        return replace(self, hidden=hidden, spans=spans)
+        return replace(self, hidden=hidden)
+
+    def _over(self) -> dict[int, tuple[float, float]]:
+        """Return the heights of the bodies that reach over the face, but for its own: no other takes anything of it."""
+        reaching = np.flatnonzero(self.spans[:, 1] > TOUCHING_PX)
+        return {
+            index: (low, high)
+            for index, (low, high) in zip(reaching.tolist(), self.spans[reaching].tolist(), strict=True)
+            if index != self.body
+        }
 
     def _beyond(self, group: Group) -> Group:
         return group if self.outline is None else beyond(group, self.outline, self.box)
@@ -76,19 +86,17 @@ class Face:
 
 def faces_of(camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body]) -> tuple[Face, ...]:
     """Return the ground and the flat faces turned to the eye, those outside of the canvas left out."""
-    occlusions = dict(enumerate(occlusion_of(body, camera.eye) for body in bodies))
-    found = [_face(camera, canvas, ground, None)]
-    owners = [GROUND]
+    occlusions = [occlusion_of(body, camera.eye) for body in bodies]
+    heights = BodyHeights(bodies)
+    found = [_face(camera, canvas, (GROUND, ground, None), heights)]
     for index, body in enumerate(bodies):
-        for plane, cone in _seen_of(body, camera.eye):
-            found.append(_face(camera, canvas, plane, cone))
-            owners.append(index)
-    faces = (None if face is None else replace(face, body=owner) for face, owner in zip(found, owners, strict=True))
-    return tuple(face.hidden_by(bodies, occlusions) for face in faces if face is not None)
+        found += [_face(camera, canvas, (index, *seen), heights) for seen in _seen_of(body, camera.eye)]
+    return tuple(face.hidden_by(occlusions) for face in found if face is not None)
 
 
-def _face(camera: Camera, canvas: Box, plane: Plane, cone: Cone | None) -> Face | None:
-    """Return a face as if nothing else were there."""
+def _face(camera: Camera, canvas: Box, seen: tuple[int, Plane, Cone | None], heights: BodyHeights) -> Face | None:
+    """Return a face, given by its body, its plane and the eye's cone over it, as if nothing else were there."""
+    body, plane, cone = seen
     lift = world_from_canvas_on(camera, plane)
     if lift is None:
         return None
@@ -98,7 +106,7 @@ def _face(camera: Camera, canvas: Box, plane: Plane, cone: Cone | None) -> Face 
     flat = Flat(lift / np.abs(lift).max(), plane.equation, rim)
     outline = None if cone is None else flat.outline(cone)
     box = canvas if outline is None else region_box(outline, canvas)
-    return None if box is None else Face(GROUND, plane, flat, outline, {}, box)
+    return None if box is None else Face(body, plane, flat, outline, {}, box, heights.over(flat.equation))
 
 
 def _seen_of(body: Body, eye: Vector4) -> Iterator[tuple[Plane, Cone]]:

@@ -7,9 +7,8 @@ import numpy as np
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.polygon import box_polygon, distance_forms, shifted
-from kagezou.geometry.sets.bodies import Ball, Body, Solid
 from kagezou.geometry.sets.occlusion_cones import Cone, Occlusion
-from kagezou.geometry.vectors import Matrix, Vector4, dot, height_over
+from kagezou.geometry.vectors import Matrix, Vector4
 
 TOUCHING_PX = 1e-4
 """What is no farther from a receiver than this lies on it."""
@@ -146,20 +145,6 @@ class Flat:
         """Return the numbers of the edges that lie on the receiver."""
         heights = np.abs(edges @ np.array(self.equation[:3]) + self.equation[3]).max(axis=1)
         return [index for index, height in enumerate(heights.tolist()) if height < TOUCHING_PX]
-
-
-def heights_over(plane: Vector4, body: Body) -> tuple[float, float]:
-    """Return between which heights over a plane of unit normal a body lies, px."""
-    normal = (plane[0], plane[1], plane[2])
-    if isinstance(body, Solid):
-        heights = [height_over(plane, (*corner, 1.0)) for facet in body.facets for corner in facet.corners]
-        return min(heights), max(heights)
-    if isinstance(body, Ball):
-        centre = height_over(plane, (*body.centre, 1.0))
-        return centre - body.radius_px, centre + body.radius_px
-    wide = body.radius_px * max(1.0 - dot(normal, body.axis) ** 2, 0.0) ** 0.5
-    ends = [height_over(plane, (*end, 1.0)) for end in (body.foot, body.head)]
-    return min(ends) - wide, max(ends) + wide
 
 
 def apart(lit: Taken, seen: Taken) -> Group:

@@ -14,6 +14,7 @@ from kagezou.geometry.sets.round_faces_seen import RoundFace, round_faces_of
 from kagezou.geometry.vectors import Vector4
 from kagezou.render.prepare.mask_tiles import Mask
 from kagezou.scene.pieces import PieceScene
+from kagezou.scene.set_extent import check_extent
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +44,8 @@ class SetAsSeen:
 
     @staticmethod
     def of(camera: Camera, canvas: Box, ground: Plane, pieces: tuple[PieceScene, ...]) -> "SetAsSeen":
-        """Look at a set."""
+        """Look at a set; raises UsageProblem where it has too many parts to be drawn."""
+        check_extent(pieces)
         pairs = [(body, piece) for piece in pieces for body in piece.bodies]
         bodies = tuple(body for body, _ in pairs)
         owners = tuple(piece for _, piece in pairs)

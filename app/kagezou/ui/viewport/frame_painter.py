@@ -21,15 +21,16 @@ from kagezou.scene.evaluate import evaluate
 from kagezou.scene.left_out import without_pieces
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import Scene
+from kagezou.scene.set_extent import MOST_AT_HAND, beyond, too_many_at_hand
 from kagezou.ui.viewport.picture_view import PictureView, seen
 from kagezou.ui.viewport.resolution import FULL, PreviewFineness
 
 
 @dataclass(frozen=True, slots=True)
 class Broken:
-    """A file that cannot be shown, and why."""
+    """A file that cannot be shown, or ``"set"``, and why."""
 
-    source: PictureSource
+    source: PictureSource | str
     problem: Problem
 
 
@@ -192,10 +193,14 @@ class FramePainter:
             if piece.mesh is not None
             and not can_be_read(piece.mesh.path, lambda each: self._meshes.mesh(file_of(each)))
         }
+        left = beyond(scene.pieces, MOST_AT_HAND)
+        if left:
+            broken.append(Broken("set", too_many_at_hand(scene.pieces, left)))
+            lost |= {piece.id for piece in left}
         scene = without_pieces(scene, lost) if lost else scene
         behind = scene.background
         background = behind if behind and can_be_read(behind.source, self._cels.background) else None
-        unread = {each.source for each in broken}
+        unread = {each.source for each in broken if not isinstance(each.source, str)}
         layers = tuple(without_drawings(layer, unread) for layer in scene.layers)
         self.broken = tuple(broken)
         return replace(scene, layers=layers, background=background) if broken else scene
