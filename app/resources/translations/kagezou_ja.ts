@@ -3560,12 +3560,20 @@ Drop a folder of cels here.</source>
         <translation>このプロジェクトにレイヤー {name!r} はありません（レイヤーがひとつもありません）</translation>
     </message>
     <message>
+        <source>, joins {figure}</source>
+        <translation>（{figure} の一部）</translation>
+    </message>
+    <message>
         <source>0 keeps the figure&apos;s own colours, 1 has the colour of the reflection alone.</source>
         <translation>0 で元の色のまま、1 で映り込みの色だけになります。</translation>
     </message>
     <message>
         <source>0 stands parallel to the screen, 1 along the ground&apos;s normal, as walls do.</source>
         <translation>0 は画面に平行に立ち、1 は壁のように地面の法線に沿って立ちます。</translation>
+    </message>
+    <message>
+        <source>1 drawing</source>
+        <translation>動画 1 枚</translation>
     </message>
     <message>
         <source>1 keyed property got a key on frame {frame}: {names}</source>
@@ -3900,12 +3908,72 @@ Drop a folder of cels here.</source>
         <translation>点 [{axes}] ({unit})</translation>
     </message>
     <message>
+        <source>background: {names}</source>
+        <translation>背景: {names}</translation>
+    </message>
+    <message>
+        <source>blending by brightness is not done: {names}</source>
+        <translation>「ブレンド条件」（明るさによる合成）は行いません: {names}</translation>
+    </message>
+    <message>
+        <source>camera {name}: {kind}, {moving}</source>
+        <translation>カメラ {name}: {kind}、{moving}</translation>
+    </message>
+    <message>
+        <source>character {name}{joins}: {drawings} of {width} × {height} px, seen to frame {last}: {names}</source>
+        <translation>キャラクター {name}{joins}: {width} × {height} px の{drawings}、{last} コマ目まで表示: {names}</translation>
+    </message>
+    <message>
+        <source>column {name!r}: {count} entries of {cels} cels: {names}</source>
+        <translation>列 {name!r}: 記入 {count} 個、セル {cels} 枚: {names}</translation>
+    </message>
+    <message>
+        <source>drawings of {column}: {path}</source>
+        <translation>{column} の動画: {path}</translation>
+    </message>
+    <message>
+        <source>extra channels are not used: {names}</source>
+        <translation>追加のチャンネルは使いません: {names}</translation>
+    </message>
+    <message>
+        <source>groups are clipped to the layer below them, as Clip Studio Paint does: {names}</source>
+        <translation>フォルダーを下のレイヤーでクリッピングします（CLIP STUDIO PAINT と同じ扱い）: {names}</translation>
+    </message>
+    <message>
         <source>guides are drawn into composites; ask for those as well</source>
         <translation>ガイドは合成画像に描かれます。合成画像も指定してください</translation>
     </message>
     <message>
         <source>it is too large for values</source>
         <translation>値のファイルとしては大きすぎます</translation>
+    </message>
+    <message>
+        <source>its animation of {count} frames is not used: layers count as they are visible now</source>
+        <translation>{count} フレームのアニメーションは使いません。レイヤーは現在の表示状態のまま扱います</translation>
+    </message>
+    <message>
+        <source>its colour profile {profile!r} is not used: colours are taken as sRGB</source>
+        <translation>カラープロファイル {profile!r} は使いません。色は sRGB とみなします</translation>
+    </message>
+    <message>
+        <source>its columns</source>
+        <translation>すべての列</translation>
+    </message>
+    <message>
+        <source>its layer comps are not used: layers count as they are visible now</source>
+        <translation>レイヤーカンプは使いません。レイヤーは現在の表示状態のまま扱います</translation>
+    </message>
+    <message>
+        <source>its layers were not compared with the picture in it: it is too large or not in RGB</source>
+        <translation>大きすぎるか RGB ではないため、レイヤーを保存済みの統合画像と比べていません</translation>
+    </message>
+    <message>
+        <source>its layers, put together here, differ from the picture saved with them by up to {levels:.0f} of 255 levels; by more than {least} in {share:.1%} of the picture</source>
+        <translation>ここで合成したレイヤーは、保存済みの統合画像と最大 {levels:.0f}/255 階調異なります（{least} 階調を超える差は画像の {share:.1%}）</translation>
+    </message>
+    <message>
+        <source>layer {name}: {drawings}</source>
+        <translation>レイヤー {name}: {drawings}</translation>
     </message>
     <message>
         <source>layers.{layer}: it joins a layer that is no figure of its own</source>
@@ -3924,6 +3992,10 @@ Drop a folder of cels here.</source>
         <translation>ライト</translation>
     </message>
     <message>
+        <source>moving for {frames} frames</source>
+        <translation>{frames} コマ動きます</translation>
+    </message>
+    <message>
         <source>near the lamp the shadow turns round while the figure travels; the sun, or a lamp farther off, keeps its direction</source>
         <translation>ランプが近いため、人物の移動につれて影の向きが回ります。太陽光にするか、ランプを遠ざけると向きが保たれます</translation>
     </message>
@@ -3932,12 +4004,40 @@ Drop a folder of cels here.</source>
         <translation>アルファチャンネルがないため、画像の縁につながる白を透明として扱いました</translation>
     </message>
     <message>
+        <source>no picture was saved with its layers, so they could not be compared with one</source>
+        <translation>統合画像が保存されていないため、レイヤーを比べられませんでした</translation>
+    </message>
+    <message>
         <source>nothing is drawn</source>
         <translation>何も描かれていません</translation>
     </message>
     <message>
+        <source>orthographic</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
         <source>paper is one of {papers}, not {text!r}</source>
         <translation>paper に使えるのは {papers} です。{text!r} は使えません</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>透視投影</translation>
+    </message>
+    <message>
+        <source>project of {width} × {height} px, frames {frames} at {rate:g} a second</source>
+        <translation>{width} × {height} px のプロジェクト、コマ {frames}、毎秒 {rate:g} コマ</translation>
+    </message>
+    <message>
+        <source>set of {count} triangles, {x:.6g} × {y:.6g} × {z:.6g} units, {up} points up</source>
+        <translation>三角形 {count} 個のセット、{x:.6g} × {y:.6g} × {z:.6g} 単位、上方向は {up}</translation>
+    </message>
+    <message>
+        <source>set piece {name}</source>
+        <translation>セットの部品 {name}</translation>
+    </message>
+    <message>
+        <source>standing still</source>
+        <translation>静止</translation>
     </message>
     <message>
         <source>the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has keys on its frames instead</source>
@@ -3976,12 +4076,36 @@ Drop a folder of cels here.</source>
         <translation>前のスタイルが入れたライトを元に戻しました</translation>
     </message>
     <message>
+        <source>the picture saved with its layers is empty, so they could not be compared with it</source>
+        <translation>保存済みの統合画像が空のため、レイヤーを比べられませんでした</translation>
+    </message>
+    <message>
         <source>the pictures of the background are not a sequence without gaps, so they were copied</source>
         <translation>背景の画像は欠番のない連番ではないため、コピーしました</translation>
     </message>
     <message>
+        <source>the set is made of {count} parts, more than the {most} that are drawn while you work: left out here, but not of what is exported: {names}</source>
+        <translation>セットは {count} 個の部分からできていて、作業中に描ける {most} 個を超えています。ここでは省きますが、書き出しには入ります: {names}</translation>
+    </message>
+    <message>
+        <source>the set is made of {count} parts, more than the {most} that can be drawn: please take pieces away, or give stairs fewer steps</source>
+        <translation>セットは {count} 個の部分からできていて、描ける {most} 個を超えています。部品を減らすか、階段の段数を減らしてください</translation>
+    </message>
+    <message>
+        <source>the set is made of {count} parts: a picture may take minutes</source>
+        <translation>セットは {count} 個の部分からできています。1 枚に数分かかることがあります</translation>
+    </message>
+    <message>
         <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
         <translation>{layers} の影は画面では一つに重なりますが、レイヤーでは別々のままで、重なる所が濃くなります。見た目がフレームによって違うか、2色の影だからです</translation>
+    </message>
+    <message>
+        <source>the soft edges of drawn shapes are not done: {names}</source>
+        <translation>シェイプのぼかしは行いません: {names}</translation>
+    </message>
+    <message>
+        <source>the timesheet: {note}</source>
+        <translation>タイムシート: {note}</translation>
     </message>
     <message>
         <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>
@@ -4052,6 +4176,10 @@ Drop a folder of cels here.</source>
         <translation>タイミングは {path} から取りました</translation>
     </message>
     <message>
+        <source>timesheet {name!r} of {frames} frames</source>
+        <translation>タイムシート {name!r}、{frames} コマ</translation>
+    </message>
+    <message>
         <source>true or false</source>
         <translation>true または false</translation>
     </message>
@@ -4074,6 +4202,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{count} drawings are missing: {names}</source>
         <translation>{count} 枚の絵が見つかりません：{names}</translation>
+    </message>
+    <message>
+        <source>{count} drawings</source>
+        <translation>動画 {count} 枚</translation>
     </message>
     <message>
         <source>{count} keyed properties got a key on frame {frame}: {names}</source>
@@ -4224,6 +4356,14 @@ Drop a folder of cels here.</source>
         <translation>{name}：{count} 枚の絵を開けません</translation>
     </message>
     <message>
+        <source>{name}: {note}, in all its {count} files</source>
+        <translation>{name}: {note}（{count} 個のファイルすべて）</translation>
+    </message>
+    <message>
+        <source>{name}: {note}, in {files} of {count} files, first in {path}</source>
+        <translation>{name}: {note}（{count} 個中 {files} 個、最初は {path}）</translation>
+    </message>
+    <message>
         <source>{part} is a part of {figure} and has no shadow of its own; please ask for {figure}</source>
         <translation>{part} は {figure} の一部で、独自の影を持ちません。{figure} を指定してください</translation>
     </message>
@@ -4270,6 +4410,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: a video ends in .mp4 or .mov</source>
         <translation>{path}：動画の拡張子は .mp4 か .mov です</translation>
+    </message>
+    <message>
+        <source>{path}: adjustment layers over drawings are not used: {names}</source>
+        <translation>{path}: 動画の上の調整レイヤーは使いません: {names}</translation>
     </message>
     <message>
         <source>{path}: beside it there are no drawings of its columns ({names}): neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups</source>
@@ -4352,8 +4496,16 @@ Drop a folder of cels here.</source>
         <translation>{path}：パスマッピングの規則ではありません：{cause}</translation>
     </message>
     <message>
+        <source>{path}: these lie simply over what is below them here: {names}</source>
+        <translation>{path}: 次のレイヤーは、ここでは通常の重ね方で描きます: {names}</translation>
+    </message>
+    <message>
         <source>{path}: {cause}</source>
         <translation>{path}：{cause}</translation>
+    </message>
+    <message>
+        <source>{path}: {note}</source>
+        <translation>{path}: {note}</translation>
     </message>
     <message>
         <source>{path}: {path_2} has the same number</source>
