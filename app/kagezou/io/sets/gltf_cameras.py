@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Matrix
 from kagezou.io.files.faults import input_problem
+from kagezou.io.sets.camera_poses import rigid
 from kagezou.io.sets.gltf import Gltf, read_gltf
 from kagezou.io.sets.gltf_accessors import numbers
 from kagezou.io.sets.gltf_nodes import RESTS, local_place
@@ -99,7 +100,7 @@ def _camera(file: Gltf, number: int, animated: dict[tuple[int, str], _Channel], 
                 most_frames=MAX_FRAMES,
             ),
         )
-    poses = np.stack([_rigid(_pose(file, chain, animated, float(frame / frame_rate))) for frame in range(frames)])
+    poses = np.stack([rigid(_pose(file, chain, animated, float(frame / frame_rate))) for frame in range(frames)])
     lens = camera[camera["type"]]
     if camera["type"] == "perspective":
         height, aspect = degrees(float(lens["yfov"])), float(lens.get("aspectRatio", 0.0))
@@ -158,17 +159,3 @@ def _turned(start: NDArray[np.float64], end: NDArray[np.float64], part: float) -
         return (1 - part) * start + part * end
     angle = np.arccos(min(cosine, 1.0))
     return np.asarray((np.sin((1 - part) * angle) * start + np.sin(part * angle) * end) / np.sin(angle))
-
-
-def _rigid(pose: Matrix) -> Matrix:
-    """Return a pose without its scale, which says nothing of a camera's view (glTF 2.0, 3.10)."""
-    made = np.eye(4)
-    right, up = pose[:3, 0], pose[:3, 1]
-    back = np.cross(right, up)
-    made[:3, 2] = back / np.linalg.norm(back)
-    made[:3, 0] = right / np.linalg.norm(right)
-    made[:3, 1] = np.cross(made[:3, 2], made[:3, 0])
-    made[:3, 3] = pose[:3, 3]
-    if not np.isfinite(made).all():
-        raise ValueError(pose)
-    return made

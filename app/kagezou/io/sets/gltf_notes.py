@@ -1,5 +1,6 @@
 """What of a glTF file is not used or had to be assumed."""
 
+from kagezou.io.sets.camera_poses import is_mirrored
 from kagezou.io.sets.gltf import Gltf, named
 from kagezou.io.sets.gltf_nodes import SceneNodes
 from kagezou.io.sets.gltf_shapes import POINTS, has_triangles
@@ -17,7 +18,7 @@ def notes_of(file: Gltf, scene: SceneNodes) -> tuple[Message, ...]:
         *_of_primitives(meshes),
         *_of_poses(file, placed, meshes),
         *_of_animations(file, [number for number, _ in placed]),
-        *_of_what_hangs_nowhere(file, {node["mesh"] for node in nodes if "mesh" in node}, nodes),
+        *_of_what_hangs(file, scene, nodes),
     )
 
 
@@ -56,12 +57,21 @@ def _of_animations(file: Gltf, placed: list[int]) -> tuple[Message, ...]:
     return (Message("its meshes are animated: they are used as they stand without that"),)
 
 
-def _of_what_hangs_nowhere(file: Gltf, used: set[object], nodes: list[Tree]) -> tuple[Message, ...]:
+def _of_what_hangs(file: Gltf, scene: SceneNodes, nodes: list[Tree]) -> tuple[Message, ...]:
+    """Return which cameras cannot be as they are in the file, and what is there that hangs on no node."""
+    used = {node["mesh"] for node in nodes if "mesh" in node}
     meshes = [mesh for mesh in range(len(list_of(file.path, file.tree, "meshes"))) if mesh not in used]
     cameras = list_of(file.path, file.tree, "cameras")
     seen = {node.get("camera") for node in nodes}
     alone = [named(camera, number) for number, camera in enumerate(cameras) if number not in seen]
     notes = []
+    mirrored = [
+        named(node, number)
+        for number, node in enumerate(nodes)
+        if "camera" in node and is_mirrored(scene.places[number])
+    ]
+    if mirrored:
+        notes.append(Message("its cameras {names} are mirrored, which is not done", names=listed(mirrored)))
     if meshes:
         notes.append(Message("{count} of its meshes hang on no node and are not used", count=len(meshes)))
     if alone:
