@@ -149,7 +149,7 @@ def read_set(path: Path) -> SetContents:
 
 def _triangles(path: Path, suffix: str) -> Triangles:
     if suffix in _USD:
-        return Triangles(*read_usd(path, MAX_TRIANGLES))
+        return read_usd(path)
     if suffix in _GLTF:
         return read_gltf_meshes(path, MAX_TRIANGLES)
     return _PLAIN[suffix](path, bytes_of(path), MAX_TRIANGLES)
