@@ -8,7 +8,7 @@ import pytest
 
 from kagezou.errors import InputProblem
 from kagezou.io.sets.mesh_cache import read_set
-from tests.io.sets.usd_files import lefts, mesh, read, said, stage
+from tests.io.sets.usd_files import SKIN, instancer, lefts, mesh, read, said, stage
 
 pytest.importorskip("pxr", reason="the package usd-core is not installed")
 
@@ -104,16 +104,6 @@ def test_solids_without_values_have_those_of_the_format(tmp_path: Path) -> None:
     low, high = read(tmp_path, 'def Cube "s" {}').mesh.corners
     assert (high - low).tolist() == [2, 2, 2]
     assert len(read(tmp_path, 'def Sphere "s" {}').mesh.triangles) == 48 * 2 * 23
-
-
-def instancer(more: str, prototypes: str = "", names: str = "</i/p/a>") -> str:
-    return f"""def PointInstancer "i" {{
-        rel prototypes = [{names}]
-        {more}
-        def Xform "p" {{
-            {prototypes or mesh("a")}
-        }}
-    }}"""
 
 
 def test_instances_of_points_with_turns_sizes_and_ids(tmp_path: Path) -> None:
@@ -216,35 +206,6 @@ def test_units_and_cages_are_said(tmp_path: Path) -> None:
     assert said(found) == ["its subdivision surfaces are used as their cages",
                            "its unit is 0.01 m; its size on the canvas does not follow from that"]  # fmt: skip
     assert not read(tmp_path, mesh("m", 'uniform token subdivisionScheme = "none"'), "metersPerUnit = 1").notes
-
-
-SKIN = """def SkelRoot "r" {
-    def Skeleton "s" (prepend apiSchemas = ["SkelBindingAPI"]) {
-        uniform token[] joints = ["a"]
-        uniform matrix4d[] bindTransforms = [((1,0,0,0), (0,1,0,0), (0,0,1,0), (0,0,0,1))]
-        uniform matrix4d[] restTransforms = [((1,0,0,0), (0,1,0,0), (0,0,1,0), (0,0,0,1))]
-        rel skel:animationSource = </r/s/w>
-        def SkelAnimation "w" {
-            uniform token[] joints = ["a"]
-            float3[] translations.timeSamples = {1: [(7,0,0)], 2: [(8,0,0)]}
-            quatf[] rotations = [(1,0,0,0)]
-            half3[] scales = [(1,1,1)]
-        }
-    }
-    def Mesh "m" (prepend apiSchemas = ["SkelBindingAPI"]) {
-        %s
-        rel skel:skeleton = </r/s>
-        int[] primvars:skel:jointIndices = [0] (
-            elementSize = 1
-            interpolation = "constant"
-        )
-        float[] primvars:skel:jointWeights = [1] (
-            elementSize = 1
-            interpolation = "constant"
-        )
-    }
-}
-"""
 
 
 def test_skins_are_posed_as_on_the_first_frame(tmp_path: Path) -> None:

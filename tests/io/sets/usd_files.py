@@ -25,6 +25,47 @@ def mesh(name: str, more: str = "", move: tuple[float, float, float] | None = No
     return f'def Mesh "{name}" {{{SQUARE}{more}\n{moved}\n}}\n'
 
 
+def instancer(more: str, prototypes: str = "", names: str = "</i/p/a>") -> str:
+    """Return an instancer of points, whose prototypes hang on it."""
+    return f"""def PointInstancer "i" {{
+        rel prototypes = [{names}]
+        {more}
+        def Xform "p" {{
+            {prototypes or mesh("a")}
+        }}
+    }}"""
+
+
+SKIN = """def SkelRoot "r" {
+    def Skeleton "s" (prepend apiSchemas = ["SkelBindingAPI"]) {
+        uniform token[] joints = ["a"]
+        uniform matrix4d[] bindTransforms = [((1,0,0,0), (0,1,0,0), (0,0,1,0), (0,0,0,1))]
+        uniform matrix4d[] restTransforms = [((1,0,0,0), (0,1,0,0), (0,0,1,0), (0,0,0,1))]
+        rel skel:animationSource = </r/s/w>
+        def SkelAnimation "w" {
+            uniform token[] joints = ["a"]
+            float3[] translations.timeSamples = {1: [(7,0,0)], 2: [(8,0,0)]}
+            quatf[] rotations = [(1,0,0,0)]
+            half3[] scales = [(1,1,1)]
+        }
+    }
+    def Mesh "m" (prepend apiSchemas = ["SkelBindingAPI"]) {
+        %s
+        rel skel:skeleton = </r/s>
+        int[] primvars:skel:jointIndices = [0] (
+            elementSize = 1
+            interpolation = "constant"
+        )
+        float[] primvars:skel:jointWeights = [1] (
+            elementSize = 1
+            interpolation = "constant"
+        )
+    }
+}
+"""
+"""A mesh on a skeleton of one joint; its inner text stands for %s."""
+
+
 def stage(path: Path, body: str, head: str = "") -> Path:
     """Write a stage of a body, its metadata in front."""
     path.write_text(f"#usda 1.0\n(\n{head}\n)\n{body}")

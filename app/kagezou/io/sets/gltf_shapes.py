@@ -35,7 +35,7 @@ class Shape:
     """
 
     points: Matrix
-    corners: NDArray[np.int64]
+    corners: NDArray[np.int32]
     joints: NDArray[np.int64]
     weights: Matrix
 
@@ -72,7 +72,7 @@ def shape_of(file: Gltf, part: Tree, weights: NDArray[np.float64]) -> Shape:
                 raise ValueError(moved.shape)
             points = points + weight * moved
     joints, parts = _joints(file, part, found, len(points))
-    return Shape(points, corners, joints, parts)
+    return Shape(points, corners.astype(np.int32), joints, parts)
 
 
 def _bare(file: Gltf, part: Tree) -> tuple[Matrix, NDArray[np.int64]]:
@@ -87,6 +87,9 @@ def _bare(file: Gltf, part: Tree) -> tuple[Matrix, NDArray[np.int64]]:
 def _unpacked(file: Gltf, part: Tree, found: Decoded) -> tuple[Matrix, NDArray[np.int64]]:
     accessor = accessor_of(file, part["attributes"].get("POSITION"), "VEC3")
     points = found.points
+    triangles, claimed = sizes_of(file, part)
+    if len(points) > claimed or len(found.corners) > triangles:
+        raise ValueError(len(points))
     if accessor.get("normalized") and points.dtype.kind in "iu":
         return np.maximum(points / np.iinfo(points.dtype).max, -1.0), found.corners
     return points.astype(np.float64), found.corners

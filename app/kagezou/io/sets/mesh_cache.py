@@ -167,17 +167,23 @@ def _checked(path: Path, found: Triangles) -> Mesh:
         raise too_many(path, len(corners))
     if corners.min() < 0 or corners.max() >= len(points):
         raise input_problem(path, Message("it is damaged: a triangle names a missing corner"))
-    is_used = np.zeros(len(points), bool)
-    is_used[corners] = True
-    used = points[is_used]
-    if not np.isfinite(used).all():
-        raise input_problem(path, Message("it is damaged: a corner is not a number"))
-    if np.abs(used).max() > _FARTHEST:
-        raise input_problem(path, Message("a corner lies more than {farthest:g} units away", farthest=_FARTHEST))
+    _check_places(path, found)
     mesh = mesh_of(points, corners)
     if not len(mesh.triangles):
         raise input_problem(path, Message("there are only triangles without an area in it"))
     return mesh
+
+
+def _check_places(path: Path, found: Triangles) -> None:
+    """See that all corners of triangles lie somewhere; other points of a file may lie nowhere."""
+    is_used = np.zeros(len(found.points), bool)
+    is_used[found.corners] = True
+    used = found.points if is_used.all() else found.points[is_used]
+    low, high = float(used.min()), float(used.max())
+    if not np.isfinite([low, high]).all():
+        raise input_problem(path, Message("it is damaged: a corner is not a number"))
+    if max(high, -low) > _FARTHEST:
+        raise input_problem(path, Message("a corner lies more than {farthest:g} units away", farthest=_FARTHEST))
 
 
 def _nothing_in(notes: tuple[Message, ...]) -> Message:

@@ -46,13 +46,13 @@ def triangulated(points: Matrix, counts: Indices, corners: Indices) -> Triangles
     """
     starts = np.cumsum(counts) - counts
     cutting = _Cutting(points)
-    made: list[Indices] = [np.zeros((0, 3), np.int64)]
+    made: list[Indices] = [np.zeros((0, 3), np.int32)]
     for count in np.unique(counts[counts >= _TRIANGLE]).tolist():
         firsts = starts[counts == count]
         step = max(_PIECE // count, 1)
         for at in range(0, len(firsts), step):
             rows = corners[firsts[at : at + step, np.newaxis] + np.arange(count)]
-            made.append(rows if count == _TRIANGLE else cutting.cut(rows))
+            made.append((rows if count == _TRIANGLE else cutting.cut(rows)).astype(np.int32))
     triangles = np.concatenate(made)
     return Triangles(cutting.all_points(), triangles, cutting.notes(int((counts < _TRIANGLE).sum())))
 

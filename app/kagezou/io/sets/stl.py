@@ -45,8 +45,9 @@ def read_stl(path: Path, data: bytes, most: int) -> Triangles:
     if missing:
         facets = facets[is_whole]
         notes = (*notes, Message("{count} of its triangles have a corner that is not a number", count=missing))
-    points = facets.reshape(-1, 3).astype(np.float64)
-    return Triangles(points, np.arange(len(points)).reshape(-1, 3), notes)
+    # As coarse as in the file: each point is there several times still.
+    points = facets.reshape(-1, 3)
+    return Triangles(points, np.arange(len(points), dtype=np.int32).reshape(-1, 3), notes)
 
 
 def _is_binary(data: bytes) -> bool:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.geometry.vectors import Matrix
 from kagezou.message import Message
 
 Indices = NDArray[np.integer]
@@ -20,14 +19,14 @@ class Triangles:
     Parameters
     ----------
     points
-        (N, 3) float64, in the file's units and axes.
+        (N, 3) float64 or float32, in the file's units and axes.
     corners
-        (M, 3) whole numbers, indices of points.
+        (M, 3) int32, indices of points.
     notes
         What of the file is not used and what had to be assumed, without the file's name.
     """
 
-    points: Matrix
+    points: NDArray[np.float64] | NDArray[np.float32]
     corners: Indices
     notes: tuple[Message, ...] = ()
 
@@ -35,11 +34,16 @@ class Triangles:
 def joined(parts: Iterable[Triangles]) -> Triangles:
     """Return triangles of several parts as one, every note once."""
     kept = list(parts)
+    if len(kept) == 1:
+        return kept[0]
     starts = np.cumsum([0, *(len(part.points) for part in kept)])
     return Triangles(
         np.concatenate([np.zeros((0, 3)), *(part.points for part in kept)]),
         np.concatenate(
-            [np.zeros((0, 3), np.int64), *(part.corners + start for part, start in zip(kept, starts, strict=False))]
+            [
+                np.zeros((0, 3), np.int32),
+                *(part.corners + np.int32(start) for part, start in zip(kept, starts, strict=False)),
+            ]
         ),
         tuple(dict.fromkeys(note for part in kept for note in part.notes)),
     )
