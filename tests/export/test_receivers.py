@@ -1,17 +1,23 @@
 """Mattes of the ground and of set pieces: what of each is seen, adding up to the picture without a seam."""
 
 from dataclasses import replace
+from math import atan, degrees
 from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from kagezou.document.address import Address
+from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import add_piece
+from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.export.frames import export_frames
 from kagezou.export.receivers import receivers_of
 from kagezou.export.request import RECEIVERS, ExportRequest
+from kagezou.geometry.set_camera import SetCamera
+from kagezou.importing.set_following import follow_camera
 from kagezou.io.images.reading import read_cel
 from kagezou.render.gpu.context import open_headless_context
 from tests.export.small_cuts import cut, with_key, with_values
@@ -110,3 +116,24 @@ def test_they_come_beside_the_shadows_when_asked(room: Document, tmp_path: Path)
     again = replace(request, skip_existing=True)
     trusted = export_frames(room, again, open_headless_context, lambda _done, _all: None, lambda: False)
     assert (trusted.trusted, trusted.written) == (5, 0)
+
+
+@pytest.mark.parametrize("is_perspective", [True, False])
+@pytest.mark.parametrize("level", [0.5, 1.0, 1.5])
+def test_level_cameras_of_a_set_see_it(tmp_path: Path, is_perspective: bool, level: float) -> None:  # noqa: FBT001
+    wall = "v -1 0 -9\nv 1 0 -9\nv 1 2 -9\nv -1 2 -9\nf 1 2 3 4\n"
+    (tmp_path / "wall.obj").write_text(wall)
+    document = cut(tmp_path, length=1)
+    document = replace(document, canvas=replace(document.canvas, width_px=SIZE[0], height_px=SIZE[1]))
+    document = add_piece(document, "wall", "mesh", {"anchor": (0.0, 1.0, -9.0)}, tmp_path / "wall.obj")
+    pose = np.eye(4)
+    pose[1, 3] = level
+    # As high as five units at the wall.
+    height = 2 * degrees(atan(2.5 / 9)) if is_perspective else 5.0
+    camera = SetCamera("c", is_perspective, height, 0.0, pose[np.newaxis])
+    document = follow_camera(document, document.pieces[0].id, camera)
+    document = set_constant(document, Address(GROUND_RECEIVES), raw=False)
+    (matte,) = [alpha(path) for path in exported(document, tmp_path / "out") if path.parent.name == "wall_matte"]
+    assert matte.sum() == pytest.approx((2 * SIZE[1] / 5) ** 2, rel=1e-3)
+    rows = np.flatnonzero(matte[:, SIZE[0] // 2])
+    assert rows[0] == pytest.approx(SIZE[1] / 2 - (2 - level) * SIZE[1] / 5, abs=1)

@@ -261,3 +261,49 @@ def test_nothing_under_the_pointer_is_nothing(dungeon: SetImport) -> None:
     assert point_under(away, imported.piece_id, mesh, (400.0, 500.0), 1) is None
     with pytest.raises(UsageProblem, match="not before the camera on every frame"):
         stand_at(away, imported.piece_id, (0.0, 0.0, 0.0))
+
+
+LEVEL = [(fov, height) for fov in (0.0, 0.5, 40.0, 100.0) for height in (1.5, 0.0)]
+
+
+@pytest.mark.parametrize(("fov", "height"), LEVEL)
+@pytest.mark.parametrize("roll", [0.0, 90.0, -30.0])
+@pytest.mark.parametrize("error_deg", [0.0, 1e-5, -1e-5])
+def test_a_level_camera_sees_the_set_whether_or_not_it_sees_the_ground(
+    fov: float, height: float, roll: float, error_deg: float
+) -> None:
+    pose = looking(0.4, height, 9.0, error_deg, 12.0, roll)
+    camera = SetCamera("c", is_perspective=fov > 0, height=fov or 5.0, aspect=0.0, poses=pose[None])
+    document = with_mesh(stage(), (0.0, 0.0, -1.0))
+    document = follow_camera(document, document.pieces[0].id, camera)
+    check(document)
+    for point in ((0.5, 1.0, -2.0), (-1.0, 0.2, 0.4), (0.0, 0.0, -1.0)):
+        assert seen(document, 1, point) == pytest.approx(camera.sees(point, 1, SIZE), abs=0.2 if error_deg else 1e-4)
+
+
+@pytest.mark.parametrize("fov", [0.0, 40.0])
+def test_a_camera_that_passes_the_level_is_followed_all_the_way(fov: float) -> None:
+    heights = [2.0, 1.0, 0.0]
+    poses = np.stack([looking(0.0, height, 9.0, 10 * height, 0.0) for height in heights])
+    camera = SetCamera("c", is_perspective=fov > 0, height=fov or 5.0, aspect=0.0, poses=poses)
+    document = with_mesh(stage(), (0.0, 0.0, -1.0))
+    document = follow_camera(document, document.pieces[0].id, camera)
+    for frame in (1, 2, 3):
+        point = (0.5, 1.0, -2.0)
+        assert seen(document, frame, point) == pytest.approx(camera.sees(point, frame, SIZE), abs=1e-4)
+
+
+@pytest.mark.parametrize("pitch", [90.0, 89.5, -5.0])
+def test_a_camera_that_cannot_be_followed_says_how_it_sees_the_ground(pitch: float) -> None:
+    camera = SetCamera("c", is_perspective=True, height=40.0, aspect=0.0, poses=looking(0, 5, 0, pitch, 0)[None])
+    document = with_mesh(stage(), (0.0, 0.0, -1.0))
+    with pytest.raises(UsageProblem, match="sees the ground at"):
+        follow_camera(document, document.pieces[0].id, camera)
+
+
+@pytest.mark.parametrize("fov", [150.0, 1e-5])
+def test_a_field_of_view_that_the_canvas_camera_cannot_have_is_refused(fov: float) -> None:
+    camera = SetCamera("c", is_perspective=True, height=fov, aspect=0.0, poses=looking(0, 5, 9, 20, 0)[None])
+    document = with_mesh(stage(), (0.0, 0.0, -1.0))
+    with pytest.raises(UsageProblem, match=r"from 0 to 120|within"):
+        follow_camera(document, document.pieces[0].id, camera)

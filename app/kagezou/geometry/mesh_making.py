@@ -17,15 +17,16 @@ _MIXERS: Final = (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9)
 _PIECE: Final = 1 << 18
 
 Indices = NDArray[np.int32]
+Points = NDArray[np.float64] | NDArray[np.float32]
 
 
-def mesh_of(points: Matrix, corners: NDArray[np.integer]) -> Mesh:
+def mesh_of(points: Points, corners: NDArray[np.integer]) -> Mesh:
     """Return a mesh of triangles; it has none where all of them lie on lines or points.
 
     Parameters
     ----------
     points
-        (N, 3) float64, finite.
+        (N, 3) float64 or float32, finite.
     corners
         (M, 3) whole numbers, indices of points.
     """
@@ -37,23 +38,29 @@ def mesh_of(points: Matrix, corners: NDArray[np.integer]) -> Mesh:
     return Mesh(vertices, triangles, _lines(triangles, normals, len(vertices)))
 
 
-def _united(points: Matrix) -> tuple[Matrix, Indices]:
+def _united(points: Points) -> tuple[Matrix, Indices]:
     """Return the different points, and for each old one its new number."""
-    # Without minus zeros, so that equal numbers have equal bits.
-    rows = np.ascontiguousarray(points, np.float64) + 0.0
-    mixed = np.zeros(len(rows), np.uint64)
-    for column, mixer in enumerate(_MIXERS):
-        # It is meant to run over.
-        mixed = (mixed ^ _bits(rows[:, column])) * np.uint64(mixer)
-        mixed ^= mixed >> np.uint64(29)
-    order = np.argsort(mixed, kind="stable")
-    rows = rows[order]
+    order = np.argsort(_mixed(points), kind="stable").astype(np.int32)
     # Different points may be mixed alike; equal ones torn apart by that stay apart, which harms nothing.
-    is_new = np.ones(len(rows), bool)
-    is_new[1:] = (rows[1:] != rows[:-1]).any(axis=1)
-    index = np.empty(len(rows), np.int32)
-    index[order] = np.cumsum(is_new) - 1
-    return rows[is_new], index
+    is_new = np.ones(len(points), bool)
+    for start in range(1, len(points), _PIECE):
+        end = min(start + _PIECE, len(points))
+        is_new[start:end] = (points[order[start:end]] != points[order[start - 1 : end - 1]]).any(axis=1)
+    index = np.empty(len(points), np.int32)
+    index[order] = np.cumsum(is_new, dtype=np.int32) - 1
+    return points[order[is_new]].astype(np.float64) + 0.0, index
+
+
+def _mixed(points: Points) -> NDArray[np.uint64]:
+    """Return a number for each point, the same for equal ones; piece by piece, as points are most of the memory."""
+    mixed = np.zeros(len(points), np.uint64)
+    for start in range(0, len(points), _PIECE):
+        piece = slice(start, start + _PIECE)
+        for column, mixer in enumerate(_MIXERS):
+            # Without minus zeros, so that equal numbers have equal bits. It is meant to run over.
+            mixed[piece] = (mixed[piece] ^ _bits(points[piece, column].astype(np.float64) + 0.0)) * np.uint64(mixer)
+            mixed[piece] ^= mixed[piece] >> np.uint64(29)
+    return mixed
 
 
 def _bits(column: Matrix) -> NDArray[np.uint64]:
@@ -85,17 +92,20 @@ def _used(vertices: Matrix, triangles: Indices) -> tuple[Matrix, Indices]:
 def _lines(triangles: Indices, normals: NDArray[np.float32], count: int) -> Indices:
     """Return creases and borders as pairs of vertices, (K, 2)."""
     keys, is_upward = _edges(triangles, count)
-    order = np.argsort(keys, kind="stable")
-    keys = keys[order]
+    order = np.argsort(keys, kind="stable").astype(np.int32)
+    # In place: every copy of them is as large as all triangles.
+    keys.sort()
     first = np.flatnonzero(np.concatenate([[True], keys[1:] != keys[:-1]])[: len(keys)])
     is_drawn = np.diff(np.append(first, len(keys))) != 2
-    pairs = first[~is_drawn]
-    here, there = order[pairs], order[pairs + 1]
-    faces = max(len(triangles), 1)
-    cosines = np.einsum("ij,ij->i", normals[here % faces], normals[there % faces])
-    # Neighbours run along their edge in opposite directions, unless one of them is inside out.
-    cosines[is_upward[here] == is_upward[there]] *= -1
-    is_drawn[~is_drawn] = cosines < cos(radians(CREASE_DEG))
+    pairs = np.flatnonzero(~is_drawn)
+    for start in range(0, len(pairs), _PIECE):
+        piece = pairs[start : start + _PIECE]
+        here, there = order[first[piece]], order[first[piece] + 1]
+        faces = len(triangles)
+        cosines = np.einsum("ij,ij->i", normals[here % faces], normals[there % faces])
+        # Neighbours run along their edge in opposite directions, unless one of them is inside out.
+        cosines[is_upward[here] == is_upward[there]] *= -1
+        is_drawn[piece] = cosines < cos(radians(CREASE_DEG))
     drawn = keys[first[is_drawn]]
     return np.stack([drawn // count, drawn % count], axis=1).astype(np.int32)
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import acos, atan2, degrees, radians, tan
+from typing import Final
 
 import numpy as np
 
@@ -25,6 +26,9 @@ from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Point2, Vector3
 from kagezou.importing.set_placing import of_piece, placement, track_through
 from kagezou.message import Message
+
+_HARDLY_DEG: Final = 0.01
+"""A level camera is turned so far by the digits of its file, and no more is seen of the ground for it."""
 
 
 def follow_camera(document: Document, piece_id: str, camera: SetCamera) -> Document:
@@ -97,7 +101,8 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
     canvas_from_mesh = np.diag([1.0, -1.0, 1.0]) @ pose[:3, :3].T
     normal = canvas_from_mesh @ (np.array([0.0, 0.0, 1.0]) if up == "z" else np.array([0.0, 1.0, 0.0]))
     declination = degrees(acos(min(max(float(normal[2]), -1.0), 1.0)))
-    if not GROUND_DECLINATION.low <= declination <= GROUND_DECLINATION.high:
+    nearest = min(max(declination, GROUND_DECLINATION.low), GROUND_DECLINATION.high)
+    if abs(nearest - declination) > _HARDLY_DEG:
         raise UsageProblem(
             Message(
                 "the camera {camera!r} sees the ground at {declination:.1f}° on frame {frame}; "
@@ -110,7 +115,7 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
             )
         )
     roll = degrees(atan2(normal[0], -normal[1]))
-    ground = ground_plane((0.0, 0.0), roll, declination)
+    ground = ground_plane((0.0, 0.0), roll, nearest)
     right = canvas_from_mesh[:, 0]
     angle = degrees(atan2(float(right @ ground.v), float(right @ ground.u)))
     depth = -float((np.linalg.inv(pose) @ np.array([*anchor, 1.0]))[2])
@@ -126,4 +131,4 @@ def _sight(document: Document, camera: SetCamera, frame: int, anchor: Vector3, u
     own = camera.height_at(frame)
     focal = (height / 2) / tan(radians(own) / 2) if camera.is_perspective else 0.0
     scale = focal / depth if camera.is_perspective else height / own
-    return _Sight(camera.sees(anchor, frame, (width, height)), roll, declination, angle, scale)
+    return _Sight(camera.sees(anchor, frame, (width, height)), roll, nearest, angle, scale)

@@ -7,9 +7,10 @@ from kagezou.document.model import Piece
 from kagezou.document.piece_kinds import kind_of
 from kagezou.document.values import value_at
 from kagezou.geometry.camera import Camera
-from kagezou.geometry.ground import Plane, place_on
+from kagezou.geometry.ground import Plane, place_on, world_from_canvas_on
 from kagezou.geometry.sets.measures import Measures
-from kagezou.geometry.sets.shapes import stand_on
+from kagezou.geometry.sets.shapes import SHAPES, stand_on
+from kagezou.geometry.vectors import Vector3
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,11 +50,23 @@ def measures_at(piece: Piece, frame: float) -> Measures:
     )
 
 
+def place_of(piece: Piece, frame: float, camera: Camera, ground: Plane) -> Vector3 | None:
+    """Return where a piece stands, world px; None at and above the horizon.
+
+    An imported set is seen by level cameras as well, which see the ground as a line: it stands in the plane of the
+    drawings then.
+    """
+    position = value_at(piece.tracks, lines.PIECE_POSITION, frame)
+    if SHAPES[kind_of(piece, frame)] is None and world_from_canvas_on(camera, ground) is None:
+        return (*position, 0.0)
+    return place_on(camera, ground, position)
+
+
 def piece_frame(piece: Piece, frame: float, camera: Camera, ground: Plane) -> PieceFrame | None:
     """Return a piece's frame; None where it is switched off, or placed at or above the horizon."""
     if not value_at(piece.tracks, lines.PIECE_PRESENT, frame):
         return None
-    place = place_on(camera, ground, value_at(piece.tracks, lines.PIECE_POSITION, frame))
+    place = place_of(piece, frame, camera, ground)
     if place is None:
         return None
     scale = float(camera.canvas_from_world()[2] @ (*place, 1.0))

@@ -16,7 +16,7 @@ from kagezou.geometry.sets.bodies import Body
 from kagezou.geometry.sets.measures import Measures
 from kagezou.geometry.sets.shapes import SHAPES, bodies_of, stand_on
 from kagezou.geometry.vectors import Point2, Vector4
-from kagezou.scene.piece_frames import measures_at
+from kagezou.scene.piece_frames import measures_at, place_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +127,7 @@ def _placement(piece: Piece, frame: float, camera: Camera, ground: Plane) -> Mes
     if SHAPES[kind_of(piece, frame)] is not None or piece.source is None:
         return None
     anchor = value_at(piece.tracks, lines.PIECE_ANCHOR, frame)
-    place = place_on(camera, ground, value_at(piece.tracks, lines.PIECE_POSITION, frame))
+    place = place_of(piece, frame, camera, ground)
     if place is None:
         return None
     scale = value_at(piece.tracks, lines.PIECE_SCALE, frame) * float(camera.canvas_from_world()[2] @ (*place, 1.0))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from kagezou.errors import InputProblem
 from kagezou.io.sets.cameras import cameras_of, up_axis_of
+from kagezou.io.sets.mesh_cache import read_set
 from tests.io.sets.mesh_files import glb, tree_with, triangle_tree
 
 RATE = Fraction(24)
@@ -164,3 +165,27 @@ def test_a_usd_camera_may_zoom(tmp_path: Path) -> None:
     (tmp_path / "a.usda").write_text('#usda 1.0\ndef Camera "c" {\n float focalLength = nan\n}\n')
     with pytest.raises(InputProblem, match="makes no sense"):
         cameras_of(tmp_path / "a.usda", RATE)
+
+
+@pytest.mark.parametrize("scale", [[-1, 1, 1], [1, -1, 1], [-2, 3, 1]])
+def test_a_mirrored_camera_looks_where_it_looked_and_is_said(tmp_path: Path, scale: list[float]) -> None:
+    nodes = [{"mesh": 0}, {"scale": scale, "children": [2]}, {"name": "shot", "camera": 0, "rotation": turned(0.3)}]
+    tree, data = triangle_tree(cameras=[PERSPECTIVE], scenes=[{"nodes": [0, 1]}], nodes=nodes)
+    path = glb(tmp_path / "a.glb", tree, data)
+    (camera,) = cameras_of(path, RATE)
+    back = np.array([sin(0.3), 0, cos(0.3)]) * scale
+    assert camera.pose(1)[:3, 2] == pytest.approx(back / np.linalg.norm(back))
+    assert np.linalg.det(camera.pose(1)[:3, :3]) == pytest.approx(1.0)
+    assert camera.pose(1)[1, 1] == pytest.approx(np.sign(scale[1]))
+    assert [str(note) for note in read_set(path).notes] == ["its cameras shot are mirrored, which is not done"]
+
+
+def test_a_camera_under_uneven_scales_is_rigid(tmp_path: Path) -> None:
+    nodes = [{"mesh": 0}, {"scale": [1, 5, 1], "children": [2]},
+             {"camera": 0, "rotation": [sin(0.2), 0, 0, cos(0.2)]}]  # fmt: skip
+    tree, data = triangle_tree(cameras=[PERSPECTIVE], scenes=[{"nodes": [0, 1]}], nodes=nodes)
+    (camera,) = cameras_of(glb(tmp_path / "a.glb", tree, data), RATE)
+    turn = camera.pose(1)[:3, :3]
+    assert turn @ turn.T == pytest.approx(np.eye(3))
+    back = np.array([0, -5 * sin(0.4), cos(0.4)])
+    assert turn[:, 2] == pytest.approx(back / np.linalg.norm(back))

@@ -7,8 +7,7 @@ from typing import Final
 
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.io.sets.gltf_cameras import gltf_cameras
-from kagezou.io.sets.usd import is_z_up
-from kagezou.io.sets.usd_cameras import usd_cameras
+from kagezou.io.sets.usd import is_z_up, usd_cameras
 
 _GLTF: Final = (".glb", ".gltf")
 _USD: Final = (".usd", ".usda", ".usdc", ".usdz")

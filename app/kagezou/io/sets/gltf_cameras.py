@@ -3,9 +3,10 @@
 from bisect import bisect_right
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from math import ceil, degrees
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +14,13 @@ from numpy.typing import NDArray
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.geometry.vectors import Matrix
 from kagezou.io.files.faults import input_problem
-from kagezou.io.sets.gltf import Gltf, damaged, read_gltf
+from kagezou.io.sets.camera_poses import rigid
+from kagezou.io.sets.gltf import Gltf, read_gltf
+from kagezou.io.sets.gltf_accessors import numbers
+from kagezou.io.sets.gltf_nodes import RESTS, local_place
+from kagezou.io.sets.gltf_tree import SHAPELESS, Tree, damaged
 from kagezou.message import Message
 
-_PATHS: Final = ("translation", "rotation", "scale")
 MAX_FRAMES: Final = 20_000
 _HARDLY: Final = 1e-6
 
@@ -75,7 +79,7 @@ def gltf_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
             for number, node in enumerate(file.tree.get("nodes", ()))
             if "camera" in node
         )
-    except (KeyError, TypeError, AttributeError, ValueError, IndexError, ZeroDivisionError) as error:
+    except SHAPELESS as error:
         raise damaged(path) from error
 
 
@@ -96,7 +100,7 @@ def _camera(file: Gltf, number: int, animated: dict[tuple[int, str], _Channel], 
                 most_frames=MAX_FRAMES,
             ),
         )
-    poses = np.stack([_rigid(_pose(file, chain, animated, float(frame / frame_rate))) for frame in range(frames)])
+    poses = np.stack([rigid(_pose(file, chain, animated, float(frame / frame_rate))) for frame in range(frames)])
     lens = camera[camera["type"]]
     if camera["type"] == "perspective":
         height, aspect = degrees(float(lens["yfov"])), float(lens.get("aspectRatio", 0.0))
@@ -113,23 +117,17 @@ def _camera(file: Gltf, number: int, animated: dict[tuple[int, str], _Channel], 
 def _pose(file: Gltf, chain: list[int], animated: dict[tuple[int, str], _Channel], time: float) -> Matrix:
     made = np.eye(4)
     for number in reversed(chain):
-        made = made @ _local(file.tree["nodes"][number], number, animated, time)
+        made = made @ local_place(node := file.tree["nodes"][number], partial(_part, node, number, animated, time))
     return made
 
 
-def _local(node: dict[str, Any], number: int, animated: dict[tuple[int, str], _Channel], time: float) -> Matrix:
-    if "matrix" in node:
-        # Column by column in the file.
-        return np.array(node["matrix"], np.float64).reshape(4, 4).T
-    rests = {"translation": (0, 0, 0), "rotation": (0, 0, 0, 1), "scale": (1, 1, 1)}
-    move, turn, size = (
-        animated[number, name].at(time) if (number, name) in animated else np.array(node.get(name, rests[name]), float)
-        for name in _PATHS
-    )
-    made = np.eye(4)
-    made[:3, :3] = _rotation(turn) * size
-    made[:3, 3] = move
-    return made
+def _part(
+    node: Tree, number: int, animated: dict[tuple[int, str], _Channel], time: float, name: str
+) -> NDArray[np.float64]:
+    """Return a part of a node's place at a time."""
+    if (number, name) in animated:
+        return animated[number, name].at(time)
+    return np.array(node.get(name, RESTS[name]), np.float64)
 
 
 def _channels(file: Gltf) -> dict[tuple[int, str], _Channel]:
@@ -138,11 +136,11 @@ def _channels(file: Gltf) -> dict[tuple[int, str], _Channel]:
     for animation in file.tree.get("animations", ())[:1]:
         for channel in animation["channels"]:
             target = channel["target"]
-            if target.get("path") not in _PATHS or "node" not in target:
+            if target.get("path") not in RESTS or "node" not in target:
                 continue
             sampler = animation["samplers"][channel["sampler"]]
-            times = file.accessor(sampler["input"])[:, 0]
-            values = file.accessor(sampler["output"])
+            times = numbers(file, sampler["input"], "SCALAR")[:, 0]
+            values = numbers(file, sampler["output"], "VEC4" if target["path"] == "rotation" else "VEC3")
             way = sampler.get("interpolation", "LINEAR")
             expected = len(times) * (3 if way == "CUBICSPLINE" else 1)
             rises = len(times) > 0 and bool((np.diff(times) > 0).all())
@@ -150,17 +148,6 @@ def _channels(file: Gltf) -> dict[tuple[int, str], _Channel]:
                 raise damaged(file.path)
             found[target["node"], target["path"]] = _Channel(times, values, way)
     return found
-
-
-def _rotation(turn: NDArray[np.float64]) -> Matrix:
-    x, y, z, w = turn / np.linalg.norm(turn)
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
 
 
 def _turned(start: NDArray[np.float64], end: NDArray[np.float64], part: float) -> NDArray[np.float64]:
@@ -172,17 +159,3 @@ def _turned(start: NDArray[np.float64], end: NDArray[np.float64], part: float) -
         return (1 - part) * start + part * end
     angle = np.arccos(min(cosine, 1.0))
     return np.asarray((np.sin((1 - part) * angle) * start + np.sin(part * angle) * end) / np.sin(angle))
-
-
-def _rigid(pose: Matrix) -> Matrix:
-    """Return a pose without its scale, which says nothing of a camera's view (glTF 2.0, 3.10)."""
-    made = np.eye(4)
-    right, up = pose[:3, 0], pose[:3, 1]
-    back = np.cross(right, up)
-    made[:3, 2] = back / np.linalg.norm(back)
-    made[:3, 0] = right / np.linalg.norm(right)
-    made[:3, 1] = np.cross(made[:3, 2], made[:3, 0])
-    made[:3, 3] = pose[:3, 3]
-    if not np.isfinite(made).all():
-        raise ValueError(pose)
-    return made

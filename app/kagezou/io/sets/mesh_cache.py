@@ -6,24 +6,25 @@ What a file claims is compared with what it holds before a decoder allocates any
 import threading
 from collections import OrderedDict
 from dataclasses import dataclass
-from io import BytesIO
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
-from kagezou.errors import InputProblem
 from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.mesh_making import mesh_of
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.bounded_bytes import bytes_of, state_of
-from kagezou.io.sets.gltf_meshes import packed_gltf
-from kagezou.io.sets.obj import bare_obj
+from kagezou.io.sets.gltf_meshes import read_gltf_meshes
+from kagezou.io.sets.obj import read_obj
+from kagezou.io.sets.ply import read_ply
+from kagezou.io.sets.stl import read_stl
+from kagezou.io.sets.triangle_count import MAX_TRIANGLES, too_many
+from kagezou.io.sets.triangles import Triangles
 from kagezou.io.sets.usd import read_usd
 from kagezou.message import Message
 
 MESH_SUFFIXES: Final = (".glb", ".gltf", ".obj", ".ply", ".stl", ".usd", ".usda", ".usdc", ".usdz")
-MAX_TRIANGLES: Final = 5_000_000
 DEFAULT_LIMIT_BYTES: Final = 512 << 20
 
 _GLTF: Final = (".glb", ".gltf")
@@ -137,61 +138,56 @@ def read_set(path: Path) -> SetContents:
                 mesh_suffixes=", ".join(MESH_SUFFIXES),
             ),
         )
-    if suffix in _USD:
-        vertices, triangles = read_usd(path, MAX_TRIANGLES)
-    elif suffix in _GLTF:
-        vertices, triangles = _read_by_trimesh(path, packed_gltf(path, MAX_TRIANGLES), "glb")
-    else:
-        vertices, triangles = _read_by_trimesh(path, bytes_of(path), suffix.removeprefix("."))
-    return SetContents(_checked(path, vertices, triangles))
-
-
-def _read_by_trimesh(path: Path, data: bytes, kind: str) -> tuple[Any, Any]:
-    """Decode a file from memory, so that the decoder has no way to whatever else the file names."""
-    import trimesh
-
     try:
-        # Degenerate triangles are divided by nothing in there.
+        # What is no number is looked for in the end.
         with np.errstate(all="ignore"):
-            data = bare_obj(data) if kind == "obj" else data
-            scene = trimesh.load_scene(BytesIO(data), file_type=kind, skip_materials=True, process=False)
-            found = scene.to_mesh()
+            found = _triangles(path, suffix)
+        return SetContents(_checked(path, found), found.notes)
     except MemoryError as error:
         raise input_problem(path, Message("there is not enough memory for this set")) from error
-    # What a decoder raises for a broken file is of any kind.
-    except Exception as error:
-        raise input_problem(
-            path, Message("it cannot be read as a set: the file is damaged or not what its name says")
-        ) from error
-    return found.vertices, found.faces
 
 
-def _checked(path: Path, vertices: Any, triangles: Any) -> Mesh:
+def _triangles(path: Path, suffix: str) -> Triangles:
+    if suffix in _USD:
+        return read_usd(path)
+    if suffix in _GLTF:
+        return read_gltf_meshes(path, MAX_TRIANGLES)
+    return _PLAIN[suffix](path, bytes_of(path), MAX_TRIANGLES)
+
+
+_PLAIN: Final = {".obj": read_obj, ".ply": read_ply, ".stl": read_stl}
+
+
+def _checked(path: Path, found: Triangles) -> Mesh:
     """Return a mesh whose numbers make sense, its equal vertices made one."""
-    points, corners = np.asarray(vertices, np.float64), np.asarray(triangles)
-    if not points.size or not corners.size:
-        raise input_problem(path, Message("there are no triangles in it"))
-    if points.shape[1:] != (3,) or corners.shape[1:] != (3,) or corners.dtype.kind not in "iu":
-        raise input_problem(path, Message("it is damaged: its corners are not points in space"))
+    points, corners = found.points, found.corners
+    if not len(points) or not len(corners):
+        raise input_problem(path, _nothing_in(found.notes))
     if len(corners) > MAX_TRIANGLES:
-        raise too_many(path, len(corners), MAX_TRIANGLES)
+        raise too_many(path, len(corners))
     if corners.min() < 0 or corners.max() >= len(points):
         raise input_problem(path, Message("it is damaged: a triangle names a missing corner"))
-    is_used = np.zeros(len(points), bool)
-    is_used[corners] = True
-    used = points[is_used]
-    if not np.isfinite(used).all():
-        raise input_problem(path, Message("it is damaged: a corner is not a number"))
-    if np.abs(used).max() > _FARTHEST:
-        raise input_problem(path, Message("a corner lies more than {farthest:g} units away", farthest=_FARTHEST))
+    _check_places(path, found)
     mesh = mesh_of(points, corners)
     if not len(mesh.triangles):
         raise input_problem(path, Message("there are only triangles without an area in it"))
     return mesh
 
 
-def too_many(path: Path, count: int, most: int) -> InputProblem:
-    """Return the problem of a set with more triangles than can be worked with."""
-    return input_problem(
-        path, Message("it has {count} triangles, more than the {most} that can be worked with", count=count, most=most)
-    )
+def _check_places(path: Path, found: Triangles) -> None:
+    """See that all corners of triangles lie somewhere; other points of a file may lie nowhere."""
+    is_used = np.zeros(len(found.points), bool)
+    is_used[found.corners] = True
+    used = found.points if is_used.all() else found.points[is_used]
+    low, high = float(used.min()), float(used.max())
+    if not np.isfinite([low, high]).all():
+        raise input_problem(path, Message("it is damaged: a corner is not a number"))
+    if max(high, -low) > _FARTHEST:
+        raise input_problem(path, Message("a corner lies more than {farthest:g} units away", farthest=_FARTHEST))
+
+
+def _nothing_in(notes: tuple[Message, ...]) -> Message:
+    """Return what is said of a file without triangles, and of the first thing in it that is not used."""
+    if notes:
+        return Message("there are no triangles in it: {why}", why=notes[0])
+    return Message("there are no triangles in it")

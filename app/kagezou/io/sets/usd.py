@@ -1,106 +1,139 @@
-"""Sets from USD files, where the optional package for them is installed."""
+"""Sets from USD files, read in a process of their own: a broken file may take that along, never the program."""
 
-from importlib import import_module
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+from collections import OrderedDict
+from dataclasses import replace
+from fractions import Fraction
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
 from kagezou.errors import InputProblem
+from kagezou.geometry.set_camera import SetCamera
 from kagezou.io.files.faults import input_problem
-from kagezou.io.sets.bounded_bytes import check_inside, state_of
+from kagezou.io.sets.bounded_bytes import state_of
+from kagezou.io.sets.triangles import Triangles
+from kagezou.io.sets.usd_contents import UsdContents, load_contents
 from kagezou.message import Message
 
 MISSING: Final = Message("USD files need the package usd-core: pip install 'kagezou[usd]'")
 
+CHILD: Final = "kagezou.io.sets.usd_child"
+MAX_SECONDS: Final = 120
+_MOST_KEPT: Final = 8
+_USUAL_RATE: Final = Fraction(24)
+_TAKEN: Final = Triangles(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
+"""In place of triangles that were handed out: whoever got them keeps them."""
 
-def read_usd(path: Path, most: int) -> tuple[Any, Any]:
-    """Return the points (N, 3) and triangles (M, 3) of all meshes of a stage, each where it stands at its first frame.
+_State = tuple[Path, int, int]
+
+
+class _Readings:
+    """What was read of the last files, so that triangles, cameras and the axis of one need one process."""
+
+    def __init__(self) -> None:
+        self._kept: OrderedDict[_State, UsdContents] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def contents(self, path: Path, rate: Fraction | None, *, with_triangles: bool = False) -> UsdContents:
+        """Return what a file holds, its cameras at a rate if one is given; its triangles are handed out once."""
+        key = (path, *state_of(path))
+        with self._lock:
+            found = self._kept.get(key)
+        # Outside of the lock: another file may be had meanwhile.
+        if found is None or not _does(found, rate, with_triangles=with_triangles):
+            found = _read(path, rate or (found and found.rate) or _USUAL_RATE)
+        with self._lock:
+            self._kept[key] = replace(found, triangles=_TAKEN) if with_triangles else found
+            self._kept.move_to_end(key)
+            while len(self._kept) > _MOST_KEPT:
+                self._kept.popitem(last=False)
+        return found
+
+
+_READINGS: Final = _Readings()
+
+
+def read_usd(path: Path) -> Triangles:
+    """Return the triangles of a stage as it is on its first frame.
 
     Raises
     ------
     InputProblem
-        The package is missing, the file is broken, or there are more than ``most`` triangles.
+        The package is missing, the file is broken, or it has too many triangles.
     """
-    stage = open_stage(path)
-    Usd, UsdGeom = pxr("Usd"), pxr("UsdGeom")  # noqa: N806 - modules
-    points: list[Any] = []
-    corners: list[Any] = []
-    placed = UsdGeom.XformCache(Usd.TimeCode.EarliestTime())
-    count = total = 0
-    for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
-        mesh = UsdGeom.Mesh(prim)
-        if not mesh or UsdGeom.Imageable(prim).ComputeVisibility() == UsdGeom.Tokens.invisible:
-            continue
-        counts, indices, local = (
-            np.asarray(each.Get(Usd.TimeCode.EarliestTime()) or ())
-            for each in (mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr(), mesh.GetPointsAttr())
-        )
-        if not len(counts) or not len(local):
-            continue
-        if counts.min() < 3 or counts.sum() != len(indices) or indices.min() < 0 or indices.max() >= len(local):
-            raise input_problem(path, Message("it is damaged: a triangle names a missing corner"))
-        total += int((counts - 2).sum())
-        if total > most:
-            raise input_problem(
-                path, Message("it has more than the {most} triangles that can be worked with", most=most)
-            )
-        # USD's matrices act on rows.
-        matrix = np.asarray(placed.GetLocalToWorldTransform(prim))
-        points.append(np.c_[local.astype(np.float64), np.ones(len(local))] @ matrix[:, :3])
-        corners.append(_fans(counts, indices) + count)
-        count += len(local)
-    if not points:
-        raise input_problem(path, Message("there are no triangles in it"))
-    return np.concatenate(points), np.concatenate(corners)
+    found = _READINGS.contents(path, None, with_triangles=True).triangles
+    if isinstance(found, Message):
+        raise InputProblem(found)
+    return found
+
+
+def usd_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
+    """Return every camera of a stage, in the order of its tree.
+
+    Raises
+    ------
+    InputProblem
+        The package for USD is missing, or the file is broken.
+    """
+    found = _READINGS.contents(path, frame_rate).cameras
+    if isinstance(found, Message):
+        raise InputProblem(found)
+    return found
 
 
 def is_z_up(path: Path) -> bool:
-    """Whether a stage says that its third axis points up."""
-    return str(pxr("UsdGeom").GetStageUpAxis(open_stage(path))) == "Z"
+    """Whether a stage says that its third axis points up; raises as `usd_cameras` does."""
+    return _READINGS.contents(path, None).is_z_up
 
 
-def pxr(name: str) -> Any:
-    """Return a module of USD's package, which has no types; InputProblem where the package is missing."""
+def _does(found: UsdContents, rate: Fraction | None, *, with_triangles: bool) -> bool:
+    """Whether nothing has to be read again."""
+    if with_triangles and found.triangles is _TAKEN:
+        return False
+    return rate is None or found.rate in (None, rate)
+
+
+def _read(path: Path, rate: Fraction) -> UsdContents:
+    if find_spec("pxr") is None:
+        raise InputProblem(MISSING)
+    with tempfile.TemporaryDirectory(prefix="kagezou-usd-") as folder:
+        out = Path(folder, "contents.npz")
+        _run(path, rate, out)
+        try:
+            return load_contents(out)
+        # Half a file, or none: whatever went wrong was not said.
+        except Exception as error:
+            raise input_problem(
+                path, Message("it cannot be read as USD: the file is damaged, or too large for the memory")
+            ) from error
+
+
+def _run(path: Path, rate: Fraction, out: Path) -> None:
+    """Let a process read a file and write what it holds; what becomes of it shows in what it wrote."""
+    # One thread is enough, and the room of many for numbers would count as memory.
+    env = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path)), "PXR_WORK_THREAD_LIMIT": "1"}
+    words = [sys.executable, "-m", CHILD, str(path.absolute()), str(rate), str(out)]
     try:
-        return import_module(f"pxr.{name}")
-    except ImportError as error:
-        raise InputProblem(MISSING) from error
-
-
-def open_stage(path: Path) -> Any:
-    """Open a stage; InputProblem where the package for it is missing or the file is broken."""
-    state_of(path)
-    stages = pxr("Usd").Stage
-    try:
-        _check_layers(path)
-        stage = stages.Open(str(path), stages.LoadAll)
-    except pxr("Tf").ErrorException as error:
-        raise input_problem(path, Message("it cannot be read as USD: the file is damaged")) from error
-    if stage is None:
-        raise input_problem(path, Message("it cannot be read as USD: the file is damaged"))
-    return stage
-
-
-def _check_layers(path: Path) -> None:
-    """See that a stage is made of nothing outside of its folder, before that is opened."""
-    layers = pxr("Sdf").Layer
-    waiting, seen = [path], {path}
-    while waiting:
-        place = waiting.pop()
-        layer = layers.FindOrOpen(str(place))
-        # A package holds its own layers.
-        is_package = place.suffix.lower() == ".usdz"
-        for name in () if layer is None or is_package else layer.GetCompositionAssetDependencies():
-            check_inside(place, name)
-            if (other := place.parent / name) not in seen:
-                seen.add(other)
-                waiting.append(other)
-
-
-def _fans(counts: Any, indices: Any) -> Any:
-    """Return polygons, given by the lengths and corners of all, as triangles around their first corners."""
-    starts = np.repeat(np.cumsum(counts) - counts, counts - 2)
-    fans = counts - 2
-    steps = np.arange(1, fans.sum() + 1) - np.repeat(np.cumsum(fans) - fans, fans)
-    return np.stack([indices[starts], indices[starts + steps], indices[starts + steps + 1]], axis=1)
+        subprocess.run(
+            words,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            timeout=MAX_SECONDS,
+            check=False,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+    except subprocess.TimeoutExpired as error:
+        raise input_problem(
+            path, Message("reading it takes longer than {seconds} seconds: given up", seconds=MAX_SECONDS)
+        ) from error
+    except OSError as error:
+        raise input_problem(path, Message("the process that reads USD cannot be started")) from error

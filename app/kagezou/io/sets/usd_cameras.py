@@ -8,9 +8,11 @@ from typing import Any, Final
 import numpy as np
 
 from kagezou.geometry.set_camera import SetCamera
+from kagezou.geometry.vectors import Matrix
 from kagezou.io.files.faults import input_problem
+from kagezou.io.sets.camera_poses import rigid
 from kagezou.io.sets.gltf_cameras import MAX_FRAMES
-from kagezou.io.sets.usd import open_stage, pxr
+from kagezou.io.sets.usd_stage import pxr
 from kagezou.message import Message
 
 _APERTURE_UNIT: Final = 0.1
@@ -19,19 +21,30 @@ _APERTURE_UNIT: Final = 0.1
 _STILL: Final = 1e-9
 
 
-def usd_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
+def moves(stage: Any) -> bool:
+    """Whether a stage lasts longer than one frame."""
+    return bool(stage.GetEndTimeCode() > stage.GetStartTimeCode() and stage.GetTimeCodesPerSecond() > 0)
+
+
+def camera_prims(stage: Any) -> list[Any]:
+    """Return the prims of all cameras, those of instances with them."""
+    predicate = pxr("Usd").TraverseInstanceProxies()
+    return [prim for prim in stage.Traverse(predicate) if pxr("UsdGeom").Camera(prim)]
+
+
+def cameras_in(path: Path, stage: Any, frame_rate: Fraction) -> tuple[SetCamera, ...]:
     """Return every camera of a stage, in the order of its tree.
 
     Raises
     ------
     InputProblem
-        The package for USD is missing, or the file is broken.
+        One of them makes no sense, or moves for too long.
     """
-    stage = open_stage(path)
     Usd, UsdGeom = pxr("Usd"), pxr("UsdGeom")  # noqa: N806 - modules
     first, last, rate = stage.GetStartTimeCode(), stage.GetEndTimeCode(), stage.GetTimeCodesPerSecond()
-    count = ceil((last - first) / rate * frame_rate - _STILL) + 1 if last > first and rate > 0 else 1
-    if count > MAX_FRAMES:
+    prims = camera_prims(stage)
+    count = ceil((last - first) / rate * frame_rate - _STILL) + 1 if moves(stage) else 1
+    if prims and count > MAX_FRAMES:
         raise input_problem(
             path,
             Message(
@@ -40,24 +53,28 @@ def usd_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
                 most_frames=MAX_FRAMES,
             ),
         )
-    times = [Usd.TimeCode(first + float(frame / frame_rate) * rate) for frame in range(count)]
+    times = [Usd.TimeCode(first + float(frame / frame_rate) * rate) for frame in range(count if prims else 0)]
+    caches = [UsdGeom.XformCache(time) for time in times]
     found = []
-    for prim in stage.Traverse():
-        camera = UsdGeom.Camera(prim)
-        if camera:
-            poses = np.stack([_pose(UsdGeom.XformCache(time), prim) for time in times])
-            made = _camera(prim.GetName(), [camera.GetCamera(time) for time in times], poses)
-            most = 180.0 if made.is_perspective else np.inf
-            sizes = np.array([made.height, *made.heights])
-            if not np.isfinite(poses).all() or not (
-                np.isfinite(sizes).all() and (sizes > 0).all() and max(sizes) < most
-            ):
-                raise input_problem(path, Message("the camera {made!r} in it makes no sense", made=made.name))
-            found.append(made)
+    for prim in prims:
+        lenses = [UsdGeom.Camera(prim).GetCamera(time) for time in times]
+        try:
+            made = _camera(prim.GetName(), lenses, np.stack([rigid(_pose(placed, prim)) for placed in caches]))
+        except ValueError as error:
+            raise _senseless(path, prim.GetName()) from error
+        sizes = np.array([made.height, *made.heights])
+        most = 180.0 if made.is_perspective else np.inf
+        if not (np.isfinite(sizes).all() and (sizes > 0).all() and max(sizes) < most):
+            raise _senseless(path, made.name)
+        found.append(made)
     return tuple(found)
 
 
-def _camera(name: str, lenses: list[Any], poses: Any) -> SetCamera:
+def _senseless(path: Path, name: str) -> Exception:
+    return input_problem(path, Message("the camera {made!r} in it makes no sense", made=name))
+
+
+def _camera(name: str, lenses: list[Any], poses: Matrix) -> SetCamera:
     first = lenses[0]
     is_perspective = first.projection == first.Perspective
     heights = [
@@ -68,7 +85,7 @@ def _camera(name: str, lenses: list[Any], poses: Any) -> SetCamera:
     zooms = max(heights) - min(heights) > _STILL
     return SetCamera(
         name,
-        is_perspective,
+        bool(is_perspective),
         heights[0],
         float(first.aspectRatio),
         poses[:1] if stands else poses,
@@ -76,11 +93,6 @@ def _camera(name: str, lenses: list[Any], poses: Any) -> SetCamera:
     )
 
 
-def _pose(placed: Any, prim: Any) -> Any:
+def _pose(placed: Any, prim: Any) -> Matrix:
     # USD's matrices act on rows.
-    matrix = np.asarray(placed.GetLocalToWorldTransform(prim)).T
-    made = np.eye(4)
-    with np.errstate(all="ignore"):
-        made[:3, :3] = matrix[:3, :3] / np.linalg.norm(matrix[:3, :3], axis=0)
-    made[:3, 3] = matrix[:3, 3]
-    return made
+    return np.asarray(placed.GetLocalToWorldTransform(prim)).T
