@@ -435,7 +435,7 @@ def sentence_of(path: Path, read: Callable[[Path], object] = read_cel) -> str:
 def test_plain_faults(tmp_path: Path, read: Callable[[Path], object]) -> None:
     (tmp_path / "folder.png").mkdir()
     (tmp_path / "zero.png").write_bytes(b"")
-    (tmp_path / "a.gif").write_bytes(b"GIF89a")
+    (tmp_path / "a.tiff2").write_bytes(b"II")
     (tmp_path / "html.png").write_bytes(b"<html></html>")
     (tmp_path / "html.tga").write_bytes(b"<html></html>")
     files.save(tmp_path / "a.exr", np.ones((4, 4, 4), np.float16))
@@ -444,7 +444,7 @@ def test_plain_faults(tmp_path: Path, read: Callable[[Path], object]) -> None:
         "none.png": "it does not exist",
         "folder.png": "it is not a file",
         "zero.png": "the file is empty",
-        "a.gif": "'.gif' is not a picture format that can be read",
+        "a.tiff2": "'.tiff2' is not a picture format that can be read",
         "a": "'' is not a picture format that can be read",
         "html.png": "it is not PNG, whatever its name says",
         "exr.png": "it is not PNG but OpenEXR, whatever its name says",

@@ -1,6 +1,7 @@
 """Between the colours files hold: sRGB coded or linear light, multiplied by alpha or straight."""
 
 import functools
+from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
@@ -48,8 +49,22 @@ def straight_from_associated(colour: Pixels, alpha: Pixels) -> None:
         colour[rows] = np.where(whole > 0, np.minimum(divided, full), 0)
 
 
-def coded_from_light(light: NDArray[np.float32], alpha: NDArray[np.float32] | None) -> NDArray[np.uint16]:
-    """Return linear light (H, W, C) as straight sRGB 16 bit, dividing by ``alpha`` (H, W) where it is given."""
+def coded_from_light(
+    light: NDArray[np.float32],
+    alpha: NDArray[np.float32] | None,
+    changed: Callable[[NDArray[np.float32]], NDArray[np.float32]] | None = None,
+) -> NDArray[np.uint16]:
+    """Return linear light (H, W, C) as straight sRGB 16 bit.
+
+    Parameters
+    ----------
+    light
+        Of each pixel.
+    alpha
+        (H, W), by which it is divided where it is given.
+    changed
+        What gives the light of sRGB for some rows of straight light.
+    """
     coded = np.empty(light.shape, np.uint16)
     for top in range(0, light.shape[0], _ROWS):
         rows = slice(top, top + _ROWS)
@@ -58,7 +73,7 @@ def coded_from_light(light: NDArray[np.float32], alpha: NDArray[np.float32] | No
             whole = alpha[rows, :, None]
             with np.errstate(all="ignore"):
                 part = np.where(whole > 0, part / np.where(whole > 0, whole, 1), 0).astype(np.float32)
-        coded[rows] = coded_from_linear(part)
+        coded[rows] = coded_from_linear(part if changed is None else changed(part))
     return coded
 
 
