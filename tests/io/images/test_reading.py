@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
+from kagezou.io.images.enclosed import enclosed_part
 from kagezou.io.images.oiio_guard import DecodedPicture
-from kagezou.io.images.reading import ImageInfo, enclosed_part, matte_of, probe, read_cel, read_matte
+from kagezou.io.images.reading import ImageInfo, matte_of, probe, read_cel, read_matte
 from kagezou.picture_source import OutlinedPicture
 from tests.io.images import picture_files as files
 

@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 
 from kagezou.errors import DiskFullProblem
 from kagezou.io.files.faults import input_problem, output_problem, shown
+from kagezou.io.images.exr_layers import chosen_layer
 from kagezou.io.images.oiio_errors import first_line, text_of
-from kagezou.io.images.oiio_header import STRAIGHT, full_pages, header_of
+from kagezou.io.images.oiio_header import STRAIGHT, exr_layers, full_pages, header_of
 from kagezou.io.images.picture_size import LARGEST_PICTURE_MB, check_size
 from kagezou.io.pixels.png_chunks import png_chunks
 from kagezou.io.pixels.signatures import LARGEST_SIDE_PX, checked_format
@@ -131,6 +132,12 @@ class DecodedPicture:
         if self.header.dtype == "float32":
             return self.read(index, index + 1)[..., 0]
         return self.read()[..., index]
+
+    def layer_names(self) -> tuple[str, ...]:
+        """Return the names of the layers of an OpenEXR file that can be a picture, the one used by itself first."""
+        layers = [each for each in exr_layers(self._input)[0] if each.is_picture]
+        usual = chosen_layer(layers)
+        return tuple(each.name for each in sorted(layers, key=lambda each: each is not usual))
 
     def pictures(self) -> int:
         """Return how many pictures the file has beside smaller copies of them."""

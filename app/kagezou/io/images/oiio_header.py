@@ -56,6 +56,8 @@ def header_of(path: Path, source: oiio.ImageInput, address: str | None) -> Heade
     if spec.deep or spec.depth > 1:
         raise input_problem(path, Message("deep and volume pictures cannot be read"))
     kind = source.format_name()
+    if any(name.startswith("ink") for name in spec.channelnames):
+        raise input_problem(path, Message("its colours are inks with further channels, which cannot be read"))
     colour, alpha, notes = _channels(kind, spec)
     flagged = bool(spec.get_int_attribute(STRAIGHT))
     tga_type = spec.get_int_attribute("targa:alpha_type")

@@ -23,9 +23,8 @@ from kagezou.io.images.stored_pixels import (
     put_glow,
     upright,
 )
-from kagezou.io.images.white_paper import clear_white, white_of
+from kagezou.io.images.white_paper import clear_white
 from kagezou.io.pixels.colour import steps_from_unit
-from kagezou.io.pixels.paper import reaching_border
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
@@ -34,11 +33,10 @@ from kagezou.picture_source import OutlinedPicture, Paper, PicturePart, PictureS
 
 Steps = NDArray[np.uint8] | NDArray[np.uint16]
 ALPHA_IS_ZERO: Final = Message("its alpha is 0 everywhere; its colours are seen as if there were none")
+FOURTH_IS_ZERO: Final = Message("what could be its alpha is 0 everywhere and was taken as unused")
 GLOW_IS_SEEN: Final = Message("it has light where its alpha is 0; that is seen as a glow over what is behind it")
 GLOW_IS_NOT_USED: Final = Message("it has light where its alpha is 0, as a glow has; that is not used")
 _ROWS: Final = 256
-_FILLED: Final = 0.9
-"""What takes more of a picture than this is not its figure."""
 _ALL_FULL: Final = Message("alpha is full everywhere: the whole frame would cast a shadow")
 
 
@@ -112,9 +110,9 @@ class Cel:
 class ImageInfo:
     """What the header of a picture says; the size is that of the upright canvas.
 
-    ``pictures`` is how many the file has, each of which may be a drawing. ``may_glow`` says that colours are stored
-    multiplied by alpha, so that there may be some where alpha is 0. ``notes`` say what of the file is not used and what
-    had to be assumed, without the file's name.
+    ``pictures`` is how many the file has, each of which may be a drawing. ``is_doubtful`` says that only the pixels tell
+    whether there is an alpha, or light where it is 0. ``notes`` say what of the file is not used and what had to be
+    assumed, without the file's name.
     """
 
     width_px: int
@@ -124,7 +122,7 @@ class ImageInfo:
     bit_depth: int
     notes: tuple[Message, ...] = ()
     pictures: int = 1
-    may_glow: bool = False
+    is_doubtful: bool = False
 
 
 def probe(source: PictureSource) -> ImageInfo:
@@ -145,7 +143,7 @@ def probe(source: PictureSource) -> ImageInfo:
         width, height = height, width
     notes = header.notes
     if pictures > 1 and not isinstance(source, PicturePart):
-        notes = (*notes, Message("{count} more pictures in it are not used", count=pictures - 1))
+        notes = (*notes, Message("of its {count} pictures the first alone is used", count=pictures))
     return ImageInfo(
         width,
         height,
@@ -154,7 +152,7 @@ def probe(source: PictureSource) -> ImageInfo:
         header.bit_depth,
         notes,
         pictures,
-        may_glow=header.alpha is not None and not header.straight,
+        is_doubtful=header.alpha is not None and not (header.straight and header.alpha_declared),
     )
 
 
@@ -162,8 +160,22 @@ def _probe_psd(source: PictureSource) -> ImageInfo:
     header = psd_header(file_of(source))
     if isinstance(source, PicturePart):
         psd_tree(source.path)
-    has_alpha = isinstance(source, PicturePart) or header.has_spare_channel
-    return ImageInfo(header.width_px, header.height_px, header.channels, has_alpha, header.bit_depth)
+    with_alpha = isinstance(source, PicturePart) or header.has_spare_channel
+    return ImageInfo(header.width_px, header.height_px, header.channels, with_alpha, header.bit_depth)
+
+
+def has_alpha(source: PictureSource) -> bool:
+    """Return whether a picture has an alpha that means something, for which its pixels are read where need be.
+
+    Raises
+    ------
+    InputProblem
+        As for `read_cel`.
+    """
+    info = probe(source)
+    if info.has_alpha and info.is_doubtful:
+        return FOURTH_IS_ZERO not in read_cel(source, white_is_clear=False).notes
+    return info.has_alpha
 
 
 def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
@@ -185,13 +197,13 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
     notes: tuple[Message, ...] = ()
     if is_psd(file_of(source)):
         found = psd_pixels(source)
-        rgba, has_alpha = found.rgba, found.has_alpha
+        rgba, with_alpha = found.rgba, found.has_alpha
     else:
-        rgba, has_alpha, notes = _file_rgba(source, is_background=not white_is_clear)
-    if not has_alpha and white_is_clear:
+        rgba, with_alpha, notes = _file_rgba(source, is_background=not white_is_clear)
+    if not with_alpha and white_is_clear:
         notes = (*notes, *clear_white(rgba, is_outlined=_is_outlined(source)))
     matte = matte_of(rgba[..., 3])
-    if has_alpha and white_is_clear and rgba.size and matte.is_full:
+    if with_alpha and white_is_clear and rgba.size and matte.is_full:
         notes = (*notes, _ALL_FULL)
     rgba.setflags(write=False)
     return Cel(rgba, matte, notes)
@@ -210,12 +222,17 @@ def _file_rgba(source: PictureSource, *, is_background: bool) -> tuple[Steps, bo
     colour = used[..., :count]
     alpha = None if header.alpha is None else alpha_of(header, used[..., count], colour)
     notes: tuple[Message, ...] = ()
+    if alpha is None and header.alpha is not None:
+        notes = (FOURTH_IS_ZERO,)
     if is_background and alpha is not None and not alpha.any() and colour.any():
         alpha, notes = None, (ALPHA_IS_ZERO,)
     glow = None if alpha is None else glowing(header, used)
     rgba = assembled(header, used, alpha)
     if glow is not None:
-        notes = (GLOW_IS_SEEN if is_background else GLOW_IS_NOT_USED,)
+        notes = (
+            *notes,
+            GLOW_IS_SEEN if is_background else GLOW_IS_NOT_USED,
+        )
         if is_background:
             put_glow(header, used, glow, rgba)
     del used, colour
@@ -270,23 +287,3 @@ def _is_hard(alpha: Steps) -> bool:
     one = alpha.dtype.type(1)
     # Full becomes 0 and 0 becomes 1: nothing else may occur.
     return all(int((alpha[top : top + _ROWS] + one).max()) <= 1 for top in range(0, len(alpha), _ROWS))
-
-
-def enclosed_part(source: PictureSource) -> float:
-    """Return how much of the figure of a picture without alpha is white inside an outline, 0 to 1; 0 with alpha.
-
-    The figure is all that is not white or does not reach the border; one that fills the picture is a frame drawn around
-    it, or no figure on paper at all, and nothing is inside of it.
-
-    Raises
-    ------
-    InputProblem
-        As for `read_cel`.
-    """
-    if probe(source).has_alpha:
-        return 0.0
-    rgba = read_cel(source, white_is_clear=False).rgba
-    white = white_of(rgba)
-    figure = white.size - int(np.count_nonzero(reaching_border(white)))
-    colored = white.size - int(np.count_nonzero(white))
-    return (figure - colored) / figure if 0 < figure < _FILLED * white.size else 0.0
