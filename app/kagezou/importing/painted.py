@@ -15,7 +15,7 @@ _SAID: Final = frozenset({FOURTH_IS_ZERO, GLOW_IS_NOT_USED})
 
 
 def notes_on_first_drawings(name: str, cels: Cels) -> tuple[Message, ...]:
-    """Return what is to be said of a shadow or a glow in the first drawings of a layer; what cannot be read is passed."""
+    """Return what is to be said of the pixels of a layer's first drawings; what cannot be read is passed."""
     found: list[tuple[Path, tuple[Message, ...]]] = []
     for drawing in cels.drawings[:_LOOKED_AT]:
         try:

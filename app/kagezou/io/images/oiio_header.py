@@ -21,6 +21,7 @@ from kagezou.message import Message
 STRAIGHT: Final = "oiio:UnassociatedAlpha"
 _WHOLE: Final = {oiio.UINT8: "uint8", oiio.UINT16: "uint16"}
 _FLOATS: Final = frozenset({oiio.HALF, oiio.FLOAT, oiio.DOUBLE})
+_TGA_ALPHA: Final = 3
 _TGA_PREMULTIPLIED: Final = 4
 _MOST_SUBIMAGES: Final = 1000
 _WHITE_IS_ZERO: Final = 0
@@ -76,7 +77,7 @@ def header_of(path: Path, source: oiio.ImageInput, address: str | None) -> Heade
         channels=spec.nchannels,
         colour=colour,
         alpha=alpha,
-        alpha_declared=alpha is not None and not notes and (flagged or kind not in {"targa", "bmp"} or tga_type >= 3),
+        alpha_declared=not notes and (tga_type >= _TGA_ALPHA if kind == "targa" else flagged or kind != "bmp"),
         dtype=_dtype(spec),
         bit_depth=_bits(spec),
         straight=flagged or not (is_associated or tga_type == _TGA_PREMULTIPLIED),

@@ -20,6 +20,7 @@ from kagezou.io.files.faults import input_problem
 from kagezou.io.images.header import Header
 from kagezou.io.images.oiio_header import no_such_part
 from kagezou.io.images.picture_size import check_size
+from kagezou.io.pixels import riff
 from kagezou.io.pixels.icc import change_by_profile
 from kagezou.message import Message
 
@@ -88,7 +89,9 @@ class PillowFile:
     def __init__(self, path: Path, data: bytes) -> None:
         self._path = path
         self._lock = threading.Lock()
+        self._data = data
         self.nbytes = len(data)
+        data = riff.with_open_alpha(data) if data[8:12] == b"WEBP" else data
         with pillow_problems(path):
             self._image = _pillow().open(io.BytesIO(data), formats=_FORMATS)
             count = int(getattr(self._image, "n_frames", 1))
@@ -100,6 +103,9 @@ class PillowFile:
 
     def durations_ms(self) -> tuple[float, ...]:
         """Return how long each picture is seen, 0 where the file does not say; raises InputProblem."""
+        if self._image.format == "WEBP":  # which says so of a picture only when it is decoded
+            said = riff.durations_ms(io.BytesIO(self._data))
+            return (*said, *[0.0] * self.pictures)[: self.pictures]
         found = []
         with self._lock, pillow_problems(self._path):
             for index in range(self.pictures):

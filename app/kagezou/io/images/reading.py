@@ -110,9 +110,9 @@ class Cel:
 class ImageInfo:
     """What the header of a picture says; the size is that of the upright canvas.
 
-    ``pictures`` is how many the file has, each of which may be a drawing. ``is_doubtful`` says that only the pixels tell
-    whether there is an alpha, or light where it is 0. ``notes`` say what of the file is not used and what had to be
-    assumed, without the file's name.
+    ``pictures`` is how many the file has, each of which may be a drawing. ``is_doubtful`` says that only the pixels
+    tell whether there is an alpha, or light where it is 0. ``notes`` say what of the file is not used and what had to
+    be assumed, without the file's name.
     """
 
     width_px: int
