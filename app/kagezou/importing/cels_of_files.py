@@ -18,6 +18,7 @@ from kagezou.importing.painted import notes_on_first_drawings
 from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
+from kagezou.io.images.parts import is_exr
 from kagezou.io.images.sequences import NumberedFile, Sequence, find_sequences
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.paths import absolute
@@ -73,7 +74,7 @@ def _new_cels(
     if len(sequence.files) == 1:
         with suppress(InputProblem):  # told when its size is asked for
             pages = pages_of(sequence.files[0].path, frame_rate)
-    cels = cels_of(sequence) if pages is None else pages.cels
+    cels = cels_of(sequence, source.layer) if pages is None else pages.cels
     measured = measured_cels(name, cels.drawings, progress)
     cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
     gaps = () if source.is_timed else gap_notes(name, sequence)
@@ -84,9 +85,9 @@ def _new_cels(
     )
 
 
-def cels_of(sequence: Sequence) -> Cels:
-    """Return numbered pictures as drawings, exposed as their numbers say."""
-    return Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
+def cels_of(sequence: Sequence, layer: str | None = None) -> Cels:
+    """Return numbered pictures as drawings, exposed as their numbers say; ``layer`` is meant of OpenEXR files."""
+    return Cels(tuple(_drawing(file, layer) for file in sequence.files), _exposures(sequence.files))
 
 
 def gap_notes(name: str, sequence: Sequence) -> tuple[Message, ...]:
@@ -97,9 +98,9 @@ def gap_notes(name: str, sequence: Sequence) -> tuple[Message, ...]:
     return (Message("{name}: missing {gaps}; the drawing before is held", name=name, gaps=gaps),)
 
 
-def _drawing(file: NumberedFile) -> Drawing:
+def _drawing(file: NumberedFile, layer: str | None) -> Drawing:
     name = file.path.stem if file.number is None else f"{file.number}{file.suffix}"
-    return Drawing(printable(name), file.path)
+    return Drawing(printable(name), file.path, layer if is_exr(file.path) else None)
 
 
 def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:

@@ -69,7 +69,7 @@ class Brought:
 def new_document(
     sources: Sequence[CharacterSource],
     *,
-    background: Path | None = None,
+    background: Path | PicturePart | None = None,
     size: tuple[int, int] | None = None,
     frame_rate: Fraction = Fraction(24),
     progress: Progress = no_progress,
@@ -81,7 +81,7 @@ def new_document(
     sources
         The characters from bottom to top.
     background
-        A picture under everything, or a folder or a pattern of pictures.
+        A picture under everything, or a folder or a pattern of pictures, as `background_of` takes it.
     size
         Canvas width and height, px; else that of the background's largest picture, else that of the largest drawing.
     frame_rate

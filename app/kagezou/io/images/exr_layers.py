@@ -103,6 +103,8 @@ def _layer(name: str, subimage: int, places: dict[str, int]) -> ExrLayer:
         colour = known["r"], known["g"], known["b"]
     else:
         gray = next((index for place, index in places.items() if place.casefold() in _GRAY), None)
+        # Beside an x it is a direction or a place.
+        gray = None if {"x", "X"} & set(places) else gray
         colour = () if gray is None else (gray,)
     used = {*colour, known.get("a")}
     others = tuple(

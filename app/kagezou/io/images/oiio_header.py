@@ -154,7 +154,7 @@ def _exr_header(path: Path, source: oiio.ImageInput, address: str | None) -> Hea
     layer = chosen_layer(layers) if address is None else next((each for each in layers if each.name == address), None)
     if layer is None:
         if address is not None:
-            raise no_such_part(path, address)
+            raise _no_such_layer(path, address, layers)
         if not deep:
             raise input_problem(path, Message("its pixels cannot be decoded"))
         raise input_problem(path, Message("deep and volume pictures cannot be read"))
@@ -176,6 +176,13 @@ def _exr_header(path: Path, source: oiio.ImageInput, address: str | None) -> Hea
     )
     change, notes = _exr_colours(spec)
     return replace(header, change=change if len(colour) == 3 else None, notes=(*header.notes, *notes))
+
+
+def _no_such_layer(path: Path, address: str, layers: tuple[ExrLayer, ...]) -> InputProblem:
+    names = ", ".join(each.name or "''" for each in layers if each.is_picture)
+    return input_problem(
+        path, Message("there is no layer {address!r} in it, but there are: {names}", address=address, names=names)
+    )
 
 
 def _layer_notes(
