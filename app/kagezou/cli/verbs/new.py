@@ -116,6 +116,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
 
         sources = list(sources_beside(options.timesheet.absolute(), read_timesheet(options.timesheet)))
     imported = new_document(sources, background=background, size=options.size, frame_rate=options.fps)
+    _check_layers(imported.document, options.layer)
     if options.timesheet is None:
         imported = timed_from_beside(imported, sources)
     notes = list(imported.notes)
@@ -158,6 +159,14 @@ def _of_layers(
         if background is not None and who in ("", _BACKGROUND):
             behind = PicturePart(background, name)
     return sources, behind
+
+
+def _check_layers(document: "Document", layers: Sequence[str]) -> None:
+    """Raise UsageProblem where a layer was asked for and there is no OpenEXR file that it could be taken of."""
+    drawings = [*document.behind.drawings, *(each for layer in document.layers for each in layer.cels.drawings)]
+    for text in layers:
+        if not any(each.part == text.rpartition("=")[2] for each in drawings):
+            raise UsageProblem(Message("--layer {text}: none of the files is OpenEXR", text=text))
 
 
 def _with_values(document: "Document", path: Path) -> "Document":
