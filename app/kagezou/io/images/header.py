@@ -33,7 +33,7 @@ class Header:
     alpha_declared
         Whether the file says that this channel is an alpha.
     dtype
-        How pixels are delivered: ``uint8``, ``uint16`` or ``float32``.
+        How pixels are delivered: ``uint8``, ``uint16``, ``float16`` or ``float32``.
     bit_depth
         Stored bits per channel.
     straight
@@ -66,6 +66,11 @@ class Header:
     change: ColourChange | None = None
     is_for_pillow: bool = False
     notes: tuple[Message, ...] = ()
+
+    @property
+    def is_floating(self) -> bool:
+        """Whether pixels are delivered as floating point numbers, which are linear light."""
+        return self.dtype.startswith("float")
 
     @property
     def used(self) -> tuple[int, ...]:

@@ -107,7 +107,7 @@ class DecodedPicture:
     def used(self) -> Pixels:
         """Return the channels that are used, (H, W, C) in the order of ``header.used``; raises InputProblem."""
         used = self.header.used
-        if self.header.dtype != "float32":
+        if not self.header.is_floating:
             stored = self.read()
             return stored if used == tuple(range(self.header.channels)) else stored[..., list(used)]
         first, end = min(used), max(used) + 1
@@ -116,7 +116,7 @@ class DecodedPicture:
             places = [each - first for each in used]
             return stored if places == list(range(end - first)) else stored[..., places]
         # Between them lie channels of other layers, which may be many.
-        found = np.empty((self.header.data[3], self.header.data[2], len(used)), np.float32)
+        found = np.empty((self.header.data[3], self.header.data[2], len(used)), self.header.dtype)
         for place, each in enumerate(used):
             found[..., place] = self.read(each, each + 1)[..., 0]
         return found
@@ -129,7 +129,7 @@ class DecodedPicture:
         """
         index = self.header.alpha
         assert index is not None
-        if self.header.dtype == "float32":
+        if self.header.is_floating:
             return self.read(index, index + 1)[..., 0]
         return self.read()[..., index]
 

@@ -19,8 +19,12 @@ from kagezou.io.pixels.working_spaces import is_known_as_linear, primaries_calle
 from kagezou.message import Message
 
 STRAIGHT: Final = "oiio:UnassociatedAlpha"
-_WHOLE: Final = {oiio.UINT8: "uint8", oiio.UINT16: "uint16"}
-_FLOATS: Final = frozenset({oiio.HALF, oiio.FLOAT, oiio.DOUBLE})
+_DELIVERED: Final = {
+    oiio.UINT8: "uint8",
+    oiio.HALF: "float16",
+    oiio.FLOAT: "float32",
+    oiio.DOUBLE: "float32",
+}
 _TGA_ALPHA: Final = 3
 _TGA_PREMULTIPLIED: Final = 4
 _MOST_SUBIMAGES: Final = 1000
@@ -169,7 +173,7 @@ def _exr_header(path: Path, source: oiio.ImageInput, address: str | None) -> Hea
         channels=spec.nchannels,
         colour=colour,
         alpha=layer.alpha,
-        dtype="float32",
+        dtype=_dtype(spec),
         bit_depth=_bits(spec),
         straight=bool(spec.get_int_attribute(STRAIGHT)),
         notes=_layer_notes(layers, layer, deep, colour),
@@ -251,7 +255,7 @@ def _is_for_pillow(kind: str, spec: oiio.ImageSpec) -> bool:
 
 def _dtype(spec: oiio.ImageSpec) -> str:
     base = spec.format.basetype
-    return _WHOLE.get(base, "float32" if base in _FLOATS else "uint16")
+    return _DELIVERED.get(base, "uint16")
 
 
 def _bits(spec: oiio.ImageSpec) -> int:

@@ -15,15 +15,16 @@ from kagezou.io.images.header import Header
 from kagezou.io.images.oiio_guard import DecodedPicture
 from kagezou.io.images.oiio_header import page_index
 from kagezou.io.images.pillow_guard import PillowFile
-from kagezou.io.pixels.signatures import checked_format
+from kagezou.io.pixels.signatures import FORMATS, checked_format
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 Pixels = NDArray[Any]
-_KEPT_BYTES: Final = 128 << 20
-"""So large may the files be together that are held in memory; the last one is always."""
+_KEPT_BYTES: Final = 256 << 20
+"""So much may the files and pictures take together that are held in memory; a larger one is not held at all."""
 
 _LARGEST_FILE_BYTES: Final = 512 << 20
+_LARGE_TARGA_BYTES: Final = 256 << 20
 _FILMS: Final = frozenset({"png", "webp", "gif"})
 _State = tuple[Path, int, int]
 
@@ -89,9 +90,10 @@ class _OpenFiles:
                         )
                     self._kept[state] = PillowFile(path, path.read_bytes())
                 self._kept.move_to_end(state)
-                while len(self._kept) > 1 and sum(each.nbytes for each in self._kept.values()) > _KEPT_BYTES:
+                found = self._kept[state]
+                while sum(each.nbytes for each in self._kept.values()) > _KEPT_BYTES:
                     self._kept.popitem(last=False)
-                return self._kept[state]
+                return found
         except OSError as error:
             raise input_problem(path, error) from error
 
@@ -117,25 +119,34 @@ def opened(source: PictureSource, *, whole: bool = True) -> Iterator[OpenPicture
     """
     path = file_of(source)
     address = source.address if isinstance(source, PicturePart) else None
-    form = checked_format(path, whole=False)
+    form = FORMATS.get(path.suffix.lower())
     if form == "gif" or (form in _FILMS and address is not None):
         yield _of_film(path, address)
         return
-    if form == "targa" and targa.is_needed(path):
-        picture = targa.TargaPicture(path)
-        yield _InMemory(picture.header, picture.read)
-        return
+    if form == "targa":
+        checked_format(path, whole=False)
+        if targa.is_needed(path):
+            picture = targa.TargaPicture(path)
+            yield _InMemory(picture.header, picture.read)
+            return
     with DecodedPicture(path, whole=whole, address=address) as decoded:
-        is_for_pillow = decoded.header.is_for_pillow
+        header = decoded.header
+        is_for_pillow = header.is_for_pillow or _is_large_targa(header)
         if not is_for_pillow:
             yield decoded
     if is_for_pillow:
-        yield _of_film(path, address)
+        other = _of_film(path, address)
+        yield _InMemory(header, other.used) if _is_large_targa(header) else other
 
 
 def durations_ms(path: Path) -> tuple[float, ...]:
     """Return how long each picture of a film is seen, 0 where the file does not say; raises InputProblem."""
     return _SHELF.opened(path).durations_ms()
+
+
+def _is_large_targa(header: Header) -> bool:
+    """Return whether a TGA is so large that the memory counts, of which OpenImageIO takes three times the picture's."""
+    return header.format == "targa" and header.data[2] * header.data[3] * header.channels > _LARGE_TARGA_BYTES
 
 
 def _of_film(path: Path, address: str | None) -> OpenPicture:

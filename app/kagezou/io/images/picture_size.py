@@ -16,7 +16,7 @@ LARGEST_PICTURE_MB: Final = 1024
 _COPIES: Final = 2
 """While a picture is read, its pixels are held at most so many times."""
 
-_BYTES: Final = {"uint8": 1, "uint16": 2, "float32": 4}
+_BYTES: Final = {"uint8": 1, "uint16": 2, "float16": 2, "float32": 4}
 
 
 def check_size(path: Path, header: Header) -> None:

@@ -26,6 +26,7 @@ from kagezou.message import Message
 
 Pixels = NDArray[Any]
 _MODES: Final = {"L": 1, "LA": 2, "RGB": 3, "RGBA": 4}
+_ROWS: Final = 256
 _FORMATS: Final = ("PNG", "WEBP", "GIF", "TIFF", "JPEG", "TGA")
 _INKS_WITHOUT_PROFILE: Final = Message("its inks (CMYK) have no colour profile: its colours are an approximation")
 _INKS: Final = Message("its inks (CMYK) were turned into sRGB by its colour profile")
@@ -90,7 +91,6 @@ class PillowFile:
         self._path = path
         self._lock = threading.Lock()
         self._data = data
-        self.nbytes = len(data)
         data = riff.with_open_alpha(data) if data[8:12] == b"WEBP" else data
         with pillow_problems(path):
             self._image = _pillow().open(io.BytesIO(data), formats=_FORMATS)
@@ -99,6 +99,7 @@ class PillowFile:
             self._first = 1 if self._image.info.get("default_image") and count > 1 else 0
             self.pictures = count - self._first
             self.header = self._header()
+            self.nbytes = len(data) + 2 * 4 * self._image.size[0] * self._image.size[1]
         check_size(path, self.header)
 
     def durations_ms(self) -> tuple[float, ...]:
@@ -133,8 +134,17 @@ class PillowFile:
             if self._image.mode == "CMYK":
                 return np.asarray(self._in_rgb())
             mode = next(name for name, count in _MODES.items() if count == self.header.channels)
-            pixels = np.array(self._image if self._image.mode == mode else self._image.convert(mode))
-            return pixels if pixels.ndim == 3 else pixels[..., None]
+            return self._pixels(mode)
+
+    def _pixels(self, mode: str) -> Pixels:
+        """Return the loaded picture in a mode; some rows at a time, as a large one takes enough memory by itself."""
+        width, height = self._image.size
+        pixels = np.empty((height, width, _MODES[mode]), np.uint8)
+        for top in range(0, height, _ROWS):
+            rows = self._image.crop((0, top, width, min(top + _ROWS, height)))
+            part = np.asarray(rows if rows.mode == mode else rows.convert(mode))
+            pixels[top : top + _ROWS] = part if part.ndim == 3 else part[..., None]
+        return pixels
 
     def _header(self) -> Header:
         image = self._image

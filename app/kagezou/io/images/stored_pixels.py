@@ -9,6 +9,7 @@ from kagezou.geometry.box import Box
 from kagezou.io.images.header import Header
 from kagezou.io.pixels.colour import coded_from_light, steps_from_unit, straight_from_associated
 
+_ROWS: Final = 256
 TURNED: Final = 5
 """From this Exif orientation on, rows are columns."""
 
@@ -82,11 +83,13 @@ def glowing(header: Header, used: NDArray[Any]) -> NDArray[np.bool_] | None:
     count = len(header.colour)
     if header.straight or header.alpha is None or not count:
         return None
-    clear = used[..., count] <= 0
-    if not clear.any():
-        return None
+    found = np.zeros(used.shape[:2], np.bool_)
     with np.errstate(invalid="ignore"):
-        found: NDArray[np.bool_] = clear & (used[..., :count] > 0).any(axis=-1)
+        for top in range(0, len(used), _ROWS):
+            part = used[top : top + _ROWS]
+            clear = part[..., count] <= 0
+            if clear.any():
+                found[top : top + _ROWS] = clear & (part[..., :count] > 0).any(axis=-1)
     return found if found.any() else None
 
 
@@ -95,7 +98,7 @@ def put_glow(header: Header, used: NDArray[Any], glow: NDArray[np.bool_], rgba: 
     count = len(header.colour)
     light = used[..., :count][glow]
     if light.dtype.kind == "f":
-        light = np.clip(np.nan_to_num(light, nan=0.0, posinf=1.0, neginf=0.0), 0.0, 1.0)
+        light = np.clip(np.nan_to_num(light.astype(np.float32), nan=0.0, posinf=1.0, neginf=0.0), 0.0, 1.0)
         cover = light.max(axis=-1)
         changed = header.change.lit if header.change is not None and count == 3 else None
         rgba[glow, :3] = coded_from_light(light[None], cover[None], changed)[0]

@@ -62,14 +62,14 @@ class TargaPicture:
     def read(self) -> NDArray[Any]:
         """Return its pixels, (H, W, 4) ``uint8``; raises InputProblem."""
         stored = self._file.read(0)
-        numbers = stored[..., 0] if stored.shape[2] == 1 else stored.copy().view("<u2")[..., 0]
+        numbers = stored[..., 0] if stored.shape[2] == 1 else stored.view("<u2")[..., 0]
         if self._head[2] & ~_RLE == _COLOUR:
-            return _taken_apart(numbers.astype(np.uint16))
+            return _taken_apart(numbers)
         palette = _palette(self._colours, self._bits)
-        places = numbers.astype(np.int64) - self._first
-        if not len(palette) or places.min(initial=0) < 0 or places.max(initial=0) >= len(palette):
+        if int(numbers.min()) < self._first or int(numbers.max()) >= self._first + len(palette):
             raise input_problem(self._path, Message("the file is damaged (a colour is not in its palette)"))
-        found: NDArray[np.uint8] = palette[places]
+        by_number = np.concatenate([np.zeros((self._first, 4), np.uint8), palette])
+        found: NDArray[np.uint8] = by_number[numbers]
         return found
 
 
@@ -102,8 +102,10 @@ def _palette(data: bytes, bits: int) -> NDArray[np.uint8]:
 
 def _taken_apart(numbers: NDArray[np.uint16]) -> NDArray[np.uint8]:
     """Return numbers of any shape, in which the top bit is alpha and 5 each are red, green and blue, as (…, 4)."""
-    fives = np.stack([numbers >> 10, numbers >> 5, numbers], axis=-1) & 31
-    # As OpenImageIO widens them: the upper bits again as the lower ones.
-    rgb = (fives << 3 | fives >> 2).astype(np.uint8)
-    alpha = np.where(numbers >> 15, 255, 0).astype(np.uint8)
-    return np.concatenate([rgb, alpha[..., None]], axis=-1)
+    found = np.empty((*numbers.shape, 4), np.uint8)
+    for place, shift in enumerate((10, 5, 0)):
+        five = ((numbers >> shift) & 31).astype(np.uint8)
+        # As OpenImageIO widens them: the upper bits again as the lower ones.
+        found[..., place] = five << 3 | five >> 2
+    found[..., 3] = np.where(numbers >> 15, 255, 0)
+    return found
