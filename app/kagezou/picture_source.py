@@ -16,18 +16,22 @@ class Paper(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class PicturePart:
-    """A layer or a group within a picture file.
+    """A layer, a group or a page within a picture file.
 
     Parameters
     ----------
     path
         The file.
     address
-        The names that lead to it, as :func:`kagezou.io.psd.tree.addressed` joins them.
+        What finds it there: in PSD files the names that lead to it, as :func:`kagezou.io.psd.tree.addressed` joins
+        them, in OpenEXR files the name of a layer, in others the number of a page from 1.
+    paper
+        Which white is clear in it where it has no alpha.
     """
 
     path: Path
     address: str
+    paper: Paper = Paper.WHITE
 
 
 @dataclass(frozen=True, slots=True)

@@ -69,7 +69,7 @@ class Drawing:
     def source(self) -> PictureSource:
         """What its pixels come from."""
         if self.part is not None:
-            return PicturePart(self.path, self.part)
+            return PicturePart(self.path, self.part, self.paper)
         return OutlinedPicture(self.path) if self.paper is Paper.BORDER else self.path
 
 

@@ -10,7 +10,7 @@ from kagezou.export.planning import FrameJob, Plan
 from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
-from kagezou.io.psd.file import has_part
+from kagezou.io.images.parts import has_part
 from kagezou.io.sets.mesh_cache import is_mesh
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart

@@ -1,57 +1,91 @@
 """The background's pictures: from a picture, a folder or a pattern to what is seen under everything, and when."""
 
+from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 from kagezou.document.edits import set_background_cels, set_canvas, still
 from kagezou.document.model import Document
+from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import canvas_size, measured_cels
 from kagezou.importing.cels_of_files import cels_of, gap_notes
 from kagezou.importing.file_notes import said_once
+from kagezou.importing.file_pages import FILM_RATE, pages_of
 from kagezou.importing.new_cels import NewCels, printable
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
-from kagezou.io.images.reading import probe
+from kagezou.io.images.parts import is_exr
+from kagezou.io.images.reading import ImageInfo, probe, read_cel
 from kagezou.io.images.sequences import find_sequences
 from kagezou.io.project.paths import absolute
 from kagezou.message import Message
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 _SHOWN_NAMES = 3
 
 
-def background_of(path: Path, progress: Progress = no_progress) -> NewCels:
+def background_of(
+    behind: Path | PicturePart, progress: Progress = no_progress, frame_rate: Fraction = FILM_RATE
+) -> NewCels:
     """Return the pictures of a background.
 
     Parameters
     ----------
-    path
-        A picture, which is seen for the whole cut; or a folder or a pattern such as ``bg_#.png``, whose pictures are
-        exposed as their numbers say.
+    behind
+        A picture, which is seen for the whole cut; a file of several, which follow one another; or a folder or a
+        pattern such as ``bg_#.png``, whose pictures are exposed as their numbers say. As a part of such a path, that
+        layer is taken of its OpenEXR files.
     progress
         Told how far it is.
+    frame_rate
+        Frames a second of the cut, by which films are exposed.
 
     Raises
     ------
     InputProblem
         There is nothing to be found, or none of it can be opened.
     """
-    source = absolute(path)
+    layer = behind.address if isinstance(behind, PicturePart) else None
+    source = absolute(file_of(behind))
     progress(LoadPhase.FINDING, 0, 0)
     if not source.is_dir() and (source.is_file() or "#" not in source.name):
-        info = probe(source)
-        name = printable(source.stem)
-        said = said_once(name, [(source, info.notes)])
-        return NewCels(name, still(source), (info.width_px, info.height_px), 1, said)
+        return _of_file(source, frame_rate, layer)
     found = find_sequences(source)
     first, *others = found.sequences
+    if len(first.files) == 1 and not others and not found.left_out:
+        return _of_file(first.files[0].path, frame_rate, layer)
     name = printable(source.name if source.is_dir() else first.name)
-    cels = cels_of(first)
+    cels = cels_of(first, layer)
     measured = measured_cels(name, cels.drawings, progress)
     unused = [*(each.name for each in others), *(each.name for each in found.left_out)]
     doubts = said_once(name, [(source, found.notes)])
     notes = (*doubts, *_left_out(source, first.name, unused), *gap_notes(name, first), *measured.notes)
     cels = replace(cels, drawings=measured.drawings)
     return NewCels(name, cels, measured.size_px, cels.exposures[-1].frame, notes)
+
+
+def _of_file(path: Path, frame_rate: Fraction, layer: str | None) -> NewCels:
+    """Return the one picture of a file, or its several."""
+    name = printable(path.stem)
+    pages = pages_of(path, frame_rate)
+    if pages is not None:
+        measured = measured_cels(name, pages.cels.drawings, no_progress)
+        cels = replace(pages.cels, drawings=measured.drawings)
+        return NewCels(name, cels, measured.size_px, pages.length_frames, (*pages.notes, *measured.notes))
+    source = PicturePart(path, layer) if layer is not None and is_exr(path) else path
+    info = probe(source)
+    said = said_once(name, [(path, (*info.notes, *_notes_on_light(source, info)))])
+    return NewCels(name, still(source), (info.width_px, info.height_px), 1, said)
+
+
+def _notes_on_light(source: PictureSource, info: ImageInfo) -> tuple[Message, ...]:
+    """Return what is to be said of a background's light where its alpha is 0, for which its pixels are read."""
+    if not info.is_doubtful:
+        return ()
+    with suppress(InputProblem):  # told when it is drawn
+        return read_cel(source, white_is_clear=False).notes
+    return ()
 
 
 def with_background(document: Document, found: NewCels) -> Document:

@@ -65,7 +65,7 @@ def measured_cels(name: str, drawings: tuple[Drawing, ...], progress: Progress) 
     for index, drawing in enumerate(drawings):
         progress(LoadPhase.OPENING, index, len(drawings))
         try:
-            infos.append((drawing, probe(drawing.path)))
+            infos.append((drawing, probe(drawing.source)))
         except InputProblem as problem:
             problems.append(problem)
     if not infos:

@@ -1,27 +1,41 @@
 """From picture files to cels: which drawings a source holds, when each is exposed, how large they are."""
 
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure
+from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import measured_cels
 from kagezou.importing.cels_of_psd import held_by_psd
 from kagezou.importing.file_notes import said_once
+from kagezou.importing.file_pages import FILM_RATE, pages_of
 from kagezou.importing.new_cels import CharacterSource, Held, NewCels, left_out_note, printable
-from kagezou.importing.painted import notes_on_painted_shadows
+from kagezou.importing.painted import notes_on_first_drawings
 from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
+from kagezou.io.images.parts import is_exr
 from kagezou.io.images.sequences import NumberedFile, Sequence, find_sequences
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.paths import absolute
 from kagezou.message import Message
 
 
-def held_by(source: CharacterSource, progress: Progress = no_progress) -> Held:
+def held_by(source: CharacterSource, progress: Progress = no_progress, frame_rate: Fraction = FILM_RATE) -> Held:
     """Return the layers that a source holds, and notes about the source as a whole.
+
+    Parameters
+    ----------
+    source
+        What was brought.
+    progress
+        Told how far it is.
+    frame_rate
+        Frames a second of the cut, by which films are exposed.
 
     Raises
     ------
@@ -39,9 +53,10 @@ def held_by(source: CharacterSource, progress: Progress = no_progress) -> Held:
     if len(found.sequences) == 1:
         only = found.sequences[0]
         own = path.name if path.is_dir() else only.name
-        return _joining(source, Held([_new_cels(source.name or printable(own), only, source, progress)], notes))
+        name = source.name or printable(own)
+        return _joining(source, Held([_new_cels(name, only, source, progress, frame_rate)], notes))
     head = f"{source.name} " if source.name else ""
-    layers = [_new_cels(head + printable(each.name), each, source, progress) for each in found.sequences]
+    layers = [_new_cels(head + printable(each.name), each, source, progress, frame_rate) for each in found.sequences]
     return _joining(source, Held(layers, notes))
 
 
@@ -52,20 +67,27 @@ def _joining(source: CharacterSource, held: Held) -> Held:
     return replace(held, layers=[replace(layer, joins=source.joins) for layer in held.layers])
 
 
-def _new_cels(name: str, sequence: Sequence, source: CharacterSource, progress: Progress) -> NewCels:
-    cels = cels_of(sequence)
+def _new_cels(
+    name: str, sequence: Sequence, source: CharacterSource, progress: Progress, frame_rate: Fraction
+) -> NewCels:
+    pages = None
+    if len(sequence.files) == 1:
+        with suppress(InputProblem):  # told when its size is asked for
+            pages = pages_of(sequence.files[0].path, frame_rate)
+    cels = cels_of(sequence, source.layer) if pages is None else pages.cels
     measured = measured_cels(name, cels.drawings, progress)
     cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
     gaps = () if source.is_timed else gap_notes(name, sequence)
-    last = cels.exposures[-1].frame
+    gaps = gaps if pages is None else pages.notes
+    last = cels.exposures[-1].frame if pages is None else pages.length_frames
     return NewCels(
-        name, cels, measured.size_px, last, (*gaps, *measured.notes, *on_paper, *notes_on_painted_shadows(name, cels))
+        name, cels, measured.size_px, last, (*gaps, *measured.notes, *on_paper, *notes_on_first_drawings(name, cels))
     )
 
 
-def cels_of(sequence: Sequence) -> Cels:
-    """Return numbered pictures as drawings, exposed as their numbers say."""
-    return Cels(tuple(_drawing(file) for file in sequence.files), _exposures(sequence.files))
+def cels_of(sequence: Sequence, layer: str | None = None) -> Cels:
+    """Return numbered pictures as drawings, exposed as their numbers say; ``layer`` is meant of OpenEXR files."""
+    return Cels(tuple(_drawing(file, layer) for file in sequence.files), _exposures(sequence.files))
 
 
 def gap_notes(name: str, sequence: Sequence) -> tuple[Message, ...]:
@@ -76,9 +98,9 @@ def gap_notes(name: str, sequence: Sequence) -> tuple[Message, ...]:
     return (Message("{name}: missing {gaps}; the drawing before is held", name=name, gaps=gaps),)
 
 
-def _drawing(file: NumberedFile) -> Drawing:
+def _drawing(file: NumberedFile, layer: str | None) -> Drawing:
     name = file.path.stem if file.number is None else f"{file.number}{file.suffix}"
-    return Drawing(printable(name), file.path)
+    return Drawing(printable(name), file.path, layer if is_exr(file.path) else None)
 
 
 def _exposures(files: Iterable[NumberedFile]) -> tuple[Exposure, ...]:

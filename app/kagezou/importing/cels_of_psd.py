@@ -9,7 +9,7 @@ from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import measured_cels
 from kagezou.importing.file_notes import said_once
 from kagezou.importing.new_cels import CharacterSource, Held, NewCels, left_out_note, printable, some
-from kagezou.importing.painted import notes_on_painted_shadows
+from kagezou.importing.painted import notes_on_first_drawings
 from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import Progress
 from kagezou.importing.psd_characters import PsdCel, PsdCharacter, PsdCharacters, characters_in
@@ -33,7 +33,7 @@ def held_by_psd(source: CharacterSource, path: Path, progress: Progress) -> Held
         return Held(
             [
                 NewCels(
-                    name, cels, measured.size_px, 1, (*measured.notes, *on_paper, *notes_on_painted_shadows(name, cels))
+                    name, cels, measured.size_px, 1, (*measured.notes, *on_paper, *notes_on_first_drawings(name, cels))
                 )
             ],
             list(said_once(name, [(path, psd_notes(path))])),

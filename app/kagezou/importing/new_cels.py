@@ -18,13 +18,14 @@ class CharacterSource:
     """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name.
 
     Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of. A source that
-    joins a character is a part of its figure: an arm, a held thing.
+    joins a character is a part of its figure: an arm, a held thing. ``layer`` is what is taken of its OpenEXR files.
     """
 
     name: str | None
     path: Path
     is_timed: bool = False
     joins: str | None = None
+    layer: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,8 @@ from typing import Final
 from kagezou.document.model import Cels
 from kagezou.document.paper import on_paper
 from kagezou.errors import InputProblem
-from kagezou.io.images.reading import enclosed_part, probe
+from kagezou.io.images.enclosed import enclosed_part
+from kagezou.io.images.reading import has_alpha
 from kagezou.message import Message
 from kagezou.picture_source import Paper
 
@@ -22,9 +23,9 @@ def on_found_paper(name: str, cels: Cels) -> tuple[Cels, list[Message]]:
     enclosed: list[float] = []
     for drawing in cels.drawings:
         try:
-            if not enclosed and probe(drawing.path).has_alpha:
+            if not enclosed and has_alpha(drawing.source):
                 return cels, []
-            enclosed.append(enclosed_part(drawing.path))
+            enclosed.append(enclosed_part(drawing.source))
         except InputProblem:
             continue
         if len(enclosed) == _LOOKED_AT:

@@ -69,7 +69,7 @@ class Brought:
 def new_document(
     sources: Sequence[CharacterSource],
     *,
-    background: Path | None = None,
+    background: Path | PicturePart | None = None,
     size: tuple[int, int] | None = None,
     frame_rate: Fraction = Fraction(24),
     progress: Progress = no_progress,
@@ -81,7 +81,7 @@ def new_document(
     sources
         The characters from bottom to top.
     background
-        A picture under everything, or a folder or a pattern of pictures.
+        A picture under everything, or a folder or a pattern of pictures, as `background_of` takes it.
     size
         Canvas width and height, px; else that of the background's largest picture, else that of the largest drawing.
     frame_rate
@@ -96,8 +96,8 @@ def new_document(
     UsageProblem
         A name is no name for a layer.
     """
-    read = _read(sources, progress)
-    behind = None if background is None else background_of(background, progress)
+    read = _read(sources, progress, frame_rate)
+    behind = None if background is None else background_of(background, progress, frame_rate)
     width, height = size or _natural_size(behind, read)
     document = set_canvas(Document(Canvas(1, 1)), Canvas(width, height, frame_rate))
     if behind is not None:
@@ -116,10 +116,10 @@ def with_characters(document: Document, sources: Sequence[CharacterSource]) -> I
     InputProblem, UsageProblem
         As for :func:`new_document`.
     """
-    return put_in(document, brought(sources, document.canvas.box))
+    return put_in(document, brought(sources, document.canvas))
 
 
-def brought(sources: Sequence[CharacterSource], canvas: Box, progress: Progress = no_progress) -> Brought:
+def brought(sources: Sequence[CharacterSource], canvas: Canvas, progress: Progress = no_progress) -> Brought:
     """Return characters with everything read that is needed to put them into any document.
 
     Parameters
@@ -127,7 +127,7 @@ def brought(sources: Sequence[CharacterSource], canvas: Box, progress: Progress 
     sources
         The characters from bottom to top.
     canvas
-        Where they will probably lie.
+        Where they will probably lie, and at which rate.
     watch
         Told how far it is.
 
@@ -136,8 +136,8 @@ def brought(sources: Sequence[CharacterSource], canvas: Box, progress: Progress 
     InputProblem, UsageProblem
         As for :func:`new_document`.
     """
-    read = _read(sources, progress)
-    return replace(read, figures_seen=_looks(read.characters, canvas, progress))
+    read = _read(sources, progress, canvas.frame_rate)
+    return replace(read, figures_seen=_looks(read.characters, canvas.box, progress))
 
 
 def with_timesheet(document: Document, path: Path) -> Imported:
@@ -158,13 +158,13 @@ def exposed(document: Document, sheet: Timesheet) -> Imported:
     return Imported(changed, tuple(notes), tuple(each.id for each in changed.layers if each is not before[each.id]))
 
 
-def _read(sources: Sequence[CharacterSource], progress: Progress) -> Brought:
+def _read(sources: Sequence[CharacterSource], progress: Progress, frame_rate: Fraction) -> Brought:
     """Return what the sources hold, not looked at yet."""
     characters: list[NewCels] = []
     notes: list[Message] = []
     backgrounds: list[PicturePart] = []
     for source in sources:
-        held = held_by(source, progress)
+        held = held_by(source, progress, frame_rate)
         characters += held.layers
         notes += held.notes
         backgrounds += held.backgrounds

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
+from kagezou.io.images.enclosed import enclosed_part
 from kagezou.io.images.oiio_guard import DecodedPicture
-from kagezou.io.images.reading import ImageInfo, enclosed_part, matte_of, probe, read_cel, read_matte
+from kagezou.io.images.reading import ImageInfo, matte_of, probe, read_cel, read_matte
 from kagezou.picture_source import OutlinedPicture
 from tests.io.images import picture_files as files
 
@@ -435,7 +436,7 @@ def sentence_of(path: Path, read: Callable[[Path], object] = read_cel) -> str:
 def test_plain_faults(tmp_path: Path, read: Callable[[Path], object]) -> None:
     (tmp_path / "folder.png").mkdir()
     (tmp_path / "zero.png").write_bytes(b"")
-    (tmp_path / "a.gif").write_bytes(b"GIF89a")
+    (tmp_path / "a.tiff2").write_bytes(b"II")
     (tmp_path / "html.png").write_bytes(b"<html></html>")
     (tmp_path / "html.tga").write_bytes(b"<html></html>")
     files.save(tmp_path / "a.exr", np.ones((4, 4, 4), np.float16))
@@ -444,7 +445,7 @@ def test_plain_faults(tmp_path: Path, read: Callable[[Path], object]) -> None:
         "none.png": "it does not exist",
         "folder.png": "it is not a file",
         "zero.png": "the file is empty",
-        "a.gif": "'.gif' is not a picture format that can be read",
+        "a.tiff2": "'.tiff2' is not a picture format that can be read",
         "a": "'' is not a picture format that can be read",
         "html.png": "it is not PNG, whatever its name says",
         "exr.png": "it is not PNG but OpenEXR, whatever its name says",

@@ -125,7 +125,7 @@ def _missing(document: "Document") -> Iterator[str]:
     """Yield the files that are not there, and the layers that are not in their files."""
     from kagezou.errors import InputProblem
     from kagezou.io.files.faults import shown
-    from kagezou.io.psd.file import has_part
+    from kagezou.io.images.parts import has_part
     from kagezou.picture_source import PicturePart, file_of
 
     every = (*(layer.cels for layer in document.layers), document.behind)

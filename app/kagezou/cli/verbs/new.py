@@ -1,29 +1,35 @@
 """``kagezou new``: a project of character drawings, with a light that shows a good shadow at once."""
 
 from argparse import Namespace
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, frame_rate, named_part, named_source, project_path, size
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import note
-from kagezou.errors import OutputProblem
+from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document
     from kagezou.importing.imported import Imported
+    from kagezou.importing.new_cels import CharacterSource
+    from kagezou.picture_source import PicturePart
 
 DESCRIPTION = (
     "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', "
     "one picture, or a PSD file with a group of numbered layers; "
     "a background is one picture, or such a folder or pattern."
 )
+_BACKGROUND = "background"
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
   kagezou new walk.kage --character Hero=drawings/body --cel Hero=arm=drawings/arm
   kagezou new duo.kage --character A=cels/A --character B=cels/B --background street.png
   kagezou new run.kage --character A=cels/A --background 'bg/street_#.png'
+  kagezou new shot.kage --character A=cels/A --background set.exr --layer background=diffuse
   kagezou new cut12.kage --timesheet cut12/cut12.xdts
   kagezou new cut12.kage --psd cut12.psd
   kagezou new cut12.kage --character A=cels/A --timesheet cut12.xdts --fps 24 --size 1920x1080
@@ -33,6 +39,13 @@ EXAMPLES = """\
 def add_arguments(parser: Parser) -> None:
     """Say what can be typed."""
     _add_sources(parser)
+    parser.add_argument("--background", type=Path, metavar="DIR_OR_FILE", help="the pictures under everything")
+    parser.add_argument(
+        "--timesheet",
+        type=Path,
+        metavar="SHEET.xdts",
+        help="when which drawing is exposed (also .tdts, .sts); without --character its columns find their drawings",
+    )
     parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
     parser.add_argument("--fps", type=frame_rate, default="24", metavar="RATE", help="frames a second (24)")
     parser.add_argument(
@@ -73,12 +86,13 @@ def _add_sources(parser: Parser) -> None:
         help="a PSD file with everything in it: groups of numbered layers become characters, a layer named "
         "'BG' the background; a timesheet beside it with the same name times it",
     )
-    parser.add_argument("--background", type=Path, metavar="DIR_OR_FILE", help="the pictures under everything")
     parser.add_argument(
-        "--timesheet",
-        type=Path,
-        metavar="SHEET.xdts",
-        help="when which drawing is exposed (also .tdts, .sts); without --character its columns find their drawings",
+        "--layer",
+        action="append",
+        default=[],
+        metavar="[CHARACTER=]NAME",
+        help="which layer of OpenEXR files is the drawing, of all or of one character; of 'background' that under "
+        "everything; else the beauty",
     )
 
 
@@ -95,12 +109,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     is_timed = options.timesheet is not None
     sources = [CharacterSource(name, source, is_timed, *figure) for name, source, *figure in options.character]
     sources += [CharacterSource(None, source) for source in options.psd]
+    sources, background = _of_layers(sources, options.background, options.layer)
     if is_timed and not sources:
         from kagezou.importing.sheet_project import sources_beside
         from kagezou.io.sheets.xdts import read_timesheet
 
         sources = list(sources_beside(options.timesheet.absolute(), read_timesheet(options.timesheet)))
-    imported = new_document(sources, background=options.background, size=options.size, frame_rate=options.fps)
+    imported = new_document(sources, background=background, size=options.size, frame_rate=options.fps)
+    _check_layers(imported.document, options.layer)
     if options.timesheet is None:
         imported = timed_from_beside(imported, sources)
     notes = list(imported.notes)
@@ -121,6 +137,36 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     for sentence in notes:
         note(sentence)
     return 0
+
+
+def _of_layers(
+    sources: "list[CharacterSource]", background: Path | None, layers: Sequence[str]
+) -> "tuple[list[CharacterSource], Path | PicturePart | None]":
+    """Return the sources with the layers that are taken of their OpenEXR files."""
+    from kagezou.picture_source import PicturePart
+
+    behind: Path | PicturePart | None = background
+    for text in layers:
+        who, sign, name = text.rpartition("=")
+        known = {_BACKGROUND, *(source.name for source in sources)}
+        if sign and who not in known:
+            raise UsageProblem(
+                Message(
+                    "--layer {text}: there is no character {who!r} and no background of that name", text=text, who=who
+                )
+            )
+        sources = [replace(each, layer=name) if who in ("", each.name) else each for each in sources]
+        if background is not None and who in ("", _BACKGROUND):
+            behind = PicturePart(background, name)
+    return sources, behind
+
+
+def _check_layers(document: "Document", layers: Sequence[str]) -> None:
+    """Raise UsageProblem where a layer was asked for and there is no OpenEXR file that it could be taken of."""
+    drawings = [*document.behind.drawings, *(each for layer in document.layers for each in layer.cels.drawings)]
+    for text in layers:
+        if not any(each.part == text.rpartition("=")[2] for each in drawings):
+            raise UsageProblem(Message("--layer {text}: none of the files is OpenEXR", text=text))
 
 
 def _with_values(document: "Document", path: Path) -> "Document":

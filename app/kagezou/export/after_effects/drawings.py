@@ -79,6 +79,8 @@ def referenced(cels: Cels, length: int, *, white_is_clear: bool = True) -> CelFo
     paths = [cels.drawings[index].path for index in indices]
     found = [_NUMBERED.fullmatch(path.name) for path in paths]
     parts = {(path.parent, each[1], each[3], len(each[2])) for path, each in zip(paths, found, strict=True) if each}
+    if any(cels.drawings[index].part is not None for index in indices):
+        return None
     if not paths or None in found or len(parts) != 1 or paths[0].suffix.lower() not in _READ_BY_AFTER_EFFECTS:
         return None
     folder, prefix, suffix, digits = next(iter(parts))
@@ -134,7 +136,7 @@ def still_where_it_lies(cels: Cels, length: int) -> CelFootage | None:
     """Return the one picture that is seen of all where it lies, None where it is in a file of several."""
     (index,) = exposed(cels, length)
     path = cels.drawings[index].path
-    if is_psd(path):
+    if is_psd(path) or cels.drawings[index].part is not None:
         return None
     info = probe(path)
     return CelFootage(path, 1, {index: 0}, (info.width_px, info.height_px))
@@ -176,7 +178,8 @@ def _size_of(infos: list[ImageInfo], copying: Copying) -> tuple[int, int]:
 
 def _copy(drawing: Drawing, info: ImageInfo, target: Path, size: tuple[int, int], copying: Copying) -> None:
     is_alike = (info.width_px, info.height_px) == size
-    if drawing.path.suffix.lower() == ".png" and is_alike and (info.has_alpha or not copying.white_is_clear):
+    is_png = drawing.part is None and drawing.path.suffix.lower() == ".png"
+    if is_png and is_alike and (info.has_alpha or not copying.white_is_clear):
         try:
             write_bytes(target, drawing.path.read_bytes())
         except OSError as error:

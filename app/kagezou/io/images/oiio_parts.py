@@ -11,7 +11,8 @@ import OpenImageIO as oiio  # noqa: N813  # the name its own manual uses
 from numpy.typing import NDArray
 
 from kagezou.io.files.faults import output_problem
-from kagezou.io.images.oiio_guard import configure, disk_full, first_line
+from kagezou.io.images.oiio_errors import first_line
+from kagezou.io.images.oiio_guard import configure, disk_full
 from kagezou.message import Message
 
 BLEND: Final = "kagezou:blend"

@@ -5,28 +5,38 @@ files keep their numbers, floating point files become sRGB coded 16 bit.
 """
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
-from kagezou.io.images.oiio_guard import DecodedPicture
-from kagezou.io.images.stored_pixels import TURNED, alpha_plane, assembled, box_of, full, on_canvas, upright
-from kagezou.io.pixels.paper import reaching_border
+from kagezou.io.images.opening import opened
+from kagezou.io.images.stored_pixels import (
+    TURNED,
+    alpha_of,
+    assembled,
+    box_of,
+    full,
+    glowing,
+    on_canvas,
+    put_glow,
+    upright,
+)
+from kagezou.io.images.white_paper import clear_white
+from kagezou.io.pixels.colour import steps_from_unit
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
 from kagezou.message import Message
-from kagezou.picture_source import OutlinedPicture, PicturePart, PictureSource, file_of
+from kagezou.picture_source import OutlinedPicture, Paper, PicturePart, PictureSource, file_of
 
 Steps = NDArray[np.uint8] | NDArray[np.uint16]
-_NO_ALPHA: Final = Message("no alpha channel: pure white was taken as clear")
-_NO_ALPHA_BORDER: Final = Message("no alpha channel: white that reaches the border was taken as clear")
-_NO_ALPHA_NO_WHITE: Final = Message("no alpha channel and no white: the whole frame would cast a shadow")
-_FILLED: Final = 0.9
-"""What takes more of a picture than this is not its figure."""
+ALPHA_IS_ZERO: Final = Message("its alpha is 0 everywhere; its colours are seen as if there were none")
+FOURTH_IS_ZERO: Final = Message("what could be its alpha is 0 everywhere and was taken as unused")
+GLOW_IS_SEEN: Final = Message("it has light where its alpha is 0; that is seen as a glow over what is behind it")
+GLOW_IS_NOT_USED: Final = Message("it has light where its alpha is 0, as a glow has; that is not used")
+_ROWS: Final = 256
 _ALL_FULL: Final = Message("alpha is full everywhere: the whole frame would cast a shadow")
 
 
@@ -100,7 +110,9 @@ class Cel:
 class ImageInfo:
     """What the header of a picture says; the size is that of the upright canvas.
 
-    ``notes`` say what of the file is not used and what had to be assumed, without the file's name.
+    ``pictures`` is how many the file has, each of which may be a drawing. ``is_doubtful`` says that only the pixels
+    tell whether there is an alpha, or light where it is 0. ``notes`` say what of the file is not used and what had to
+    be assumed, without the file's name.
     """
 
     width_px: int
@@ -109,6 +121,8 @@ class ImageInfo:
     has_alpha: bool
     bit_depth: int
     notes: tuple[Message, ...] = ()
+    pictures: int = 1
+    is_doubtful: bool = False
 
 
 def probe(source: PictureSource) -> ImageInfo:
@@ -122,20 +136,46 @@ def probe(source: PictureSource) -> ImageInfo:
     path = file_of(source)
     if is_psd(path):
         return _probe_psd(source)
-    with DecodedPicture(path, whole=False) as picture:
-        header = picture.header
+    with opened(source, whole=False) as picture:
+        header, pictures = picture.header, picture.pictures()
     width, height = header.display[2:]
     if header.orientation >= TURNED:
         width, height = height, width
-    return ImageInfo(width, height, len(header.channels), header.alpha is not None, header.bit_depth)
+    notes = header.notes
+    if pictures > 1 and not isinstance(source, PicturePart):
+        notes = (*notes, Message("of its {count} pictures the first alone is used", count=pictures))
+    return ImageInfo(
+        width,
+        height,
+        header.channels,
+        header.alpha is not None,
+        header.bit_depth,
+        notes,
+        pictures,
+        is_doubtful=header.alpha is not None and not (header.straight and header.alpha_declared),
+    )
 
 
 def _probe_psd(source: PictureSource) -> ImageInfo:
     header = psd_header(file_of(source))
     if isinstance(source, PicturePart):
         psd_tree(source.path)
-    has_alpha = isinstance(source, PicturePart) or header.has_spare_channel
-    return ImageInfo(header.width_px, header.height_px, header.channels, has_alpha, header.bit_depth)
+    with_alpha = isinstance(source, PicturePart) or header.has_spare_channel
+    return ImageInfo(header.width_px, header.height_px, header.channels, with_alpha, header.bit_depth)
+
+
+def has_alpha(source: PictureSource) -> bool:
+    """Return whether a picture has an alpha that means something, for which its pixels are read where need be.
+
+    Raises
+    ------
+    InputProblem
+        As for `read_cel`.
+    """
+    info = probe(source)
+    if info.has_alpha and info.is_doubtful:
+        return FOURTH_IS_ZERO not in read_cel(source, white_is_clear=False).notes
+    return info.has_alpha
 
 
 def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
@@ -154,30 +194,49 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
     InputProblem
         It cannot be read as a whole; one sentence with name and cause.
     """
-    rgba, has_alpha = _psd_rgba(source) if is_psd(file_of(source)) else _file_rgba(file_of(source))
     notes: tuple[Message, ...] = ()
-    if not has_alpha and white_is_clear:
-        notes = _clear_white(rgba, is_outlined=isinstance(source, OutlinedPicture))
+    if is_psd(file_of(source)):
+        found = psd_pixels(source)
+        rgba, with_alpha = found.rgba, found.has_alpha
+    else:
+        rgba, with_alpha, notes = _file_rgba(source, is_background=not white_is_clear)
+    if not with_alpha and white_is_clear:
+        notes = (*notes, *clear_white(rgba, is_outlined=_is_outlined(source)))
     matte = matte_of(rgba[..., 3])
-    if has_alpha and white_is_clear and rgba.size and matte.is_full:
-        notes = (_ALL_FULL,)
+    if with_alpha and white_is_clear and rgba.size and matte.is_full:
+        notes = (*notes, _ALL_FULL)
     rgba.setflags(write=False)
     return Cel(rgba, matte, notes)
 
 
-def _psd_rgba(source: PictureSource) -> tuple[Steps, bool]:
-    found = psd_pixels(source)
-    return found.rgba, found.has_alpha
+def _is_outlined(source: PictureSource) -> bool:
+    return isinstance(source, OutlinedPicture) or (isinstance(source, PicturePart) and source.paper is Paper.BORDER)
 
 
-def _file_rgba(path: Path) -> tuple[Steps, bool]:
-    """Return a file's pixels, (H, W, 4) upright, and whether their alpha is in the file."""
-    with DecodedPicture(path) as picture:
+def _file_rgba(source: PictureSource, *, is_background: bool) -> tuple[Steps, bool, tuple[Message, ...]]:
+    """Return a picture's pixels, (H, W, 4) upright, whether their alpha is in the file, and what is said of them."""
+    with opened(source) as picture:
         header = picture.header
-        stored = picture.read()
-    alpha = alpha_plane(header, stored, header.alpha)
-    rgba = assembled(header, stored, alpha)
-    return upright(on_canvas(rgba, header), header.orientation), alpha is not None
+        used = picture.used()
+    count = len(header.colour)
+    colour = used[..., :count]
+    alpha = None if header.alpha is None else alpha_of(header, used[..., count], colour)
+    notes: tuple[Message, ...] = ()
+    if alpha is None and header.alpha is not None:
+        notes = (FOURTH_IS_ZERO,)
+    if is_background and alpha is not None and not alpha.any() and colour.any():
+        alpha, notes = None, (ALPHA_IS_ZERO,)
+    glow = None if alpha is None else glowing(header, used)
+    rgba = assembled(header, used, alpha)
+    if glow is not None:
+        notes = (
+            *notes,
+            GLOW_IS_SEEN if is_background else GLOW_IS_NOT_USED,
+        )
+        if is_background:
+            put_glow(header, used, glow, rgba)
+    del used, colour
+    return upright(on_canvas(rgba, header), header.orientation), alpha is not None, notes
 
 
 def read_matte(source: PictureSource) -> Matte:
@@ -191,18 +250,17 @@ def read_matte(source: PictureSource) -> Matte:
     InputProblem
         As for `read_cel`.
     """
-    path = file_of(source)
-    if is_psd(path):
+    if is_psd(file_of(source)):
         return read_cel(source).matte
-    with DecodedPicture(path) as picture:
+    with opened(source) as picture:
         header = picture.header
         if header.alpha is None or not header.alpha_declared:
-            return read_cel(source).matte
-        if header.dtype == "float32":
-            alpha = alpha_plane(header, picture.read(header.alpha, header.alpha + 1), 0)
+            alpha = None
         else:
-            alpha = alpha_plane(header, picture.read(), header.alpha)
-    assert alpha is not None
+            stored = picture.alpha()
+            alpha = steps_from_unit(stored) if stored.dtype.kind == "f" else stored
+    if alpha is None:
+        return read_cel(source).matte
     return matte_of(upright(on_canvas(alpha, header), header.orientation))
 
 
@@ -216,46 +274,16 @@ def matte_of(alpha: NDArray[Any]) -> Matte:
         none: Steps = np.zeros((0, 0), plane.dtype)
         none.setflags(write=False)
         return Matte(width, height, None, none, hard_edged=False)
-    kept: Steps = plane[box.top : box.bottom, box.left : box.right].copy()
+    kept: Steps = plane[box.top : box.bottom, box.left : box.right]
+    if plane is alpha or kept.size < plane.size:
+        kept = kept.copy()
     kept.setflags(write=False)
-    wrapped = kept + kept.dtype.type(1)  # full becomes 0 and 0 becomes 1: nothing else may occur
-    has_clear = kept.size < plane.size or int(wrapped.max()) == 1
-    hard = has_clear and int(wrapped.max()) <= 1 and int(wrapped.min()) == 0
-    return Matte(width, height, box, kept, hard_edged=hard)
+    has_clear = kept.size < plane.size or not kept.all()
+    return Matte(width, height, box, kept, hard_edged=has_clear and _is_hard(kept))
 
 
-def enclosed_part(path: Path) -> float:
-    """Return how much of the figure of a picture without alpha is white inside an outline, 0 to 1; 0 with alpha.
-
-    The figure is all that is not white or does not reach the border; one that fills the picture is a frame drawn around
-    it, or no figure on paper at all, and nothing is inside of it.
-
-    Raises
-    ------
-    InputProblem
-        As for `read_cel`.
-    """
-    if probe(path).has_alpha:
-        return 0.0
-    rgba = read_cel(path, white_is_clear=False).rgba
-    white = _white_of(rgba)
-    figure = white.size - int(np.count_nonzero(reaching_border(white)))
-    colored = white.size - int(np.count_nonzero(white))
-    return (figure - colored) / figure if 0 < figure < _FILLED * white.size else 0.0
-
-
-def _white_of(rgba: NDArray[Any]) -> NDArray[np.bool_]:
-    most = full(rgba)
-    white: NDArray[np.bool_] = (rgba[..., 0] & rgba[..., 1] & rgba[..., 2]) == most
-    return white
-
-
-def _clear_white(rgba: NDArray[Any], *, is_outlined: bool) -> tuple[Message, ...]:
-    """Make pure white clear in place, in (H, W, 4), all or what reaches the border; return the note about it."""
-    white = _white_of(rgba)
-    if is_outlined:
-        white = reaching_border(white)
-    rgba[..., 3][white] = 0
-    if not white.any():
-        return (_NO_ALPHA_NO_WHITE,)
-    return (_NO_ALPHA_BORDER if is_outlined else _NO_ALPHA,)
+def _is_hard(alpha: Steps) -> bool:
+    """Whether every alpha is 0 or full; some rows at a time, as a large drawing takes enough memory by itself."""
+    one = alpha.dtype.type(1)
+    # Full becomes 0 and 0 becomes 1: nothing else may occur.
+    return all(int((alpha[top : top + _ROWS] + one).max()) <= 1 for top in range(0, len(alpha), _ROWS))

@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
-from kagezou.io.images.oiio_guard import Header
+from kagezou.io.images.header import Header
 from kagezou.io.pixels.colour import coded_from_light, steps_from_unit, straight_from_associated
 
+_ROWS: Final = 256
 TURNED: Final = 5
 """From this Exif orientation on, rows are columns."""
 
@@ -28,57 +29,85 @@ def full(pixels: NDArray[Any]) -> int:
     return int(np.iinfo(pixels.dtype).max)
 
 
-def alpha_plane(header: Header, stored: NDArray[Any], index: int | None) -> NDArray[Any] | None:
-    """Return channel ``index`` of (H, W, C) as integer (H, W), or None where it means nothing."""
-    if index is None:
-        return None
-    plane: NDArray[Any] = stored[..., index]
-    if plane.dtype.kind == "f":
-        return steps_from_unit(plane)
-    if not header.alpha_declared and not plane.any() and stored.any():
-        return None  # a 32-bit file whose writer left the fourth byte unused
-    return plane
+def alpha_of(header: Header, alpha: NDArray[Any], colour: NDArray[Any]) -> NDArray[Any] | None:
+    """Return a stored alpha (H, W) as integers, or None where it means nothing beside its ``colour`` (H, W, C)."""
+    if alpha.dtype.kind == "f":
+        return steps_from_unit(alpha)
+    if not header.alpha_declared and not alpha.any() and colour.any():
+        return None  # a file of four channels whose writer left the fourth unused
+    return alpha
 
 
-def assembled(header: Header, stored: NDArray[Any], alpha: NDArray[Any] | None) -> NDArray[Any]:
-    """Return the stored pixels as straight (H, W, 4); where ``alpha`` is None it is full."""
-    chosen = _colour_channels(header)
-    floating = stored.dtype.kind == "f"
-    if not floating and header.straight and alpha is not None and (*chosen, header.alpha) == (0, 1, 2, 3):
-        return np.ascontiguousarray(stored[..., :4])
-    dtype = np.uint16 if floating else stored.dtype
-    rgba = np.empty((*stored.shape[:2], 4), dtype)
+def assembled(header: Header, used: NDArray[Any], alpha: NDArray[Any] | None) -> NDArray[Any]:
+    """Return the channels that are used as straight sRGB (H, W, 4); where ``alpha`` is None it is full."""
+    count = len(header.colour)
+    floating = used.dtype.kind == "f"
+    is_plain = header.straight and count == 3 and alpha is not None and used.shape[2] == 4
+    if not floating and is_plain and header.change is None:
+        return np.ascontiguousarray(used)
+    rgba = np.empty((*used.shape[:2], 4), np.uint16 if floating else used.dtype)
     colour = rgba[..., :3]
     if floating:
-        _put_light(header, stored, alpha, colour)
+        _put_light(header, used, alpha, colour)
     else:
-        colour[...] = stored[..., chosen] if chosen else 0
+        colour[...] = used[..., :count] if count else 0
+        if header.white_is_zero:
+            np.invert(colour, out=colour)
         if alpha is not None and not header.straight:
             straight_from_associated(colour, alpha)
+        if header.change is not None:
+            header.change.put_on(colour)
     rgba[..., 3] = full(rgba) if alpha is None else alpha
     return rgba
 
 
-def _put_light(header: Header, stored: NDArray[Any], alpha: NDArray[Any] | None, colour: NDArray[Any]) -> None:
-    """Put the linear light of ``stored`` into ``colour`` as sRGB; what was multiplied by an alpha of 0 is black."""
-    chosen = _colour_channels(header)
-    divided = not header.straight and header.alpha is not None and alpha is not None
+def _put_light(header: Header, used: NDArray[Any], alpha: NDArray[Any] | None, colour: NDArray[Any]) -> None:
+    """Put the linear light of ``used`` into ``colour`` as sRGB; what was multiplied by an alpha of 0 is black."""
+    count = len(header.colour)
+    divided = not header.straight and alpha is not None
     box = box_of(alpha) if divided and alpha is not None else Box(0, 0, colour.shape[1], colour.shape[0])
     colour[...] = 0
-    if box is None or not chosen:
+    if box is None or not count:
         return
-    part = stored[box.top : box.bottom, box.left : box.right]
-    whole = part[..., header.alpha] if divided else None
-    colour[box.top : box.bottom, box.left : box.right] = coded_from_light(part[..., chosen], whole)
+    part = used[box.top : box.bottom, box.left : box.right]
+    whole = part[..., count] if divided else None
+    change = header.change.lit if header.change is not None and count == 3 else None
+    colour[box.top : box.bottom, box.left : box.right] = coded_from_light(part[..., :count], whole, change)
 
 
-def _colour_channels(header: Header) -> list[int]:
-    """Return the indices of red, green and blue, one gray index, or none."""
-    names = [name.rpartition(".")[2].lower() for name in header.channels]
-    if {"r", "g", "b"} <= set(names):
-        return [names.index("r"), names.index("g"), names.index("b")]
-    others = [index for index in range(len(names)) if index != header.alpha]
-    return others[:3] if len(others) >= 3 else others[:1]
+def glowing(header: Header, used: NDArray[Any]) -> NDArray[np.bool_] | None:
+    """Return where colour was multiplied by an alpha of 0 and yet is there, (H, W): light without cover.
+
+    None where there is none, or where colours are stored without being multiplied.
+    """
+    count = len(header.colour)
+    if header.straight or header.alpha is None or not count:
+        return None
+    found = np.zeros(used.shape[:2], np.bool_)
+    with np.errstate(invalid="ignore"):
+        for top in range(0, len(used), _ROWS):
+            part = used[top : top + _ROWS]
+            clear = part[..., count] <= 0
+            if clear.any():
+                found[top : top + _ROWS] = clear & (part[..., :count] > 0).any(axis=-1)
+    return found if found.any() else None
+
+
+def put_glow(header: Header, used: NDArray[Any], glow: NDArray[np.bool_], rgba: NDArray[Any]) -> None:
+    """Put light without cover into ``rgba`` (H, W, 4): as little cover of it as shows the same light over black."""
+    count = len(header.colour)
+    light = used[..., :count][glow]
+    if light.dtype.kind == "f":
+        light = np.clip(np.nan_to_num(light.astype(np.float32), nan=0.0, posinf=1.0, neginf=0.0), 0.0, 1.0)
+        cover = light.max(axis=-1)
+        changed = header.change.lit if header.change is not None and count == 3 else None
+        rgba[glow, :3] = coded_from_light(light[None], cover[None], changed)[0]
+        rgba[glow, 3] = steps_from_unit(cover)
+        return
+    cover = light.max(axis=-1)
+    straight = np.repeat(light, 3 // count, axis=-1)[:, None]
+    straight_from_associated(straight, cover[:, None])
+    rgba[glow, :3], rgba[glow, 3] = straight[:, 0], cover
 
 
 def on_canvas(pixels: NDArray[Any], header: Header) -> NDArray[Any]:

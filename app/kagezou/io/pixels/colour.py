@@ -1,6 +1,7 @@
 """Between the colours files hold: sRGB coded or linear light, multiplied by alpha or straight."""
 
 import functools
+from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
@@ -19,10 +20,14 @@ def coded_from_linear(linear: NDArray[np.float32]) -> NDArray[np.uint16]:
     return steps_from_unit(np.where(light <= _LINEAR_BELOW, 12.92 * light, bent))
 
 
-def steps_from_unit(values: NDArray[np.float32]) -> NDArray[np.uint16]:
+def steps_from_unit(values: NDArray[Any]) -> NDArray[np.uint16]:
     """Return 0..1 of any shape as 0..65535, rounded; below and above are clipped, NaN gives 0."""
-    unit = np.clip(np.nan_to_num(values, nan=0.0, posinf=1.0, neginf=0.0), 0.0, 1.0)
-    return np.asarray(unit * np.float32(65535) + np.float32(0.5)).astype(np.uint16)
+    steps = np.empty(values.shape, np.uint16)
+    for top in range(0, len(values), _ROWS):
+        part = values[top : top + _ROWS].astype(np.float32)
+        unit = np.clip(np.nan_to_num(part, nan=0.0, posinf=1.0, neginf=0.0), 0.0, 1.0)
+        steps[top : top + _ROWS] = unit * np.float32(65535) + np.float32(0.5)
+    return steps
 
 
 def linear_from_coded(coded: Pixels) -> NDArray[np.float32]:
@@ -48,17 +53,31 @@ def straight_from_associated(colour: Pixels, alpha: Pixels) -> None:
         colour[rows] = np.where(whole > 0, np.minimum(divided, full), 0)
 
 
-def coded_from_light(light: NDArray[np.float32], alpha: NDArray[np.float32] | None) -> NDArray[np.uint16]:
-    """Return linear light (H, W, C) as straight sRGB 16 bit, dividing by ``alpha`` (H, W) where it is given."""
+def coded_from_light(
+    light: NDArray[Any],
+    alpha: NDArray[Any] | None,
+    changed: Callable[[NDArray[np.float32]], NDArray[np.float32]] | None = None,
+) -> NDArray[np.uint16]:
+    """Return linear light (H, W, C) of any floating numbers as straight sRGB 16 bit.
+
+    Parameters
+    ----------
+    light
+        Of each pixel.
+    alpha
+        (H, W), by which it is divided where it is given.
+    changed
+        What gives the light of sRGB for some rows of straight light.
+    """
     coded = np.empty(light.shape, np.uint16)
     for top in range(0, light.shape[0], _ROWS):
         rows = slice(top, top + _ROWS)
-        part = light[rows]
+        part = light[rows].astype(np.float32)
         if alpha is not None:
-            whole = alpha[rows, :, None]
+            whole = alpha[rows, :, None].astype(np.float32)
             with np.errstate(all="ignore"):
                 part = np.where(whole > 0, part / np.where(whole > 0, whole, 1), 0).astype(np.float32)
-        coded[rows] = coded_from_linear(part)
+        coded[rows] = coded_from_linear(part if changed is None else changed(part))
     return coded
 
 

@@ -24,6 +24,7 @@ FORMATS: Final = {
     ".jpg": "jpeg",
     ".jpeg": "jpeg",
     ".bmp": "bmp",
+    ".gif": "gif",
     ".psd": "psd",
     ".psb": "psd",
 }
@@ -45,6 +46,7 @@ _STARTS: Final = (
     ("tiff", b"MM\0+"),
     ("webp", b"RIFF"),
     ("bmp", b"BM"),
+    ("gif", b"GIF8"),
     ("psd", b"8BPS"),
 )
 _TITLES: Final = {
@@ -55,6 +57,7 @@ _TITLES: Final = {
     "webp": "WebP",
     "jpeg": "JPEG",
     "bmp": "BMP",
+    "gif": "GIF",
     "psd": "PSD",
 }
 _PNG_HEADER: Final = struct.Struct(">IIBBBBB")

@@ -130,7 +130,7 @@ class OpenProject(QObject):
             over = self.bridge.document
             if over.is_blank:
                 return _first_seen(self, timed_from_beside(new_document(sources, progress=progress), sources), progress)
-            return brought(sources, over.canvas.box, progress)
+            return brought(sources, over.canvas, progress)
 
         def put(found: Imported | Brought) -> None:
             if isinstance(found, Brought):
@@ -191,7 +191,7 @@ class OpenProject(QObject):
         """Put a picture, or those of a folder, under everything; into nothing they bring their size."""
 
         def read(progress: Progress) -> NewCels:
-            found = background_of(path, progress)
+            found = background_of(path, progress, self.bridge.document.canvas.frame_rate)
             _read_first(laid_behind(self.bridge.document, found), self.cels, self.meshes, progress)
             return found
 

@@ -1,0 +1,83 @@
+"""How large a picture may be: by its sides, by its memory, and by what memory the machine has left."""
+
+import os
+import sys
+from pathlib import Path
+from typing import Final
+
+from kagezou.io.files.faults import input_problem
+from kagezou.io.images.header import Header
+from kagezou.io.pixels.signatures import LARGEST_SIDE_PX
+from kagezou.message import Message
+
+LARGEST_PICTURE_MB: Final = 1024
+"""So much memory may the stored pixels of a picture take that are read, and so much the canvas they lie on."""
+
+_COPIES: Final = 2
+"""While a picture is read, its pixels are held at most so many times."""
+
+_BYTES: Final = {"uint8": 1, "uint16": 2, "float16": 2, "float32": 4}
+
+
+def check_size(path: Path, header: Header) -> None:
+    """Refuse a picture before anything is allocated for it.
+
+    Raises
+    ------
+    InputProblem
+        It has no pixels, is larger than can be read, or than the memory that is free.
+    """
+    width, height = header.display[2:]
+    stored_width, stored_height = header.data[2:]
+    if min(width, height, stored_width, stored_height) < 1:
+        raise input_problem(path, Message("it has no pixels"))
+    canvas = width * height * 4 * (1 if header.dtype == "uint8" else 2)
+    stored = stored_width * stored_height * len(header.used) * _BYTES[header.dtype]
+    if max(width, height) > LARGEST_SIDE_PX or max(canvas, stored) > LARGEST_PICTURE_MB << 20:
+        raise input_problem(
+            path, Message("{width} × {height} px is larger than can be read", width=width, height=height)
+        )
+    needed, free = _COPIES * max(canvas, stored), free_memory()
+    if free is not None and needed > free:
+        raise input_problem(
+            path,
+            Message(
+                "{width} × {height} px need {needed} MB of memory to be read, of which {free} MB are free",
+                width=width,
+                height=height,
+                needed=needed >> 20,
+                free=free >> 20,
+            ),
+        )
+
+
+def free_memory() -> int | None:
+    """Return how many bytes of memory can be had now, None where the system does not tell."""
+    if sys.platform == "win32":
+        return _free_on_windows()
+    try:
+        with Path("/proc/meminfo").open(encoding="ascii") as table:
+            rows = dict(line.split(":", 1) for line in table)
+        return int(rows["MemAvailable"].split()[0]) << 10
+    except (OSError, ValueError, KeyError, IndexError):
+        pass
+    try:
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (OSError, ValueError):
+        return None
+
+
+def _free_on_windows() -> int | None:
+    import ctypes
+
+    class Status(ctypes.Structure):
+        _fields_ = (
+            ("length", ctypes.c_ulong),
+            ("load", ctypes.c_ulong),
+            *((f"bytes_{index}", ctypes.c_ulonglong) for index in range(7)),
+        )
+
+    status = Status()
+    status.length = ctypes.sizeof(Status)
+    asked: object = getattr(ctypes, "windll").kernel32.GlobalMemoryStatusEx(ctypes.byref(status))  # noqa: B009
+    return int(status.bytes_1) if asked else None
