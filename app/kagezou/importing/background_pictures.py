@@ -6,11 +6,12 @@ from pathlib import Path
 from kagezou.document.edits import set_background_cels, set_canvas, still
 from kagezou.document.model import Document
 from kagezou.importing.cel_sizes import canvas_size, measured_cels
-from kagezou.importing.cels_of_files import cels_of, gap_notes
+from kagezou.importing.cels_of_files import cels_of, number_notes
 from kagezou.importing.file_notes import said_once
 from kagezou.importing.new_cels import NewCels, printable
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
+from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.reading import probe
 from kagezou.io.images.sequences import find_sequences
 from kagezou.io.project.paths import absolute
@@ -35,7 +36,7 @@ def background_of(path: Path, progress: Progress = no_progress) -> NewCels:
     InputProblem
         There is nothing to be found, or none of it can be opened.
     """
-    source = absolute(path)
+    source = on_disk(absolute(path))
     progress(LoadPhase.FINDING, 0, 0)
     if not source.is_dir() and (source.is_file() or "#" not in source.name):
         info = probe(source)
@@ -49,7 +50,7 @@ def background_of(path: Path, progress: Progress = no_progress) -> NewCels:
     measured = measured_cels(name, cels.drawings, progress)
     unused = [*(each.name for each in others), *(each.name for each in found.left_out)]
     doubts = said_once(name, [(source, found.notes)])
-    notes = (*doubts, *_left_out(source, first.name, unused), *gap_notes(name, first), *measured.notes)
+    notes = (*doubts, *_left_out(source, first.name, unused), *number_notes(name, first), *measured.notes)
     cels = replace(cels, drawings=measured.drawings)
     return NewCels(name, cels, measured.size_px, cels.exposures[-1].frame, notes)
 

@@ -1,11 +1,13 @@
 """What a source brings before it is in a document: layers to be, and what is said about them."""
 
+import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from kagezou.document.model import Cels
 from kagezou.io.files.faults import shown
+from kagezou.io.images.sequences import Sequence
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart
 
@@ -18,13 +20,14 @@ class CharacterSource:
     """A character someone brings: a folder, a picture, a PSD file or a pattern ``walk_#.png``, and perhaps its name.
 
     Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of. A source that
-    joins a character is a part of its figure: an arm, a held thing.
+    joins a character is a part of its figure: an arm, a held thing. Of a source with drawings these alone are meant.
     """
 
     name: str | None
     path: Path
     is_timed: bool = False
     joins: str | None = None
+    drawings: Sequence | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +79,8 @@ class Held:
 
 def printable(name: str) -> str:
     """Return a file's or folder's name as one that a layer may have."""
-    text = "".join(character if character.isprintable() else "_" for character in name).strip()
+    composed = unicodedata.normalize("NFC", name)
+    text = "".join(character if character.isprintable() else "_" for character in composed).strip()
     return text[:MAX_NAME_CHARACTERS] or "Character"
 
 

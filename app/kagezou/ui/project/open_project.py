@@ -25,8 +25,9 @@ from kagezou.io.project import file as project_file
 from kagezou.io.project.recovery_file import RecoveredWork
 from kagezou.io.sets.cameras import cameras_of
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
-from kagezou.io.sheets.xdts import read_timesheet, write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts
 from kagezou.message import Message
 from kagezou.picture_source import PictureSource
 from kagezou.session.session import Session
