@@ -15,6 +15,7 @@ from kagezou.message import Message
 
 _MAX_CHARACTERS: Final = 1000
 _SHOWN: Final = 3
+_Pair = tuple[Member, Member]
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,15 +38,27 @@ class Run:
     places
         One a drawing, in the order of the numbers.
     replaced
-        Names that do not count, each with the one that counts instead: retakes, versions, copies, one number twice.
-    notes
-        What had to be guessed and what does not count, as sentences with names as they are written.
+        Older retakes and versions, each with the drawing that counts instead.
+    twice
+        Copies, references and others that have a number again, each with the drawing that counts.
+    outdated
+        Names of older versions of the whole run.
+    left_out, doubts
+        What does not count and what had to be guessed, as sentences.
     """
 
     name: str
     places: tuple[Place, ...]
     replaced: tuple[tuple[int, int], ...] = ()
-    notes: tuple[Message, ...] = ()
+    twice: tuple[tuple[int, int], ...] = ()
+    outdated: tuple[int, ...] = ()
+    left_out: tuple[Message, ...] = ()
+    doubts: tuple[Message, ...] = ()
+
+    @property
+    def notes(self) -> tuple[Message, ...]:
+        """Everything that is to be said."""
+        return (*self.left_out, *self.doubts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +120,14 @@ def is_numbered_by(tail: str) -> bool:
     return not key(parts.without_marks(0, number.start) + parts.without_marks(behind, len(parts.text)))
 
 
+def ends_numbered(name: str) -> bool:
+    """Return whether a name ends with its number, marks and an insert's letters aside, and is no copy's."""
+    parts = parts_of(half_width(name[:_MAX_CHARACTERS]).strip())
+    if not parts.numbers or parts.copy:
+        return False
+    return not key(parts.without_marks(parts.numbers[-1].end + len(parts.insert(-1)), len(parts.text)))
+
+
 def _is_still(draft: Draft) -> bool:
     """Whether all that a single name has for a number is its version, date or size."""
     return len(draft.members) == 1 and draft.members[0].stands_in is not None
@@ -151,11 +172,16 @@ class _Sorter:
     def run(self, title: str, draft: Draft) -> Run:
         best, replaced = self._sorted_out(draft)
         pairs = [(worse, best[worse.place]) for worse in (*replaced, *draft.aside)]
+        newer = [pair for pair in pairs if _age(pair[0]) != _age(pair[1])]
+        twice = [pair for pair in pairs if _age(pair[0]) == _age(pair[1])]
         return Run(
             title,
             tuple(Place(each.index, each.number, each.insert) for _, each in sorted(best.items())),
-            tuple((worse.index, better.index) for worse, better in pairs),
-            (*self._left_out(draft, pairs), *self._doubts(draft)),
+            _indices(newer),
+            _indices(twice),
+            tuple(member.index for member in draft.outdated),
+            tuple(self._left_out(draft, newer, twice)),
+            tuple(self._doubts(draft)),
         )
 
     def _sorted_out(self, draft: Draft) -> tuple[dict[tuple[int, str], Member], list[Member]]:
@@ -171,9 +197,7 @@ class _Sorter:
             best.setdefault(member.place, member)
         return best, [member for member in ordered if best[member.place] is not member]
 
-    def _left_out(self, draft: Draft, pairs: Sequence[tuple[Member, Member]]) -> list[Message]:
-        newer = [pair for pair in pairs if _age(pair[0]) != _age(pair[1])]
-        twice = [pair for pair in pairs if _age(pair[0]) == _age(pair[1])]
+    def _left_out(self, draft: Draft, newer: Sequence[_Pair], twice: Sequence[_Pair]) -> list[Message]:
         notes = []
         if newer:
             notes.append(Message("the newest retake counts: {names}", names=self._instead(newer)))
@@ -211,7 +235,7 @@ class _Sorter:
             )
         return notes
 
-    def _instead(self, pairs: Sequence[tuple[Member, Member]]) -> str:
+    def _instead(self, pairs: Sequence[_Pair]) -> str:
         return _some([f"{self._written(worse)} → {self._written(better)}" for worse, better in pairs])
 
     def _written(self, member: Member) -> str:
@@ -219,6 +243,10 @@ class _Sorter:
 
     def _format(self, member: Member) -> str:
         return self.formats[member.index] if self.formats else ""
+
+
+def _indices(pairs: Sequence[_Pair]) -> tuple[tuple[int, int], ...]:
+    return tuple((worse.index, better.index) for worse, better in pairs)
 
 
 def _age(member: Member) -> tuple[object, object]:
