@@ -4,7 +4,7 @@ import os
 import re
 import unicodedata
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -38,10 +38,11 @@ class NumberedFile:
 
 @dataclass(frozen=True)
 class Sequence:
-    """Drawings that belong together, in natural order."""
+    """Drawings that belong together, in natural order; ``notes`` say what of them is doubtful or does not count."""
 
     name: str
     files: tuple[NumberedFile, ...]
+    notes: tuple[Message, ...] = ()
 
     @property
     def counts_frames(self) -> bool:
@@ -150,7 +151,7 @@ def _in_folder(folder: Path) -> Found:
     for child in folders:
         inside = _understood(_listed(child)[0], child)
         sequences = inside.sequences
-        below += [Sequence(child.name, sequences[0].files)] if len(sequences) == 1 else sequences
+        below += [replace(sequences[0], name=child.name)] if len(sequences) == 1 else sequences
         loose += inside.left_out
         notes += inside.notes
     if below:
@@ -218,7 +219,7 @@ def _matching(pattern: Path, prefix: str, rest: str, pictures: list[Path]) -> Fo
     files = [path for path, _ in meant]
     found = runs_of([tail for _, tail in meant], [path.suffix.lower() for path in files], _shown(files))
     name = prefix.rstrip(_BETWEEN) or pattern.parent.resolve().name
-    sequences = [Sequence(name, _numbered(run, files)) for run in found.runs]
+    sequences = [Sequence(name, _numbered(run, files), run.notes) for run in found.runs]
     sequences = sequences or [Sequence(name, tuple(NumberedFile(None, "", path) for path in files))]
     others = [path for path, _ in tails if path not in files]
     left = Message("not meant by the pattern: {names}", names=_some(_shown(others)))
@@ -249,7 +250,7 @@ def _understood(pictures: Iterable[Path], folder: Path) -> Found:
     files = list(pictures)
     found = runs_of([path.stem for path in files], [path.suffix.lower() for path in files], _shown(files))
     own = folder.resolve().name
-    sequences = _sorted(Sequence(run.name or own, _numbered(run, files)) for run in found.runs)
+    sequences = _sorted(Sequence(run.name or own, _numbered(run, files), run.notes) for run in found.runs)
     notes = tuple(note for run in found.runs for note in run.notes)
     return Found(sequences, tuple(files[index] for index in found.unnumbered), notes)
 

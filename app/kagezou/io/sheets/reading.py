@@ -25,7 +25,8 @@ def read_timesheet(path: Path, which: str | None = None) -> Timesheet:
     path
         The file.
     which
-        The name of one of several sheets in it, or its number from 1 up; None for the first.
+        The name of one of several sheets in it, or its number from 1 up, which may have a ``#`` before it; None for the
+        first.
 
     Raises
     ------
@@ -95,7 +96,8 @@ def _index_of(which: str, names: list[str]) -> int | None:
     plain = [_plain(name) for name in names]
     if wanted in plain:
         return plain.index(wanted)
-    number = int(wanted) if wanted.isdecimal() and len(wanted) < 6 else 0
+    figures = wanted.removeprefix("#")
+    number = int(figures) if figures.isdecimal() and len(figures) < 6 else 0
     return number - 1 if 1 <= number <= len(names) else None
 
 
