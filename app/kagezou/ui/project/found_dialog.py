@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QIcon, QImage, QPixmap
+from PySide6.QtGui import QIcon, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -94,7 +94,11 @@ class FoundDialog(QDialog):
         figure.setAccessibleName(self.tr("Figure"))
         figure.currentIndexChanged.connect(self._show_choice)
         self.figures.append(figure)
-        self.table.setCellWidget(row, _FIGURE, figure)
+        cell = QWidget()
+        beside = QHBoxLayout(cell)
+        beside.setContentsMargins(0, 0, _FRAME_PX, 0)
+        beside.addWidget(figure)
+        self.table.setCellWidget(row, _FIGURE, cell)
 
     def _lay_out(self) -> None:
         words = QLabel(self.tr("This is what was found. Lower rows lie over upper ones."))
@@ -139,6 +143,7 @@ class FoundDialog(QDialog):
         table.verticalHeader().hide()
         table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         header = table.horizontalHeader()
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(_REMARKS, QHeaderView.ResizeMode.Stretch)
         letter = self.fontMetrics().horizontalAdvance("0")
@@ -151,12 +156,10 @@ class FoundDialog(QDialog):
 
     def _show_pictures(self) -> None:
         """Show the pictures that are there by now; the others have an empty place of that size."""
-        empty = QImage(PICTURE_PX, PICTURE_PX, QImage.Format.Format_ARGB32_Premultiplied)
-        empty.fill(Qt.GlobalColor.transparent)
         self.table.blockSignals(True)
         for row, character in enumerate(self._found.characters):
             image = self._thumbnails.image(character.picture)
-            self.names[row].setIcon(QIcon(QPixmap.fromImage(empty if image is None else image)))
+            self.names[row].setIcon(QIcon(_square(image)))
         self.table.blockSignals(False)
 
     def _show_choice(self) -> None:
@@ -187,3 +190,15 @@ class FoundDialog(QDialog):
     def _name(self, row: int) -> str:
         typed = self.names[row].text().strip()
         return printable(typed) if typed else self._found.characters[row].name
+
+
+def _square(image: QImage | None) -> QPixmap:
+    """Return a picture in the middle of a square, so that the names beside them stand in one line."""
+    side = max(image.width(), image.height(), PICTURE_PX) if image is not None else PICTURE_PX
+    square = QPixmap(side, side)
+    square.fill(Qt.GlobalColor.transparent)
+    if image is not None:
+        painter = QPainter(square)
+        painter.drawImage((side - image.width()) // 2, (side - image.height()) // 2, image)
+        painter.end()
+    return square
