@@ -46,6 +46,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
     notes += [
         Message("{layer}: the timesheet has no column for it; it keeps its timing", layer=layer.name) for layer in free
     ]
+    document = replace(document, timesheet=sheet.kept)
     return set_canvas(document, replace(document.canvas, length_frames=sheet.length_frames)), notes
 
 
@@ -116,7 +117,7 @@ def sheet_of(document: Document, name: str) -> Timesheet:
     """Return the timesheet of a document: a column a layer, its drawings by their names."""
     length = document.canvas.length_frames
     tracks = tuple(SheetTrack(layer.name, _entries(layer, length)) for layer in document.layers)
-    return Timesheet(name, length, tracks)
+    return Timesheet(name, length, tracks, kept=document.timesheet)
 
 
 def _entries(layer: Layer, length: int) -> tuple[tuple[int, str | None], ...]:

@@ -5,9 +5,10 @@ header, a missing line break, frames out of order and frames before the first on
 said.
 """
 
+import json
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from kagezou.errors import ProjectProblem
@@ -18,15 +19,16 @@ from kagezou.message import Message
 
 _MAX_FRAMES: Final = 1_000_000
 _MAX_COLUMNS: Final = 1000
+MAX_KEPT_CHARACTERS: Final = 1 << 20
 FIRST_LINE: Final = "exchangeDigitalTimeSheet Save Data"
 _OTHER_FIRST_LINE: Final = "toeiDigitalTimeSheet Save Data"
-_TABLES: Final = "timeTables"
+TABLES: Final = "timeTables"
 _SHEETS: Final = "timeSheets"
 
 CELS: Final = 0
 """The field of cel columns; dialogue and camera work are others."""
 
-_CELS_OF_TDTS: Final = 4
+CELS_OF_TDTS: Final = 4
 """There the field 0 is for key drawings."""
 
 _NOT_USED: Final = {
@@ -36,7 +38,7 @@ _NOT_USED: Final = {
 _KEY_DRAWINGS: Final = Message("its columns of key drawings are not used")
 
 EMPTY_CEL: Final = "SYMBOL_NULL_CELL"
-_SYMBOL: Final = "SYMBOL_"
+SYMBOL: Final = "SYMBOL_"
 """Every other symbol is a mark on a cel that goes on: inbetween, reverse sheet, hyphen."""
 
 _MARKS: Final = ("SYMBOL_TICK_1", "SYMBOL_TICK_2")
@@ -74,9 +76,20 @@ def sheets_of(text: str) -> tuple[Timesheet, ...]:
     rest, is_tdts, notes = _behind_first_line(text)
     tree, more = json_in(rest)
     root = Reader(tree)
-    if notes and not {_TABLES, _SHEETS} & set(tree if isinstance(tree, dict) else ()):
+    if notes and not {TABLES, _SHEETS} & set(tree if isinstance(tree, dict) else ()):
         raise _no_sheet()
-    return tuple(_sheet(table, is_tdts=is_tdts, notes=(*notes, *more)) for table in _tables(root))
+    found = ((owner, table, _sheet(table, is_tdts=is_tdts, notes=(*notes, *more))) for owner, table in _tables(root))
+    return tuple(_with_kept(sheet, owner, table) for owner, table, sheet in found)
+
+
+def _with_kept(sheet: Timesheet, owner: Reader, table: Reader) -> Timesheet:
+    """Return a sheet with what the file says of it, unless that is too much to be kept."""
+    own = {name: reader.value for name, reader in owner.members().items() if name != TABLES}
+    text = json.dumps({**own, TABLES: [table.value]}, ensure_ascii=False, separators=(",", ":"))
+    if len(text) > MAX_KEPT_CHARACTERS:
+        note = Message("it is too large for what is not used of it to be kept for writing")
+        return replace(sheet, notes=(*sheet.notes, note))
+    return replace(sheet, kept=text)
 
 
 def _behind_first_line(text: str) -> tuple[str, bool, tuple[Message, ...]]:
@@ -94,17 +107,17 @@ def _no_sheet() -> ProjectProblem:
     return ProjectProblem(Message("it is not a timesheet (XDTS, TDTS or STS)"))
 
 
-def _tables(root: Reader) -> Iterator[Reader]:
-    """Yield all tables; TDTS has sheets around its tables, but for its oldest writers."""
+def _tables(root: Reader) -> Iterator[tuple[Reader, Reader]]:
+    """Yield all tables, each with what it lies in; TDTS has sheets around its tables, but for its oldest writers."""
     sheets = [root]
     if _SHEETS in root.members():
         sheets = list(_member(root, _SHEETS).items(_MAX_COLUMNS, least=1))
     for sheet in sheets:
-        yield from _member(sheet, _TABLES).items(_MAX_COLUMNS, least=1)
+        yield from ((sheet, table) for table in _member(sheet, TABLES).items(_MAX_COLUMNS, least=1))
 
 
 def _sheet(table: Reader, *, is_tdts: bool, notes: tuple[Message, ...]) -> Timesheet:
-    wanted = _CELS_OF_TDTS if is_tdts and any(_columns(table, _CELS_OF_TDTS)) else CELS
+    wanted = CELS_OF_TDTS if is_tdts and any(_columns(table, CELS_OF_TDTS)) else CELS
     names = _names(table, wanted)
     columns = sorted(_columns(table, wanted), key=lambda column: column[0])
     unused = _Unused()
@@ -219,8 +232,8 @@ def _cel(row: Reader, unused: _Unused) -> str | None:
         texts += [_text(value) for value in values.items(_MAX_COLUMNS)] if values is not None else []
     unused.counts["marks"] += sum(text in _MARKS for text in texts)
     known = (EMPTY_CEL, _HYPHEN, *_MARKS)
-    unused.counts["unknown"] += sum(text.startswith(_SYMBOL) and text not in known for text in texts)
-    unused.counts["several"] += sum(bool(text) and not text.startswith(_SYMBOL) for text in texts) > 1
+    unused.counts["unknown"] += sum(text.startswith(SYMBOL) and text not in known for text in texts)
+    unused.counts["several"] += sum(bool(text) and not text.startswith(SYMBOL) for text in texts) > 1
     if not texts or texts[0] == EMPTY_CEL:
         return None if texts else ""
-    return "" if texts[0].startswith(_SYMBOL) else texts[0]
+    return "" if texts[0].startswith(SYMBOL) else texts[0]
