@@ -197,6 +197,7 @@ def walking(qtbot: QtBot, window: MainWindow, cels: Path) -> MainWindow:
             window.parts.viewport.frame_painter is not None and window.parts.viewport.frame_painter.pictures_drawn > 0
         )
     )
+    window.parts.bar.clear()
     return window
 
 

@@ -82,15 +82,14 @@ def _kept_columns(table: Tree) -> list[tuple[str, dict[int, Tree]]]:
     for header, part in zip(_cels(table, "timeTableHeaders"), _cels(table, "fields"), strict=False):
         names = header.get("names")
         if isinstance(names, list):
-            rows: dict[object, dict[int, Tree]] = {
-                track["trackNo"]: {
-                    each["frame"]: each for each in _parts(track, "frames") if _is_whole(each.get("frame"))
-                }
-                for track in _parts(part, "tracks")
-                if _is_whole(track.get("trackNo"))
-            }
+            numbered = [track for track in _parts(part, "tracks") if _is_whole(track.get("trackNo"))]
+            rows = {track["trackNo"]: _by_frame(track) for track in numbered}
             return [(str(name).strip(), rows.get(number, {})) for number, name in enumerate(names)]
     return []
+
+
+def _by_frame(track: Tree) -> dict[int, Tree]:
+    return {row["frame"]: row for row in _parts(track, "frames") if _is_whole(row.get("frame"))}
 
 
 def _is_whole(value: object) -> bool:

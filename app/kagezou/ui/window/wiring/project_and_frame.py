@@ -131,8 +131,8 @@ def connect_messages(parts: Parts) -> None:
     parts.open_project.noted.connect(lambda note: bar.say(str(note), translated(note), Severity.WARNING))
 
     def say_found(layer_ids: tuple[str, ...]) -> None:
-        # Of several characters a list was shown before they came.
-        if len(layer_ids) == 1:
+        # Of several characters a list was shown before they came; what else is to be said goes before.
+        if len(layer_ids) == 1 and not bar.text:
             layer = parts.open_project.bridge.document.layer(layer_ids[0])
             bar.say("found", translated(drawings_line(layer.name, layer.cels.drawings)), Severity.NOTE)
 
