@@ -7,7 +7,7 @@ import pytest
 
 from kagezou import __main__ as front
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts import write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts
 from tests.cli.projects import Shell
 from tests.psd_files import SIZE, Folder, Leaf, block, write_psd
 

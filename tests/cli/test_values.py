@@ -28,8 +28,11 @@ def test_a_project_that_is_there_is_not_replaced_unasked(shell: Shell, project: 
     before = project.read_bytes()
     assert "--force" in shell.fails(4, "new", project)
     assert project.read_bytes() == before
-    shell.ok("new", "--no-feet", project, "--force")
-    assert shell.json("info", project, "--json")["layers"] == []
+    assert "no character and no background" in shell.fails(2, "new", "--no-feet", project, "--force")
+    assert project.read_bytes() == before
+    drawing = make_drawings(project.parent / "b", 1)
+    shell.ok("new", "--no-feet", project, "--force", "--character", f"B={drawing}")
+    assert [layer["name"] for layer in shell.json("info", project, "--json")["layers"]] == ["B"]
 
 
 @pytest.mark.parametrize(

@@ -189,3 +189,40 @@ def test_nothing_is_taken_twice_and_every_cel_is_in_the_file(layers: tuple[PsdNo
         assert not any(other.startswith(f"{one}/") for other in taken)
     for character in found.characters:
         assert character.cels
+
+
+@pytest.mark.parametrize(
+    ("names", "ordered", "called"),
+    [
+        (["A_0001_col", "A_0002_col"], ["A_0001_col", "A_0002_col"], ["1", "2"]),
+        (["c012_A_1", "c012_A_2"], ["c012_A_1", "c012_A_2"], ["1", "2"]),
+        (["A (2)", "A (1)"], ["A (1)", "A (2)"], ["1", "2"]),
+        (["00000002", "00000001"], ["00000001", "00000002"], ["1", "2"]),
+        (["-1", "0", "-2"], ["-2", "-1", "0"], ["-2", "-1", "0"]),
+        (["Ａ１", "a2"], ["Ａ１", "a2"], ["1", "2"]),
+        (["1_v2", "2_v2"], ["1_v2", "2_v2"], ["1", "2"]),
+    ],
+)
+def test_numbers_are_found_as_in_names_of_files(names: list[str], ordered: list[str], called: list[str]) -> None:
+    found = cast(group("A", *map(leaf, names)))
+    assert shape(found) == [("A", ordered)]
+    assert [cel.name for cel in found.characters[0].cels] == called
+
+
+@pytest.mark.parametrize("newer", ["2_R1", "2r2", "2_retake1", "2_v3", "2 リテイク"])
+def test_of_retakes_the_newest_counts_and_is_said(newer: str) -> None:
+    found = cast(group("A", leaf("1"), leaf("2", hidden=True), leaf(newer, hidden=True)))
+    assert shape(found) == [("A", ["1", newer])]
+    assert list(map(str, found.notes)) == ["A: newer retakes count instead of 2"]
+
+
+def test_older_versions_of_all_cels_are_left_out_and_said() -> None:
+    found = cast(group("A", *(leaf(name) for name in ("v1_1", "v1_2", "v2_1", "v2_2"))))
+    assert shape(found) == [("A", ["v2_1", "v2_2"])]
+    assert list(map(str, found.notes)) == ["A: newer retakes count instead of v1_1, v1_2"]
+
+
+def test_copies_of_layers_are_no_cels() -> None:
+    found = cast(group("A", leaf("1"), leaf("1 copy"), leaf("2", hidden=True)))
+    assert shape(found) == [("A", ["1", "2"])]
+    assert [node.name for node in found.unnumbered] == ["1 copy"]

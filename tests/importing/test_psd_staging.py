@@ -14,7 +14,7 @@ from kagezou.importing.staging import CharacterSource, new_document, with_charac
 from kagezou.io.project import file as project_file
 from kagezou.io.project.path_mapping import Rule, with_mapped_paths
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts import write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts
 from kagezou.picture_source import PicturePart
 from tests.psd_files import SIZE, Folder, Leaf, block, figure, write_flat, write_psd
 

@@ -14,7 +14,7 @@ from kagezou.importing.staging import Imported
 from kagezou.importing.timesheet_on_document import sheet_of, timed
 from kagezou.io.images.writing import write_rgba
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts import write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts
 
 SHEET = Timesheet(
     "c012",
@@ -130,7 +130,7 @@ def test_a_folder_whose_files_are_called_in_two_ways_is_one_column(tmp_path: Pat
     assert cels_of(imported.document)[0][1] == [(1, "A_0001.png"), (5, "a0002.png"), (9, "A-0003.png")]
     drawing(tmp_path / "A" / "A0001.png")
     names = [name for name, _ in cels_of(opened(tmp_path, SheetTrack("A", ((0, "1"),))).document)]
-    assert len(names) == 3, "two files of one number are two sequences, as ever"
+    assert names == ["A A", "A A_line"], "of two files of one number one counts"
 
 
 def test_columns_of_one_name_share_their_drawings(tmp_path: Path) -> None:

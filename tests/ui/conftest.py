@@ -17,12 +17,13 @@ from kagezou.io.images.writing import write_rgba
 from kagezou.ui.application import make_application
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
-from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.project import loading
+from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.feet_finder import FeetFinder
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
+from kagezou.ui.system.thumbnails import Thumbnails
 from kagezou.ui.viewport import reading, resolution
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import OwnClipboard
@@ -76,6 +77,12 @@ def patient(monkeypatch: pytest.MonkeyPatch) -> None:
 def steady(monkeypatch: pytest.MonkeyPatch) -> None:
     """No picture is late, however busy the machine: what is compared is drawn at full resolution."""
     monkeypatch.setattr(resolution, "DUE_S", 60.0)
+
+
+@pytest.fixture(autouse=True)
+def _everything_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever is asked which of the characters that were found are to be taken takes all."""
+    monkeypatch.setattr(Dialogs, "characters", lambda _dialogs, found: found.sources)
 
 
 @pytest.fixture(autouse=True)
@@ -190,6 +197,7 @@ def walking(qtbot: QtBot, window: MainWindow, cels: Path) -> MainWindow:
             window.parts.viewport.frame_painter is not None and window.parts.viewport.frame_painter.pictures_drawn > 0
         )
     )
+    window.parts.bar.clear()
     return window
 
 

@@ -239,6 +239,8 @@ class Document:
         Names of layer properties that are the same for all layers, values and keys alike.
     brought_light
         The light of the style that was put on last, if it was asked for; None otherwise.
+    timesheet
+        The text of the sheet that timed the cut, kept for what of it is not used here; empty where there was none.
     """
 
     canvas: Canvas
@@ -252,6 +254,7 @@ class Document:
     vanishing: VanishingLines | None = None
     linked: frozenset[str] = frozenset()
     brought_light: BroughtLight | None = None
+    timesheet: str = ""
 
     @property
     def background(self) -> PictureSource | None:

@@ -9,12 +9,13 @@ from kagezou.document.edits import set_background_cels, set_canvas, still
 from kagezou.document.model import Document
 from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import canvas_size, measured_cels
-from kagezou.importing.cels_of_files import cels_of, gap_notes
+from kagezou.importing.cels_of_files import cels_of, number_notes
 from kagezou.importing.file_notes import said_once
 from kagezou.importing.file_pages import FILM_RATE, pages_of
 from kagezou.importing.new_cels import NewCels, printable
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
+from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.parts import is_exr
 from kagezou.io.images.reading import ImageInfo, probe, read_cel
 from kagezou.io.images.sequences import find_sequences
@@ -47,7 +48,7 @@ def background_of(
         There is nothing to be found, or none of it can be opened.
     """
     layer = behind.address if isinstance(behind, PicturePart) else None
-    source = absolute(file_of(behind))
+    source = on_disk(absolute(file_of(behind)))
     progress(LoadPhase.FINDING, 0, 0)
     if not source.is_dir() and (source.is_file() or "#" not in source.name):
         return _of_file(source, frame_rate, layer)
@@ -60,7 +61,7 @@ def background_of(
     measured = measured_cels(name, cels.drawings, progress)
     unused = [*(each.name for each in others), *(each.name for each in found.left_out)]
     doubts = said_once(name, [(source, found.notes)])
-    notes = (*doubts, *_left_out(source, first.name, unused), *gap_notes(name, first), *measured.notes)
+    notes = (*doubts, *_left_out(source, first.name, unused), *number_notes(name, first), *measured.notes)
     cels = replace(cels, drawings=measured.drawings)
     return NewCels(name, cels, measured.size_px, cels.exposures[-1].frame, notes)
 

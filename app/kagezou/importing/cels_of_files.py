@@ -18,6 +18,7 @@ from kagezou.importing.painted import notes_on_first_drawings
 from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.io.files.faults import shown
+from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.parts import is_exr
 from kagezou.io.images.sequences import NumberedFile, Sequence, find_sequences
 from kagezou.io.pixels.signatures import is_psd
@@ -42,8 +43,11 @@ def held_by(source: CharacterSource, progress: Progress = no_progress, frame_rat
     InputProblem
         There is nothing to be found, or none of the drawings of a layer can be opened.
     """
-    path = absolute(source.path)
+    path = on_disk(absolute(source.path))
     progress(LoadPhase.FINDING, 0, 0)
+    if source.drawings is not None:
+        name = source.name or printable(source.drawings.name)
+        return _joining(source, Held([_new_cels(name, source.drawings, source, progress, frame_rate)], []))
     if is_psd(path) and path.is_file():
         return _joining(source, held_by_psd(source, path, progress))
     found = find_sequences(path)
@@ -77,7 +81,7 @@ def _new_cels(
     cels = cels_of(sequence, source.layer) if pages is None else pages.cels
     measured = measured_cels(name, cels.drawings, progress)
     cels, on_paper = on_found_paper(name, replace(cels, drawings=measured.drawings))
-    gaps = () if source.is_timed else gap_notes(name, sequence)
+    gaps = () if source.is_timed else number_notes(name, sequence)
     gaps = gaps if pages is None else pages.notes
     last = cels.exposures[-1].frame if pages is None else pages.length_frames
     return NewCels(
@@ -87,11 +91,16 @@ def _new_cels(
 
 def cels_of(sequence: Sequence, layer: str | None = None) -> Cels:
     """Return numbered pictures as drawings, exposed as their numbers say; ``layer`` is meant of OpenEXR files."""
-    return Cels(tuple(_drawing(file, layer) for file in sequence.files), _exposures(sequence.files))
+    drawings = tuple(_drawing(file, layer) for file in sequence.files)
+    if not sequence.counts_frames:
+        return Cels(drawings, tuple(Exposure(index + 1, index) for index in range(len(drawings))))
+    return Cels(drawings, _exposures(sequence.files))
 
 
-def gap_notes(name: str, sequence: Sequence) -> tuple[Message, ...]:
-    """Return what is to be said about numbers that no file has."""
+def number_notes(name: str, sequence: Sequence) -> tuple[Message, ...]:
+    """Return what is to be said about numbers that no file has, or that are no frames."""
+    if not sequence.counts_frames:
+        return (Message("{name}: its numbers lie too far apart to be frames; each drawing has one", name=name),)
     if not sequence.gaps:
         return ()
     gaps = format_frames(sequence.gaps)

@@ -126,7 +126,7 @@ def _left_out_of(path: Path, cast: PsdCharacters) -> list[Message]:
         )
     if cast.unnumbered:
         notes.append(left_out_note(path, (node.name for node in cast.unnumbered)))
-    return notes
+    return [*notes, *said_once(path.stem, [(path, cast.notes)])]
 
 
 def _laid_simply(path: Path, tree: PsdTree, cast: PsdCharacters) -> list[Message]:

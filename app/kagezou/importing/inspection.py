@@ -18,8 +18,8 @@ from kagezou.io.project.file import load
 from kagezou.io.project.paths import absolute
 from kagezou.io.sets.cameras import cameras_of, up_axis_of
 from kagezou.io.sets.mesh_cache import MeshCache, is_mesh
+from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
-from kagezou.io.sheets.xdts import read_timesheet
 from kagezou.message import Message
 
 Fact = str | int | float | bool | None | Sequence["Fact"] | Mapping[str, "Fact"]

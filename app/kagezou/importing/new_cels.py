@@ -1,11 +1,13 @@
 """What a source brings before it is in a document: layers to be, and what is said about them."""
 
+import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from kagezou.document.model import Cels
 from kagezou.io.files.faults import shown
+from kagezou.io.images.sequences import Sequence
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart
 
@@ -19,6 +21,7 @@ class CharacterSource:
 
     Where a timesheet says when each drawing is seen, numbers that no file has are nothing to speak of. A source that
     joins a character is a part of its figure: an arm, a held thing. ``layer`` is what is taken of its OpenEXR files.
+    Of a source with drawings these alone are meant.
     """
 
     name: str | None
@@ -26,6 +29,7 @@ class CharacterSource:
     is_timed: bool = False
     joins: str | None = None
     layer: str | None = None
+    drawings: Sequence | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +81,8 @@ class Held:
 
 def printable(name: str) -> str:
     """Return a file's or folder's name as one that a layer may have."""
-    text = "".join(character if character.isprintable() else "_" for character in name).strip()
+    composed = unicodedata.normalize("NFC", name)
+    text = "".join(character if character.isprintable() else "_" for character in composed).strip()
     return text[:MAX_NAME_CHARACTERS] or "Character"
 
 

@@ -9,9 +9,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final
 
+from kagezou.io.names.runs import ends_numbered, runs_of
 from kagezou.io.psd.tree import PsdNode, PsdTree
+from kagezou.message import Message
 
-_NUMBERED: Final = re.compile(r"([^0-9]*?)[_\-. #]*([0-9]{1,6})([A-Za-z]{0,2})")
 _UNNAMED: Final = frozenset({
     "layer", "レイヤー", "图层", "圖層", "레이어", "ebene", "calque", "capa", "livello", "camada", "слой",
     "group", "グループ", "フォルダー", "gruppe", "groupe", "grupo", "gruppo",
@@ -66,6 +67,8 @@ class PsdCharacters:
         What is left out.
     unnumbered
         What is left out as it lies among cels and is none.
+    notes
+        What had to be guessed, and which cels are older than others of their number.
     """
 
     characters: tuple[PsdCharacter, ...] = ()
@@ -73,6 +76,7 @@ class PsdCharacters:
     hidden: tuple[PsdNode, ...] = ()
     empty: tuple[PsdNode, ...] = ()
     unnumbered: tuple[PsdNode, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +84,7 @@ class _Number:
     prefix: str
     number: int
     suffix: str
+    is_outdated: bool
 
     @property
     def is_unnamed(self) -> bool:
@@ -101,6 +106,7 @@ def characters_in(tree: PsdTree, name: str) -> PsdCharacters:
         tuple(sorting.hidden),
         tuple(sorting.empty),
         tuple(sorting.unnumbered),
+        tuple(dict.fromkeys(sorting.notes)),
     )
 
 
@@ -111,6 +117,7 @@ class _Sorting:
     hidden: list[PsdNode] = field(default_factory=list)
     empty: list[PsdNode] = field(default_factory=list)
     unnumbered: list[PsdNode] = field(default_factory=list)
+    notes: list[Message] = field(default_factory=list)
 
     def sort(self, nodes: Sequence[PsdNode], owner: str) -> None:
         """Take in what lies beside each other, within ``owner``."""
@@ -121,9 +128,17 @@ class _Sorting:
                 members = sheaves.pop(taken[id(node)], None)
                 if members is not None:
                     is_only = len(set(taken.values())) == 1
-                    self.characters.append(_character(owner if is_only else taken[id(node)] or owner, members))
+                    self._add(owner if is_only else taken[id(node)] or owner, members)
             elif not node.is_clipped:
                 self._take(node)
+
+    def _add(self, name: str, members: Sequence[tuple[_Number, PsdNode]]) -> None:
+        self.characters.append(_character(name, [member for member in members if not member[0].is_outdated]))
+        for run in runs_of([node.name for _, node in members]).runs:
+            self.notes += run.doubts
+        if older := [node.name for number, node in members if number.is_outdated]:
+            names = ", ".join(dict.fromkeys(older))
+            self.notes.append(Message("{name}: newer retakes count instead of {names}", name=name, names=names))
 
     def _take(self, node: PsdNode) -> None:
         if not node.is_visible:
@@ -133,7 +148,7 @@ class _Sorting:
         if _plain(node.name) and _BACKGROUND.fullmatch(_plain(node.name)) and not cels and _shows(node):
             self.backgrounds.append(node)
         elif cels:
-            self.characters.append(_character(node.name, cels))
+            self._add(node.name, cels)
             self.unnumbered += filter(_shows, _beside(cels, node))
         elif _holds_sheaf(node):
             first = len(self.characters)
@@ -183,8 +198,23 @@ def _beside(cels: Iterable[tuple[_Number, PsdNode]], group: PsdNode) -> list[Psd
 
 
 def _numbered(nodes: Iterable[PsdNode]) -> list[tuple[_Number, PsdNode]]:
-    found = ((_number_of(node.name), node) for node in nodes if not node.is_clipped and not _is_sheaf(node))
-    return [(number, node) for number, node in found if number is not None]
+    """Return the layers whose names end with a number, or with the same word behind it, as they lie."""
+    among = [node for node in nodes if not node.is_clipped and not _is_sheaf(node)]
+    cels = [node for node in among if ends_numbered(node.name)]
+    if not cels:
+        runs = runs_of([node.name for node in among]).runs
+        cels = among if len(runs) == 1 < len(runs[0].places) and not runs[0].doubts else []
+    found: dict[int, _Number] = {}
+    for run in runs_of([node.name for node in cels]).runs:
+        for place in run.places:
+            found[place.index] = _Number(_plain(run.name), place.number, place.insert, is_outdated=False)
+        for worse, better in run.replaced:
+            found[worse] = replace(found[better], is_outdated=True)
+        for other, better in run.twice:
+            found[other] = found[better]
+        for index in run.outdated:
+            found[index] = _Number(_plain(run.name), 0, "", is_outdated=True)
+    return [(found[index], node) for index, node in enumerate(cels) if index in found]
 
 
 def _is_one_picture(members: Sequence[tuple[_Number, PsdNode]]) -> bool:
@@ -216,11 +246,6 @@ def _character(name: str, members: Iterable[tuple[_Number, PsdNode]]) -> PsdChar
         short = f"{number.number}{number.suffix}"
         cels.append(PsdCel(node.name if cels and cels[-1].name == short else short, node))
     return PsdCharacter(name, tuple(cels))
-
-
-def _number_of(name: str) -> _Number | None:
-    found = _NUMBERED.fullmatch(unicodedata.normalize("NFKC", name).strip())
-    return _Number(_plain(found[1]), int(found[2]), found[3]) if found else None
 
 
 def _plain(name: str) -> str:

@@ -22,8 +22,8 @@ from kagezou.importing.progress import LoadPhase, Progress, no_progress
 from kagezou.importing.timesheet_on_document import timed
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe
+from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
-from kagezou.io.sheets.xdts import read_timesheet
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart
 
@@ -140,15 +140,15 @@ def brought(sources: Sequence[CharacterSource], canvas: Canvas, progress: Progre
     return replace(read, figures_seen=_looks(read.characters, canvas.box, progress))
 
 
-def with_timesheet(document: Document, path: Path) -> Imported:
-    """Return the document exposed as the timesheet at ``path`` says, and as long.
+def with_timesheet(document: Document, path: Path, which: str | None = None) -> Imported:
+    """Return the document exposed as the timesheet at ``path`` says, and as long; ``which`` is for `read_timesheet`.
 
     Raises
     ------
     InputProblem
         The timesheet cannot be read.
     """
-    return exposed(document, read_timesheet(path))
+    return exposed(document, read_timesheet(path, which))
 
 
 def exposed(document: Document, sheet: Timesheet) -> Imported:

@@ -8,11 +8,13 @@ from dataclasses import replace
 from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Drawing, Exposure, Layer
 from kagezou.importing.new_cels import printable
+from kagezou.io.names.runs import number_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.message import Message
 
-_NUMBERED = re.compile(r"[^0-9.]*?[_\-. ]?0*([0-9]{1,6})([a-z]{0,2})")
 _SHOWN_CELS = 5
+_BETWEEN = "_-. "
+_DECIMAL = re.compile(r"[0-9]\.[0-9]")
 
 
 def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]]:
@@ -44,6 +46,7 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
     notes += [
         Message("{layer}: the timesheet has no column for it; it keeps its timing", layer=layer.name) for layer in free
     ]
+    document = replace(document, timesheet=sheet.kept)
     return set_canvas(document, replace(document.canvas, length_frames=sheet.length_frames)), notes
 
 
@@ -88,7 +91,7 @@ class _Drawings:
         for index, drawing in enumerate(drawings):
             for name in {_plain(drawing.name), _plain(drawing.name if drawing.part else drawing.path.stem)}:
                 self._by_name.setdefault(name, index)
-            number = _number_in(_plain(drawing.name))
+            number = number_in(drawing.name)
             if number is not None:
                 self._by_number.setdefault(number, index)
 
@@ -97,20 +100,24 @@ class _Drawings:
         name = _plain(cel)
         if name in self._by_name:
             return self._by_name[name]
-        number = _number_in(name.removeprefix(_plain(column))) or _number_in(name)
+        if _DECIMAL.search(name):
+            return None
+        number = number_in(_behind(column, name)) or number_in(name)
         return None if number is None else self._by_number.get(number)
 
 
-def _number_in(name: str) -> tuple[int, str] | None:
-    found = _NUMBERED.fullmatch(name)
-    return (int(found[1]), found[2]) if found else None
+def _behind(column: str, cel: str) -> str:
+    """Return what of a cel's name is not its column's; a column that ends with a figure is no part of a number."""
+    rest = cel.removeprefix(_plain(column))
+    is_cut = rest[:1].isdigit() and _plain(column)[-1:].isdigit()
+    return cel if is_cut else rest.lstrip(_BETWEEN)
 
 
 def sheet_of(document: Document, name: str) -> Timesheet:
     """Return the timesheet of a document: a column a layer, its drawings by their names."""
     length = document.canvas.length_frames
     tracks = tuple(SheetTrack(layer.name, _entries(layer, length)) for layer in document.layers)
-    return Timesheet(name, length, tracks)
+    return Timesheet(name, length, tracks, kept=document.timesheet)
 
 
 def _entries(layer: Layer, length: int) -> tuple[tuple[int, str | None], ...]:

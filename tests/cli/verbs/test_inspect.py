@@ -7,7 +7,7 @@ import numpy as np
 
 from kagezou.io.images.writing import write_rgba
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts import write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts
 from tests.cli.projects import Shell, make_drawings
 from tests.psd_files import Folder, Leaf, figure, write_psd
 

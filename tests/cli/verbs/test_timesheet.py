@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from kagezou.io.sheets.xdts import read_timesheet
+from kagezou.io.sheets.reading import read_timesheet
 from tests.cli.projects import Shell, make_drawings
 
 

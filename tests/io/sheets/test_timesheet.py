@@ -8,8 +8,10 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from kagezou.errors import InputProblem
+from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts import read_timesheet, sheet_of, write_xdts, xdts_text
+from kagezou.io.sheets.xdts import sheets_of
+from kagezou.io.sheets.xdts_writing import write_xdts, xdts_text
 
 FIRST_XDTS = b"exchangeDigitalTimeSheet Save Data\n"
 FIRST_TDTS = b"toeiDigitalTimeSheet Save Data\n"
@@ -51,7 +53,7 @@ def tdts(field: int = 4, *, wrapped: bool = True) -> bytes:
 
 @given(sheets())
 def test_what_is_written_reads_the_same(sheet: Timesheet) -> None:
-    assert sheet_of(xdts_text(sheet)) == sheet
+    assert sheets_of(xdts_text(sheet)) == (sheet,)
 
 
 def test_a_column_that_begins_late_begins_with_an_empty_cel(tmp_path: Path) -> None:

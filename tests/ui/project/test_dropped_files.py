@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from kagezou.ui.project.dropped_files import dropped_files_of, whole_sequence
+from kagezou.ui.project.dropped_files import dropped_files_of
 
 
 def test_dropped_files_are_sorted_out(tmp_path: Path) -> None:
@@ -10,14 +10,8 @@ def test_dropped_files_are_sorted_out(tmp_path: Path) -> None:
     folder.mkdir()
     numbered = [tmp_path / f"walk_{n:03d}.png" for n in (1, 2, 3)]
     assert dropped_files_of([folder]).characters[0].path == folder
-    assert [source.path for source in dropped_files_of(numbered).characters] == [tmp_path / "walk_#.png"]
+    assert dropped_files_of(numbered).pictures == tuple(numbered)
     assert [source.path for source in dropped_files_of(numbered[:1]).characters] == numbered[:1]
     assert dropped_files_of([tmp_path / "cut.kage", folder]).project == tmp_path / "cut.kage"
     assert dropped_files_of([tmp_path / "room.jpg"]).background == tmp_path / "room.jpg"
     assert dropped_files_of([tmp_path / "notes.txt"]).is_empty
-
-
-def test_a_numbered_picture_stands_for_its_sequence() -> None:
-    assert whole_sequence(Path("/c/A0001.png")) == Path("/c/A#.png")
-    assert whole_sequence(Path("/c/A_12a.tga")) == Path("/c/A_#a.tga")
-    assert whole_sequence(Path("/c/hero.png")) == Path("/c/hero.png")

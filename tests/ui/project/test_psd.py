@@ -5,9 +5,10 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from kagezou.importing.found_characters import whole_of
 from kagezou.picture_source import PicturePart
 from kagezou.ui.project.dialogs import Answer
-from kagezou.ui.project.dropped_files import dropped_files_of, whole_sequence
+from kagezou.ui.project.dropped_files import dropped_files_of
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
@@ -76,7 +77,7 @@ def test_a_picked_file_is_taken_whole_and_a_background_is_its_composite(
 
 def test_numbered_psd_files_are_no_sequence(psd: Path) -> None:
     other = psd.with_name("hero_02.psd")
-    assert whole_sequence(psd) == psd
+    assert [source.path for source in whole_of(psd).sources] == [psd]
     assert [source.path for source in dropped_files_of([psd, other]).characters] == [psd, other]
 
 

@@ -6,8 +6,9 @@ import pytest
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
+from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts import read_timesheet, write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts
 from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.project.dropped_files import dropped_files_of
 from kagezou.ui.project.open_project import OpenProject

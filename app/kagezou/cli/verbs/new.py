@@ -94,39 +94,27 @@ def _add_sources(parser: Parser) -> None:
         help="which layer of OpenEXR files is the drawing, of all or of one character; of 'background' that under "
         "everything; else the beauty",
     )
+    parser.add_argument(
+        "--sheet", metavar="NAME_OR_NUMBER", help="which sheet of a timesheet file that holds several (the first)"
+    )
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Make the project and write it."""
-    from kagezou.importing.sheet_project import timed_from_beside
-    from kagezou.importing.staging import CharacterSource, new_document
+    from kagezou.importing.understood import understood
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import save
 
     path: Path = options.project
     if path.exists() and not options.force:
         raise OutputProblem(Message("{path}: it is there already; --force replaces it", path=shown(path)))
-    is_timed = options.timesheet is not None
-    sources = [CharacterSource(name, source, is_timed, *figure) for name, source, *figure in options.character]
-    sources += [CharacterSource(None, source) for source in options.psd]
-    sources, background = _of_layers(sources, options.background, options.layer)
-    if is_timed and not sources:
-        from kagezou.importing.sheet_project import sources_beside
-        from kagezou.io.sheets.xdts import read_timesheet
-
-        sources = list(sources_beside(options.timesheet.absolute(), read_timesheet(options.timesheet)))
-    imported = new_document(sources, background=background, size=options.size, frame_rate=options.fps)
-    _check_layers(imported.document, options.layer)
-    if options.timesheet is None:
-        imported = timed_from_beside(imported, sources)
-    notes = list(imported.notes)
+    imported = _brought(options)
     document = imported.document
-    if options.timesheet is not None:
-        from kagezou.importing.staging import with_timesheet
-
-        timed = with_timesheet(document, options.timesheet)
-        document = timed.document
-        notes += timed.notes
+    if not document.layers and document.background is None:
+        raise UsageProblem(
+            Message("{path}: not made, as there is no character and no background in it", path=shown(path))
+        )
+    notes = [*understood(document), *imported.notes]
     if options.values is not None:
         document = _with_values(document, options.values)
     if not options.no_feet:
@@ -137,6 +125,36 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     for sentence in notes:
         note(sentence)
     return 0
+
+
+def _brought(options: Namespace) -> "Imported":
+    """Return the document of all that was named, timed by a sheet where there is one."""
+    from kagezou.importing.sheet_project import check_seen, timed_from_beside
+    from kagezou.importing.staging import CharacterSource, new_document, with_timesheet
+
+    is_timed = options.timesheet is not None
+    sources = [CharacterSource(name, source, is_timed, *figure) for name, source, *figure in options.character]
+    sources += [CharacterSource(None, source) for source in options.psd]
+    if is_timed and not sources:
+        sources = _beside(options)
+    sources, background = _of_layers(sources, options.background, options.layer)
+    imported = new_document(sources, background=background, size=options.size, frame_rate=options.fps)
+    _check_layers(imported.document, options.layer)
+    if not is_timed:
+        return timed_from_beside(imported, sources)
+    timed = with_timesheet(imported.document, options.timesheet, options.sheet)
+    check_seen(timed.document, options.timesheet)
+    return replace(timed, notes=(*imported.notes, *timed.notes))
+
+
+def _beside(options: Namespace) -> "list[CharacterSource]":
+    """Return the drawings of a timesheet's columns."""
+    from kagezou.importing.sheet_project import sources_beside
+    from kagezou.io.files.spellings import on_disk
+    from kagezou.io.sheets.reading import read_timesheet
+
+    path = on_disk(options.timesheet.absolute())
+    return list(sources_beside(path, read_timesheet(path, options.sheet)))
 
 
 def _of_layers(

@@ -30,7 +30,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     from kagezou.importing.timesheet_on_document import sheet_of
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
-    from kagezou.io.sheets.xdts import write_xdts
+    from kagezou.io.sheets.xdts_writing import write_xdts
 
     project: Path = options.project
     output: Path = options.output

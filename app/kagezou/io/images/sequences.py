@@ -1,24 +1,28 @@
 """Numbered drawings found in folders: which files make one sequence, in which order, and which numbers are missing."""
 
-import itertools
 import os
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem, shown
+from kagezou.io.files.spellings import on_disk
+from kagezou.io.names.marks import half_width
+from kagezou.io.names.runs import Run, is_numbered_by, runs_of
 from kagezou.io.pixels.signatures import is_picture
 from kagezou.message import Message
 
-# At most six digits, so that a date is not a number, then the letters of an inserted drawing or a retake.
-_NUMBERED: Final = re.compile(r"(?P<prefix>.*?)(?<![0-9])(?P<number>[0-9]{1,6})(?P<suffix>[A-Za-z]{0,2})", re.DOTALL)
+_MAX_SPAN: Final = 100_000
+"""Numbers that lie further apart are times or dates, not frames."""
+
 _PATTERN: Final = re.compile(r"(?P<prefix>[^#]*)#+(?P<rest>[^#]*)", re.DOTALL)
 _LAST_WORD: Final = re.compile(r"(?P<rest>.*[^_\-. ])[_\-. ]+[^_\-. ]+", re.DOTALL)
-_LETTERS: Final = "*"
+_MANY: Final = 2
+_SHOWN: Final = 3
+_ANY: Final = "*"
 _BETWEEN: Final = "_-. "
 _DIGITS: Final = re.compile(r"([0-9]+)")
 
@@ -34,16 +38,23 @@ class NumberedFile:
 
 @dataclass(frozen=True)
 class Sequence:
-    """Drawings that belong together, in natural order."""
+    """Drawings that belong together, in natural order; ``notes`` say what of them is doubtful or does not count."""
 
     name: str
     files: tuple[NumberedFile, ...]
+    notes: tuple[Message, ...] = ()
+
+    @property
+    def counts_frames(self) -> bool:
+        """Whether its numbers can be frames; else they lie too far apart."""
+        numbers = [file.number or 0 for file in self.files]
+        return max(numbers) - min(numbers) < _MAX_SPAN
 
     @property
     def gaps(self) -> tuple[int, ...]:
         """The numbers between the first and the last that no file has, upward."""
         numbers = {file.number for file in self.files if file.number is not None}
-        if not numbers:
+        if not numbers or not self.counts_frames:
             return ()
         return tuple(number for number in range(min(numbers), max(numbers)) if number not in numbers)
 
@@ -63,21 +74,25 @@ class Found:
 def find_sequences(source: Path) -> Found:
     """Return the sequences that ``source`` means.
 
+    Which part of a name is the number is found from all names that lie together. Of several drawings of one number,
+    retakes and copies, the newest original counts; what does not is said.
+
     Parameters
     ----------
     source
         A folder of numbered pictures; a folder whose sub-folders hold them, each named after its folder where it is
         the only one in it; one picture, a still; or a pattern ``FOLDER/walk_#.png`` whose run of ``#`` stands for the
-        number, ``walk_#*.png`` with the letters of inserted drawings and retakes. Un-numbered pictures count only where
-        nothing is numbered: as stills, or, where only the last word of their names differs (``girl smile``,
-        ``girl cry``), as drawings of one character.
+        number, ``walk_#*.png`` with inserted drawings and retakes. Un-numbered pictures count only where nothing is
+        numbered: as stills, or, where only the last word of their names differs (``girl smile``, ``girl cry``), as
+        drawings of one character.
 
     Raises
     ------
     InputProblem
-        There is no such thing, no picture in it, or two files have one number.
+        There is no such thing, or no picture in it.
     """
     try:
+        source = on_disk(source)
         if source.is_dir():
             return _in_folder(source)
         if source.exists():
@@ -87,6 +102,22 @@ def find_sequences(source: Path) -> Found:
     except OSError as error:
         raise input_problem(source, error) from error
     raise input_problem(source, Message("it does not exist"))
+
+
+def sequences_among(pictures: Iterable[Path]) -> Found:
+    """Return the sequences among pictures that were chosen, those of one folder together; un-numbered ones are stills.
+
+    Parameters
+    ----------
+    pictures
+        Files, all of them pictures.
+    """
+    folders: dict[Path, list[Path]] = {}
+    for path in sorted(set(pictures), key=lambda each: natural_key(str(each))):
+        folders.setdefault(path.parent, []).append(path)
+    parts = [_understood(inside, folder) for folder, inside in folders.items()]
+    sequences = [each for part in parts for each in (*part.sequences, *_stills(part.left_out))]
+    return Found(_sorted(sequences), (), tuple(note for part in parts for note in part.notes))
 
 
 def natural_key(text: str) -> tuple[tuple[int, int, str], ...]:
@@ -112,19 +143,35 @@ def _one(path: Path) -> Sequence:
 
 def _in_folder(folder: Path) -> Found:
     pictures, folders = _listed(folder)
-    sequences, loose = _grouped(pictures, folder)
-    if sequences:
-        return Found(sequences, loose)
+    found = _understood(pictures, folder)
+    if found.sequences:
+        return _with_doubts(found)
     below: list[Sequence] = []
+    loose, notes = [*found.left_out], list(found.notes)
     for child in folders:
-        inside, left = _grouped(_listed(child)[0], child)
-        below += [Sequence(child.name, inside[0].files)] if len(inside) == 1 else inside
-        loose += left
+        inside = _understood(_listed(child)[0], child)
+        sequences = inside.sequences
+        below += [replace(sequences[0], name=child.name)] if len(sequences) == 1 else sequences
+        loose += inside.left_out
+        notes += inside.notes
     if below:
-        return Found(_sorted(below), loose)
+        return _with_doubts(Found(_sorted(below), tuple(loose), tuple(notes)))
     if not loose:
         raise input_problem(folder, Message("there is no picture in this folder"))
-    return Found(_stills(loose), ())
+    return _with_doubts(Found(_stills(loose), (), tuple(notes)))
+
+
+def _with_doubts(found: Found) -> Found:
+    """Return what was found; that several characters have one drawing each is said, as they are seen together."""
+    single = [sequence.name for sequence in found.sequences if len(sequence.files) == 1]
+    if len(single) < _MANY:
+        return found
+    note = Message(
+        "{count} characters have one drawing each and are seen together: {names}",
+        count=len(single),
+        names=_some(single),
+    )
+    return Found(found.sequences, found.left_out, (*found.notes, note))
 
 
 def _stills(pictures: Iterable[Path]) -> tuple[Sequence, ...]:
@@ -148,19 +195,45 @@ def _by_pattern(pattern: Path) -> Found:
             pattern,
             Message("'{pattern_suffix}' is not a picture format that can be read", pattern_suffix=pattern.suffix),
         )
-    if not pattern.parent.is_dir():
+    folder = on_disk(pattern.parent)
+    if not folder.is_dir():
         raise input_problem(pattern, Message("its folder does not exist"))
     rest = parts["rest"].removesuffix(pattern.suffix)
-    behind = "[A-Za-z]{0,2}" if rest == _LETTERS else re.escape(rest)
-    number = re.compile(re.escape(parts["prefix"]) + f"([0-9]{{1,6}})({behind})")
-    files = []
-    for path in _listed(pattern.parent)[0]:
-        match = number.fullmatch(path.stem)
-        if match and path.suffix.lower() == pattern.suffix.lower():
-            files.append(NumberedFile(int(match[1]), match[2] if match[2].isalpha() else "", path))
-    if not files:
+    same = [path for path in _listed(folder)[0] if path.suffix.lower() == pattern.suffix.lower()]
+    return _matching(pattern, parts["prefix"], rest, same)
+
+
+def _matching(pattern: Path, prefix: str, rest: str, pictures: list[Path]) -> Found:
+    """Return the pictures that a pattern means, of those with its suffix in its folder."""
+    sign = "-?" if prefix[-1:] in ("", "_", ".", "(", "-") else ""
+    beginning = re.compile(re.escape(half_width(prefix)) + f"(?={sign}\\d)")
+    tails = [(path, stem[start.end() :]) for path in pictures if (start := beginning.match(stem := _stem(path)))]
+    literal = re.compile(r"-?\d+" + re.escape(half_width(rest)))
+    meant = [
+        (path, tail)
+        for path, tail in tails
+        if (is_numbered_by(tail) if rest == _ANY else literal.fullmatch(tail) is not None)
+    ]
+    if not meant:
         raise input_problem(pattern, Message("no file has such a name"))
-    return Found((_sequence(parts["prefix"], pattern.parent, files),), ())
+    files = [path for path, _ in meant]
+    found = runs_of([tail for _, tail in meant], [path.suffix.lower() for path in files], _shown(files))
+    name = prefix.rstrip(_BETWEEN) or pattern.parent.resolve().name
+    sequences = [Sequence(name, _numbered(run, files), run.notes) for run in found.runs]
+    sequences = sequences or [Sequence(name, tuple(NumberedFile(None, "", path) for path in files))]
+    others = [path for path, _ in tails if path not in files]
+    left = Message("not meant by the pattern: {names}", names=_some(_shown(others)))
+    notes = [note for run in found.runs for note in run.notes]
+    return Found(tuple(sequences), (), (*notes, *([left] if others else [])))
+
+
+def _stem(path: Path) -> str:
+    return half_width(path.stem)
+
+
+def _some(names: Iterable[str]) -> str:
+    known = list(names)
+    return ", ".join(known[:_SHOWN]) + (", …" if len(known) > _SHOWN else "")
 
 
 def _listed(folder: Path) -> tuple[list[Path], list[Path]]:
@@ -172,43 +245,22 @@ def _listed(folder: Path) -> tuple[list[Path], list[Path]]:
     return pictures, [path for path, is_folder, _ in kept if is_folder]
 
 
-def _grouped(pictures: Iterable[Path], folder: Path) -> tuple[tuple[Sequence, ...], tuple[Path, ...]]:
-    """Return the sequences among ``pictures``, which lie in ``folder``, and those that have no number."""
-    groups: dict[tuple[str, str], tuple[str, list[NumberedFile]]] = {}
-    loose = []
-    for path in pictures:
-        match = _NUMBERED.fullmatch(path.stem)
-        if match is None:
-            loose.append(path)
-            continue
-        key = unicodedata.normalize("NFC", match["prefix"]), path.suffix.lower()
-        group = groups.setdefault(key, (match["prefix"], []))
-        group[1].append(NumberedFile(int(match["number"]), match["suffix"], path))
-    return _sorted(_sequence(prefix, folder, files) for prefix, files in _joined(groups)), tuple(loose)
+def _understood(pictures: Iterable[Path], folder: Path) -> Found:
+    """Return the sequences among pictures, which lie in ``folder``; those that have no number are left out."""
+    files = list(pictures)
+    found = runs_of([path.stem for path in files], [path.suffix.lower() for path in files], _shown(files))
+    own = folder.resolve().name
+    sequences = _sorted(Sequence(run.name or own, _numbered(run, files), run.notes) for run in found.runs)
+    notes = tuple(note for run in found.runs for note in run.notes)
+    return Found(sequences, tuple(files[index] for index in found.unnumbered), notes)
 
 
-def _joined(
-    groups: Mapping[tuple[str, str], tuple[str, list[NumberedFile]]],
-) -> Iterable[tuple[str, list[NumberedFile]]]:
-    """Return the groups, one of those whose names differ in case and separators alone and that share no number."""
-    joined: dict[tuple[str, str], tuple[str, list[NumberedFile]]] = {}
-    for (prefix, suffix), (name, files) in groups.items():
-        key = prefix.rstrip(_BETWEEN).casefold(), suffix
-        taken = {(file.number, file.suffix) for file in joined[key][1]} if key in joined else set()
-        if any((file.number, file.suffix) in taken for file in files):
-            key = prefix, suffix
-        joined.setdefault(key, (name, []))[1].extend(files)
-    return joined.values()
+def _shown(files: Iterable[Path]) -> list[str]:
+    return [shown(Path(path.name)) for path in files]
 
 
-def _sequence(prefix: str, folder: Path, files: list[NumberedFile]) -> Sequence:
-    ordered = sorted(files, key=lambda file: (file.number or 0, file.suffix.lower(), file.suffix, file.path.name))
-    for file, following in itertools.pairwise(ordered):
-        if (file.number, file.suffix) == (following.number, following.suffix):
-            raise InputProblem(
-                Message("{path}: {path_2} has the same number", path=shown(file.path), path_2=shown(following.path))
-            )
-    return Sequence(prefix.rstrip(_BETWEEN) or folder.resolve().name, tuple(ordered))
+def _numbered(run: Run, files: list[Path]) -> tuple[NumberedFile, ...]:
+    return tuple(NumberedFile(place.number, place.insert, files[place.index]) for place in run.places)
 
 
 def _sorted(sequences: Iterable[Sequence]) -> tuple[Sequence, ...]:

@@ -33,6 +33,7 @@ MAX_ROWS: Final = 1_000_000
 """The most drawings, exposures and keys of a project together."""
 
 MAX_NAME_CHARACTERS: Final = 200
+MAX_SHEET_CHARACTERS: Final = 1 << 20
 
 PROJECT: Final[Fields] = MappingProxyType({
     "format": Field('"kagezou-project"', "Tells the file from other JSON."),
@@ -54,6 +55,9 @@ PROJECT: Final[Fields] = MappingProxyType({
     "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
                     "none. Every layer has them in its own tracks too.", optional=True),
     "brought_light": Field("object", "The light that a style brought; missing where none did.", optional=True),
+    "timesheet": Field(f"text of at most {MAX_SHEET_CHARACTERS} characters",
+                       "The timesheet that timed the cut, as JSON text: keeps dialogue, camera work and marks for the "
+                       "sheet that is written.", optional=True),
 })  # fmt: skip
 
 BROUGHT_LIGHT: Final[Fields] = MappingProxyType({

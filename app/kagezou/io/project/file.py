@@ -1,6 +1,7 @@
 """The project file: one UTF-8 JSON text with relative paths, safe to read from a stranger and easy to compare.
 
-Loading looks at nothing but the file itself: the pictures it names are not touched, nothing runs, nothing is written.
+Loading opens nothing but the file itself: the pictures it names are not touched, nothing runs, nothing is written. Only
+names that Unicode can write in two ways are looked for, as the project may come from a system that keeps the other one.
 `FORMAT.md` beside this module describes every key.
 """
 
@@ -16,6 +17,8 @@ from kagezou.errors import ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import cause_of, shown
 from kagezou.io.files.json_text import Reader, formatted, parse
+from kagezou.io.files.spellings import on_disk
+from kagezou.io.project.path_changes import as_on_disk
 from kagezou.io.project.paths import absolute
 from kagezou.io.project.reading import document_of
 from kagezou.io.project.versions import upgraded
@@ -29,7 +32,7 @@ MAX_BYTES: Final = 64 << 20
 
 
 def load(path: Path) -> Document:
-    """Return the document of the project at ``path``; its pictures have absolute paths and are not looked at.
+    """Return the document of the project at ``path``; its pictures have absolute paths and are not opened.
 
     Raises
     ------
@@ -38,7 +41,8 @@ def load(path: Path) -> Document:
         JSON path of what is wrong.
     """
     try:
-        return loads(_text_at(path), absolute(path).parent)
+        path = on_disk(path)
+        return as_on_disk(loads(_text_at(path), absolute(path).parent))
     except OSError as error:
         raise ProjectProblem(Message("{path}: {cause}", path=shown(path), cause=cause_of(error))) from error
     except ProjectProblem as problem:

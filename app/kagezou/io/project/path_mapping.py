@@ -1,12 +1,13 @@
 """Path mapping: where the files of one machine lie on another, by the rules that Open Job Description hands over."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
 
-from kagezou.document.model import Cels, Document, Drawing
+from kagezou.document.model import Document
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.files.faults import input_problem, shown
 from kagezou.io.files.json_text import Reader, parse
+from kagezou.io.project.path_changes import as_on_disk, with_paths
 from kagezou.message import Message
 
 _MOST_RULES = 10_000
@@ -48,19 +49,7 @@ def with_mapped_paths(document: Document, rules: tuple[Rule, ...]) -> Document:
     """Return the document with its pictures and sets where the rules say; of several the first that fits counts."""
     if not rules:
         return document
-
-    def moved(drawing: Drawing) -> Drawing:
-        return replace(drawing, path=mapped(drawing.path, rules))
-
-    def moved_cels(cels: Cels) -> Cels:
-        return replace(cels, drawings=tuple(moved(each) for each in cels.drawings))
-
-    layers = tuple(replace(layer, cels=moved_cels(layer.cels)) for layer in document.layers)
-    pieces = tuple(
-        piece if piece.source is None else replace(piece, source=mapped(piece.source, rules))
-        for piece in document.pieces
-    )
-    return replace(document, layers=layers, behind=moved_cels(document.behind), pieces=pieces)
+    return as_on_disk(with_paths(document, lambda path: mapped(path, rules)))
 
 
 def mapped(path: Path, rules: tuple[Rule, ...]) -> Path:

@@ -58,6 +58,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
         linked=_linked(found["linked"]) if "linked" in found else frozenset(),
         brought_light=_brought_light(found["brought_light"]) if "brought_light" in found else None,
+        timesheet=found["timesheet"].text(fields.MAX_SHEET_CHARACTERS) if "timesheet" in found else "",
     )
     if _row_count(document) > fields.MAX_ROWS:
         raise project.problem(Message("more than {most_rows} drawings, exposures and keys", most_rows=fields.MAX_ROWS))

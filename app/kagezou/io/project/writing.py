@@ -40,6 +40,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
         **({"vanishing": [JsonRow(line) for line in document.vanishing.all]} if document.vanishing else {}),
         **({"linked": JsonRow([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
         **({"brought_light": _brought_light(document.brought_light)} if document.brought_light else {}),
+        **({"timesheet": document.timesheet} if document.timesheet else {}),
     }
 
 

@@ -1,6 +1,6 @@
 """A timesheet, whatever file it comes from: its cel columns and which cel is exposed from which frame on."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from kagezou.message import Message
 
@@ -23,12 +23,15 @@ class SheetTrack:
 
 @dataclass(frozen=True, slots=True)
 class Timesheet:
-    """The first sheet of a file: its name, its length, its cel columns from the lowest to the topmost.
+    """A sheet of a file: its name, its length, its cel columns from the lowest to the topmost.
 
-    ``notes`` say what of the file is not used and what had to be assumed, without the file's name.
+    ``notes`` say what of the file is not used and what had to be assumed, without the file's name. ``kept`` is what the
+    file says of this sheet, as JSON text, so that a sheet that is written has what is not used here; it is no part of
+    what makes two sheets equal.
     """
 
     name: str
     length_frames: int
     tracks: tuple[SheetTrack, ...]
     notes: tuple[Message, ...] = ()
+    kept: str = field(default="", compare=False, repr=False)

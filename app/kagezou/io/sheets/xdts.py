@@ -1,96 +1,161 @@
 """Digital timesheets (XDTS, as Clip Studio Paint and OpenToonz write them; TDTS read only): when which cel is exposed.
 
-Programs bend the specification, so whatever is not needed here is ignored: other columns, unknown keys, a missing
-header, frames out of order and frames before the first one.
+Programs bend the specification, so whatever is not needed here is passed over: other columns, unknown keys, a missing
+header, a missing line break, frames out of order and frames before the first one. What of it could have mattered is
+said.
 """
 
 import json
+from collections import Counter
 from collections.abc import Iterator
-from pathlib import Path
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from kagezou.errors import ProjectProblem
-from kagezou.io.files.atomic import write_bytes
-from kagezou.io.files.faults import input_problem
-from kagezou.io.files.json_text import Reader, parse
-from kagezou.io.sheets.sts import is_sts, sts_sheet
+from kagezou.io.files.json_text import Reader
+from kagezou.io.sheets.sheet_text import json_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.message import Message
 
-MAX_BYTES: Final = 32 << 20
 _MAX_FRAMES: Final = 1_000_000
 _MAX_COLUMNS: Final = 1000
-_FIRST_LINE: Final = "exchangeDigitalTimeSheet Save Data"
+MAX_KEPT_CHARACTERS: Final = 1 << 20
+FIRST_LINE: Final = "exchangeDigitalTimeSheet Save Data"
 _OTHER_FIRST_LINE: Final = "toeiDigitalTimeSheet Save Data"
-_CELS: Final = 0
+TABLES: Final = "timeTables"
+_SHEETS: Final = "timeSheets"
+
+CELS: Final = 0
 """The field of cel columns; dialogue and camera work are others."""
 
-_CELS_OF_TDTS: Final = 4
+CELS_OF_TDTS: Final = 4
 """There the field 0 is for key drawings."""
 
-_VERSION: Final = 5
+_NOT_USED: Final = {
+    3: Message("its dialogue is not used"),
+    5: Message("its camera work is not used"),
+}
+_KEY_DRAWINGS: Final = Message("its columns of key drawings are not used")
 
-_EMPTY: Final = "SYMBOL_NULL_CELL"
-_SYMBOL: Final = "SYMBOL_"
+EMPTY_CEL: Final = "SYMBOL_NULL_CELL"
+SYMBOL: Final = "SYMBOL_"
 """Every other symbol is a mark on a cel that goes on: inbetween, reverse sheet, hyphen."""
 
-
-def read_timesheet(path: Path) -> Timesheet:
-    """Return the timesheet at ``path``: XDTS, TDTS or STS, told apart by what is in it.
-
-    Raises
-    ------
-    InputProblem
-        It cannot be read or is no timesheet: one sentence with the place of what is wrong.
-    """
-    try:
-        if path.exists() and not path.is_file():
-            raise input_problem(path, Message("it is not a file"))
-        with path.open("rb") as stream:
-            data = stream.read(MAX_BYTES + 1)
-        if len(data) > MAX_BYTES:
-            raise input_problem(
-                path, Message("it is larger than {megabytes} MB, too large for a timesheet", megabytes=MAX_BYTES >> 20)
-            )
-        return sts_sheet(data) if is_sts(data) else sheet_of(data.decode("utf-8-sig"))
-    except OSError as error:
-        raise input_problem(path, error) from error
-    except UnicodeDecodeError as error:
-        raise input_problem(path, Message("it is not UTF-8 text")) from error
-    except ProjectProblem as problem:
-        raise input_problem(path, problem.message) from problem
-    except ValueError as error:  # a NUL in the name
-        raise input_problem(path, Message("it cannot be a file name")) from error
+_MARKS: Final = ("SYMBOL_TICK_1", "SYMBOL_TICK_2")
+_HYPHEN: Final = "SYMBOL_HYPHEN"
 
 
-def sheet_of(text: str) -> Timesheet:
-    """Return the timesheet that ``text`` holds.
+@dataclass(slots=True)
+class _Unused:
+    """Counts of what a table has and this program does not use."""
+
+    counts: Counter[str] = field(default_factory=Counter)
+
+    def notes(self) -> list[Message]:
+        """Return what is to be said of them."""
+        counts = self.counts
+        known = {
+            "marks": Message(
+                "marks of inbetweens and reverse sheets (○ ●) are not used: {count}", count=counts["marks"]
+            ),
+            "unknown": Message("marks of a kind not known here are passed over: {count}", count=counts["unknown"]),
+            "several": Message("of several cels on one frame the first counts: {count} times", count=counts["several"]),
+            "behind": Message("what lies behind its last frame is not used: {count} entries", count=counts["behind"]),
+        }
+        return [note for name, note in known.items() if counts[name]]
+
+
+def sheets_of(text: str) -> tuple[Timesheet, ...]:
+    """Return all timesheets that ``text`` holds, at least one.
 
     Raises
     ------
     ProjectProblem
-        It is not one, with the JSON path of what is wrong.
+        It is none, with the JSON path of what is wrong.
     """
-    first, _, rest = text.partition("\n")
-    if first.strip() not in (_FIRST_LINE, _OTHER_FIRST_LINE):
-        raise ProjectProblem(Message("it is not a timesheet (XDTS, TDTS or STS)"))
-    is_tdts = first.strip() == _OTHER_FIRST_LINE
-    table = _table(Reader(parse(rest)))
-    field = _CELS_OF_TDTS if is_tdts and any(_columns(table, _CELS_OF_TDTS)) else _CELS
-    length = _member(table, "duration").whole(1, _MAX_FRAMES)
-    names = _names(table, field)
-    columns = sorted(_columns(table, field), key=lambda column: column[0])
+    rest, is_tdts, notes = _behind_first_line(text)
+    tree, more = json_in(rest)
+    root = Reader(tree)
+    if notes and not {TABLES, _SHEETS} & set(tree if isinstance(tree, dict) else ()):
+        raise _no_sheet()
+    found = ((owner, table, _sheet(table, is_tdts=is_tdts, notes=(*notes, *more))) for owner, table in _tables(root))
+    return tuple(_with_kept(sheet, owner, table) for owner, table, sheet in found)
+
+
+def _with_kept(sheet: Timesheet, owner: Reader, table: Reader) -> Timesheet:
+    """Return a sheet with what the file says of it, unless that is too much to be kept."""
+    own = {name: reader.value for name, reader in owner.members().items() if name != TABLES}
+    text = json.dumps({**own, TABLES: [table.value]}, ensure_ascii=False, separators=(",", ":"))
+    if len(text) > MAX_KEPT_CHARACTERS:
+        note = Message("it is too large for what is not used of it to be kept for writing")
+        return replace(sheet, notes=(*sheet.notes, note))
+    return replace(sheet, kept=text)
+
+
+def _behind_first_line(text: str) -> tuple[str, bool, tuple[Message, ...]]:
+    """Return what follows the line that names the format, whether it is TDTS, and what is to be said."""
+    whole = text.lstrip("\ufeff \t\r\n")
+    for line in (FIRST_LINE, _OTHER_FIRST_LINE):
+        if whole[: len(line)].casefold() == line.casefold():
+            return whole[len(line) :], line == _OTHER_FIRST_LINE, ()
+    if not whole.startswith("{"):
+        raise _no_sheet()
+    return whole, f'"{_SHEETS}"' in whole, (Message("the line that names its format is missing"),)
+
+
+def _no_sheet() -> ProjectProblem:
+    return ProjectProblem(Message("it is not a timesheet (XDTS, TDTS or STS)"))
+
+
+def _tables(root: Reader) -> Iterator[tuple[Reader, Reader]]:
+    """Yield all tables, each with what it lies in; TDTS has sheets around its tables, but for its oldest writers."""
+    sheets = [root]
+    if _SHEETS in root.members():
+        sheets = list(_member(root, _SHEETS).items(_MAX_COLUMNS, least=1))
+    for sheet in sheets:
+        yield from ((sheet, table) for table in _member(sheet, TABLES).items(_MAX_COLUMNS, least=1))
+
+
+def _sheet(table: Reader, *, is_tdts: bool, notes: tuple[Message, ...]) -> Timesheet:
+    wanted = CELS_OF_TDTS if is_tdts and any(_columns(table, CELS_OF_TDTS)) else CELS
+    names = _names(table, wanted)
+    columns = sorted(_columns(table, wanted), key=lambda column: column[0])
+    unused = _Unused()
+    duration = table.members().get("duration")
+    length = _length(columns) if duration is None else _whole(duration, 1, _MAX_FRAMES)
+    guessed = () if duration else (Message("its length is missing; it ends with its last entry"),)
     tracks = tuple(
-        SheetTrack(names[number] if number < len(names) else "", _entries(frames, length)) for number, frames in columns
+        SheetTrack(names[number] if number < len(names) else "", _entries(frames, length, unused))
+        for number, frames in columns
     )
-    return Timesheet(_text(table.members().get("name")), length, tracks)
+    said = (*notes, *guessed, *_other_fields(table, wanted), *unused.notes())
+    return Timesheet(_text(table.members().get("name")), length, tracks, said)
 
 
-def _table(root: Reader) -> Reader:
-    """Return the first table; TDTS has sheets around its tables, but for its oldest writers."""
-    if "timeSheets" in root.members():
-        root = next(_member(root, "timeSheets").items(_MAX_COLUMNS, least=1))
-    return next(_member(root, "timeTables").items(_MAX_COLUMNS, least=1))
+def _length(columns: list[tuple[int, Reader]]) -> int:
+    """Return the length of a sheet that does not say it: up to the last entry of a column."""
+    rows = (row for _, frames in columns for row in frames.items(_MAX_FRAMES))
+    return max((_whole(_member(row, "frame"), -_MAX_FRAMES, _MAX_FRAMES - 1) + 1 for row in rows), default=1)
+
+
+def _other_fields(table: Reader, wanted: int) -> list[Message]:
+    """Return what is said of columns that are about something else and hold something."""
+    listed = table.members().get("fields")
+    found: dict[Message, None] = {}
+    for part in listed.items(_MAX_COLUMNS) if listed is not None else ():
+        kind = part.members().get("fieldId")
+        if kind is None or kind.value == wanted or not _holds_something(part):
+            continue
+        number = kind.value if isinstance(kind.value, int) else None
+        unknown = Message("its columns of the kind {kind} are not used", kind=kind.value)
+        found[_KEY_DRAWINGS if number == CELS else _NOT_USED.get(number or 0, unknown)] = None
+    return list(found)
+
+
+def _holds_something(part: Reader) -> bool:
+    tracks = part.members().get("tracks")
+    rows = tracks.value if tracks is not None else None
+    return isinstance(rows, list) and any(isinstance(track, dict) and track.get("frames") for track in rows)
 
 
 def _member(reader: Reader, name: str) -> Reader:
@@ -98,6 +163,15 @@ def _member(reader: Reader, name: str) -> Reader:
     if found is None:
         raise reader.problem(Message("the key {name!r} is missing", name=name))
     return found
+
+
+def _whole(reader: Reader, low: int, high: int) -> int:
+    """Return a whole number, which some writers write as a text or with a decimal point."""
+    value = reader.value
+    is_text = isinstance(value, str) and value.strip().isdecimal() and len(value) <= len(str(high))
+    if is_text or (isinstance(value, float) and value.is_integer() and low <= value <= high):
+        reader = Reader(int(str(value).removesuffix(".0")), reader.place)
+    return reader.whole(low, high)
 
 
 def _text(reader: Reader | None) -> str:
@@ -111,89 +185,55 @@ def _of_cels(table: Reader, key: str, wanted: int) -> Iterator[Reader]:
     """Yield the parts of a table that are about cel columns."""
     listed = table.members().get(key)
     for part in listed.items(_MAX_COLUMNS) if listed is not None else ():
-        field = part.members().get("fieldId")
-        if field is not None and field.value == wanted:
+        kind = part.members().get("fieldId")
+        if kind is not None and kind.value == wanted:
             yield part
 
 
-def _names(table: Reader, field: int) -> list[str]:
-    for header in _of_cels(table, "timeTableHeaders", field):
+def _names(table: Reader, wanted: int) -> list[str]:
+    for header in _of_cels(table, "timeTableHeaders", wanted):
         return [_text(name) for name in _member(header, "names").items(_MAX_COLUMNS)]
     return []
 
 
-def _columns(table: Reader, field: int) -> Iterator[tuple[int, Reader]]:
-    for part in _of_cels(table, "fields", field):
+def _columns(table: Reader, wanted: int) -> Iterator[tuple[int, Reader]]:
+    for part in _of_cels(table, "fields", wanted):
         for track in _member(part, "tracks").items(_MAX_COLUMNS):
-            number = _member(track, "trackNo").whole(0, _MAX_COLUMNS)
+            number = _whole(_member(track, "trackNo"), 0, _MAX_COLUMNS)
             yield number, _member(track, "frames")
 
 
-def _entries(frames: Reader, length: int) -> tuple[tuple[int, str | None], ...]:
+def _entries(frames: Reader, length: int, unused: _Unused) -> tuple[tuple[int, str | None], ...]:
     """Return what is seen from which frame on; the last entry before the first frame is what the sheet begins with."""
     seen: dict[int, str | None] = {}
     early: tuple[int, str | None] | None = None
     for row in frames.items(_MAX_FRAMES):
-        frame = _member(row, "frame").whole(-_MAX_FRAMES, _MAX_FRAMES)
-        cel = _cel(row)
+        frame = _whole(_member(row, "frame"), -_MAX_FRAMES, _MAX_FRAMES)
+        cel = _cel(row, unused)
         if cel == "":
             continue
         if frame < 0:
             early = (frame, cel or None) if early is None or frame >= early[0] else early
         elif frame < length:
             seen[frame] = cel or None
+        elif cel is not None:
+            unused.counts["behind"] += 1
     if early is not None:
         seen.setdefault(0, early[1])
     return tuple(sorted(seen.items(), key=lambda entry: entry[0]))
 
 
-def _cel(row: Reader) -> str | None:
+def _cel(row: Reader, unused: _Unused) -> str | None:
     """Return the cel of a row, None for an empty one, or an empty text where the cel before goes on."""
     data = row.members().get("data")
+    texts: list[str] = []
     for item in data.items(_MAX_COLUMNS) if data is not None else ():
         values = item.members().get("values")
-        for value in values.items(_MAX_COLUMNS) if values is not None else ():
-            text = _text(value)
-            if text == _EMPTY:
-                return None
-            return "" if text.startswith(_SYMBOL) else text
-    return ""
-
-
-def xdts_text(sheet: Timesheet) -> str:
-    """Return a timesheet as the text of an XDTS file, as OpenToonz writes it.
-
-    A column that does not begin on the first frame begins with an empty cel; columns without a name have an empty one,
-    so that the others keep their places.
-    """
-    tracks = []
-    for number, track in enumerate(sheet.tracks):
-        entries = track.entries
-        if entries and entries[0][0] > 0:
-            entries = ((0, None), *entries)
-        if entries:
-            frames = [
-                {"frame": frame, "data": [{"id": 0, "values": [_EMPTY if cel is None else cel]}]}
-                for frame, cel in entries
-            ]
-            tracks.append({"trackNo": number, "frames": frames})
-    table = {
-        "name": sheet.name,
-        "duration": sheet.length_frames,
-        "timeTableHeaders": [{"fieldId": _CELS, "names": [track.name for track in sheet.tracks]}],
-        "fields": [{"fieldId": _CELS, "tracks": tracks}],
-    }
-    tree = {"header": {"cut": "1", "scene": "1"}, "timeTables": [table], "version": _VERSION}
-    return f"{_FIRST_LINE}\n{json.dumps(tree, ensure_ascii=False, indent=1)}\n"
-
-
-def write_xdts(path: Path, sheet: Timesheet) -> None:
-    """Write a timesheet as XDTS, as a whole or not at all.
-
-    Raises
-    ------
-    DiskFullProblem, OutputProblem
-        It cannot be written.
-    """
-    # Names of files may hold what no UTF-8 text can.
-    write_bytes(path, xdts_text(sheet).encode("utf-8", "replace"))
+        texts += [_text(value) for value in values.items(_MAX_COLUMNS)] if values is not None else []
+    unused.counts["marks"] += sum(text in _MARKS for text in texts)
+    known = (EMPTY_CEL, _HYPHEN, *_MARKS)
+    unused.counts["unknown"] += sum(text.startswith(SYMBOL) and text not in known for text in texts)
+    unused.counts["several"] += sum(bool(text) and not text.startswith(SYMBOL) for text in texts) > 1
+    if not texts or texts[0] == EMPTY_CEL:
+        return None if texts else ""
+    return "" if texts[0].startswith(SYMBOL) else texts[0]

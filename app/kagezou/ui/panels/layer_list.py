@@ -30,9 +30,9 @@ from kagezou.picture_source import Paper
 from kagezou.ui.panels.layer_delegate import LayerDelegate
 from kagezou.ui.panels.layer_model import LayerModel, Role
 from kagezou.ui.panels.look_clipboard import LookClipboard
-from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.system.thumbnails import Thumbnails
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH
 from kagezou.ui.widgets.tool_button import tool_button
 

@@ -15,8 +15,8 @@ from kagezou.document.paper import set_paper
 from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.picture_source import Paper
-from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.thumbnails import Thumbnails
 
 Index = QModelIndex | QPersistentModelIndex
 MIME = "application/x-kagezou-layer"

@@ -1,11 +1,11 @@
 """What the commands about files do: ask, act, and say in the message bar what went wrong."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QApplication, QWidget
 
 from kagezou.errors import Problem
@@ -15,8 +15,9 @@ from kagezou.importing.staging import CharacterSource
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import next_version
 from kagezou.io.project.recovery_file import RecoveredWork, forget
+from kagezou.ui.project.asking import Asking
 from kagezou.ui.project.dialogs import Answer, Dialogs
-from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, DroppedFiles, dropped_files_of, whole_sequence
+from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, DroppedFiles, dropped_files_of
 from kagezou.ui.project.load import AnyLoad
 from kagezou.ui.project.loading import Loading
 from kagezou.ui.project.open_project import OpenProject
@@ -55,6 +56,7 @@ class ProjectActions(QObject):
         self._bar = bar
         self._settings = settings
         self.loading = Loading(self._say, lambda: _is_free(open_project, self.loading.window()))
+        self._asking = Asking(self.loading, dialogs, self._load)
         self._lock = ProjectLock()
         open_project.path_changed.connect(lambda: self._lock.hold(open_project.path))
         self._lock.hold(open_project.path)
@@ -62,7 +64,7 @@ class ProjectActions(QObject):
     def new(self) -> None:
         """Begin a project from a folder of cels."""
         if self.may_leave() and (folder := self.dialogs.folder_of_cels()):
-            self._load(self._open_project.new((CharacterSource(None, folder),)))
+            self._asking.folder(folder, self._open_project.new)
 
     def open(self) -> None:
         """Open another project."""
@@ -80,8 +82,10 @@ class ProjectActions(QObject):
         A timesheet, which drawing programs start us with, begins a project of the drawings beside it, and a PSD file
         one of what is in it.
         """
-        if (begun := _begun_by(path, self._open_project)) is not None:
-            return self._load(begun)
+        if is_psd(path):
+            return self._load(self._open_project.new((CharacterSource(None, path),)))
+        if path.suffix.lower() in TIMESHEET_SUFFIXES:
+            return self._asking.sheet(path, self._open_project.new_by)
         holder = self._lock.holder_of(path)
         if holder and not self.dialogs.open_twice(path.name, holder):
             return False
@@ -130,11 +134,8 @@ class ProjectActions(QObject):
 
     def import_pictures(self) -> None:
         """Bring in pictures; of one numbered picture the whole sequence comes."""
-        paths = self.dialogs.pictures()
-        if len(paths) == 1:
-            self._load(self._open_project.bring((CharacterSource(None, whole_sequence(paths[0])),)))
-        elif paths:
-            self.bring(paths)
+        if paths := self.dialogs.pictures():
+            self._asking.pictures(paths, self._open_project.bring)
 
     def put_background(self, path: Path | None) -> None:
         """Put a picture, or the numbered ones of a folder, under everything; with None nobody chose any."""
@@ -151,7 +152,7 @@ class ProjectActions(QObject):
 
     def time_by(self, path: Path) -> bool:
         """Expose the drawings as a timesheet says, or begin a project of the drawings beside it."""
-        return self._load(self._open_project.time_by(path))
+        return self._asking.sheet(path, self._open_project.time_by)
 
     def import_timesheet(self) -> None:
         """Ask for a timesheet."""
@@ -174,12 +175,12 @@ class ProjectActions(QObject):
         dropped = dropped_files_of(given)
         if dropped.project is not None:
             self.open_recent(dropped.project)
+        elif dropped.timesheet or dropped.characters or dropped.pictures:
+            self._asking.dropped(dropped, self._open_project)
         elif (load := _load_of(dropped, self._open_project, self.set_read.emit)) is not None:
             self._load(load)
         elif given:
-            names = ", ".join(path.name for path in given[:3])
-            words = self.tr("%1: neither a project, a folder of cels, a set nor a picture that can be read")
-            self._bar.say(_KEY, words.replace("%1", names), Severity.WARNING)
+            self._bar.say(_KEY, _nothing_in(given), Severity.WARNING)
 
     def may_leave(self) -> bool:
         """Whether the project may be put away: it is saved, saved now, or given up."""
@@ -230,11 +231,12 @@ class ProjectActions(QObject):
         self._bar.say(_KEY, translated(problem))
 
 
-def _begun_by(path: Path, open_project: OpenProject) -> AnyLoad | None:
-    """Return what begins a project with a file that is none itself, None for a project."""
-    if is_psd(path):
-        return open_project.new((CharacterSource(None, path),))
-    return open_project.new_by(path) if path.suffix.lower() in TIMESHEET_SUFFIXES else None
+def _nothing_in(paths: Sequence[Path]) -> str:
+    names = ", ".join(path.name for path in paths[:3])
+    words = QCoreApplication.translate(
+        "ProjectActions", "%1: neither a project, a folder of cels, a set nor a picture that can be read"
+    )
+    return words.replace("%1", names)
 
 
 def _bring_back(open_project: OpenProject, work: RecoveredWork, file: Path) -> None:
@@ -246,13 +248,11 @@ def _load_of(
     dropped: DroppedFiles, open_project: OpenProject, put_set: Callable[[Path, tuple[SetCamera, ...]], None]
 ) -> AnyLoad | None:
     """Return what brings dropped files into the open project, None if they are nothing that can be brought."""
-    if dropped.timesheet is not None:
-        return open_project.time_by(dropped.timesheet)
     if dropped.set_file is not None:
         return open_project.read_set(dropped.set_file, put_set)
     if dropped.background is not None:
         return open_project.put_background(dropped.background)
-    return open_project.bring(dropped.characters) if dropped.characters else None
+    return None
 
 
 def _is_free(open_project: OpenProject, window: QWidget) -> bool:

@@ -4,12 +4,15 @@ from enum import Enum, auto
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
+from kagezou.importing.found_characters import FoundCharacters
+from kagezou.importing.new_cels import CharacterSource
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.io.pixels.signatures import FORMATS, PSD_SUFFIXES
 from kagezou.io.sets.mesh_cache import MESH_SUFFIXES
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
+from kagezou.ui.project.found_dialog import FoundDialog
 from kagezou.ui.system.settings import Settings
 
 
@@ -63,6 +66,19 @@ class Dialogs:
         title = QCoreApplication.translate("Dialogs", "Choose Cels")
         chosen, _ = QFileDialog.getOpenFileNames(self._parent, title, self._folder("cels"), _picture_filter())
         return [path for line in chosen if (path := self._remembered("cels", line))]
+
+    def characters(self, found: FoundCharacters) -> tuple[CharacterSource, ...]:
+        """Show what was understood of folders and files, and return what of it is to be taken."""
+        dialog = FoundDialog(found, self._parent)
+        return dialog.sources() if dialog.exec() == FoundDialog.DialogCode.Accepted else ()
+
+    def sheet(self, names: list[str]) -> str | None:
+        """Ask which of several sheets of a file is meant."""
+        title = QCoreApplication.translate("Dialogs", "Choose a Sheet")
+        words = QCoreApplication.translate("Dialogs", "The file holds several timesheets:")
+        lines = [f"{number}   {name}" for number, name in enumerate(names, start=1)]
+        chosen, is_agreed = QInputDialog.getItem(self._parent, title, words, lines, 0, False)
+        return f"#{lines.index(chosen) + 1}" if is_agreed else None
 
     def background(self) -> Path | None:
         """Ask for a background picture."""

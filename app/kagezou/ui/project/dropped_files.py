@@ -1,7 +1,5 @@
 """What files dropped on the window or picked in a dialog are meant to be."""
 
-import re
-from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +11,6 @@ from kagezou.io.sets.mesh_cache import is_mesh
 
 PROJECT_SUFFIX = ".kage"
 _OPAQUE = (".jpg", ".jpeg")
-_NUMBER = re.compile(r"[0-9]{1,6}(?=[A-Za-z]{0,2}$)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +22,9 @@ class DroppedFiles:
     project
         A project to open, if there is one among the files.
     characters
-        Folders, sequences and single pictures that become layers.
+        Folders, PSD files and a single picture, which become layers.
+    pictures
+        Several pictures, of one character or more.
     background
         A picture without transparency that came alone.
     timesheet
@@ -36,6 +35,7 @@ class DroppedFiles:
 
     project: Path | None = None
     characters: tuple[CharacterSource, ...] = ()
+    pictures: tuple[Path, ...] = ()
     background: Path | None = None
     timesheet: Path | None = None
     set_file: Path | None = None
@@ -43,11 +43,12 @@ class DroppedFiles:
     @property
     def is_empty(self) -> bool:
         """Whether there is nothing the program can use."""
-        return not (self.project or self.characters or self.background or self.timesheet or self.set_file)
+        known = (self.project, self.characters, self.pictures, self.background, self.timesheet, self.set_file)
+        return not any(known)
 
 
 def dropped_files_of(paths: Iterable[Path]) -> DroppedFiles:
-    """Sort out what paths are; numbered pictures that belong together become one sequence."""
+    """Sort out what paths are."""
     given = list(paths)
     project = next((path for path in given if path.suffix.lower() == PROJECT_SUFFIX), None)
     if project is not None:
@@ -60,25 +61,8 @@ def dropped_files_of(paths: Iterable[Path]) -> DroppedFiles:
         return DroppedFiles(set_file=set_file)
     if len(given) == 1 and given[0].suffix.lower() in _OPAQUE:
         return DroppedFiles(background=given[0])
-    folders = [CharacterSource(None, path) for path in given if path.is_dir()]
-    pictures = [path for path in given if not path.is_dir() and is_picture(path)]
-    return DroppedFiles(characters=(*folders, *(CharacterSource(None, path) for path in _sequences(pictures))))
-
-
-def whole_sequence(path: Path) -> Path:
-    """Return the pattern of the sequence a numbered picture belongs to, or the picture itself.
-
-    A PSD file is never one of a sequence: its number is rather that of the cut, and the cels are in it.
-    """
-    if is_psd(path):
-        return path
-    stem, hits = _NUMBER.subn("#", path.stem)
-    return path.with_name(stem + path.suffix) if hits else path
-
-
-def _sequences(pictures: list[Path]) -> list[Path]:
-    """Return a pattern for pictures that differ only in their number, and the others as they are."""
-    patterns = [whole_sequence(path) for path in pictures]
-    counts = Counter(patterns)
-    sources = (pattern if counts[pattern] > 1 else path for path, pattern in zip(pictures, patterns, strict=True))
-    return list(dict.fromkeys(sources))
+    whole = [path for path in given if path.is_dir() or is_psd(path)]
+    pictures = [path for path in given if path not in whole and is_picture(path)]
+    if len(pictures) == 1:
+        return DroppedFiles(characters=tuple(CharacterSource(None, path) for path in (*whole, *pictures)))
+    return DroppedFiles(characters=tuple(CharacterSource(None, path) for path in whole), pictures=tuple(pictures))

@@ -25,8 +25,9 @@ from kagezou.io.project import file as project_file
 from kagezou.io.project.recovery_file import RecoveredWork
 from kagezou.io.sets.cameras import cameras_of
 from kagezou.io.sets.mesh_cache import MeshCache
+from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
-from kagezou.io.sheets.xdts import read_timesheet, write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts
 from kagezou.message import Message
 from kagezou.picture_source import PictureSource
 from kagezou.session.session import Session
@@ -152,14 +153,14 @@ class OpenProject(QObject):
 
         return Load(path.name, read, lambda cameras: put(path, cameras))
 
-    def time_by(self, path: Path) -> AnyLoad:
+    def time_by(self, path: Path, which: str | None = None) -> AnyLoad:
         """Expose the drawings as a timesheet says; with nothing open they are looked for beside it."""
 
         def read(progress: Progress) -> Imported | Timesheet:
             return (
-                _first_seen(self, document_of_sheet(path, progress), progress)
+                _first_seen(self, document_of_sheet(path, progress, which), progress)
                 if self.is_blank
-                else read_timesheet(path)
+                else read_timesheet(path, which)
             )
 
         def put(found: Imported | Timesheet) -> None:
@@ -168,7 +169,7 @@ class OpenProject(QObject):
             elif self.is_blank:
                 self._begin(self.tr("New from timesheet"), found)
             else:
-                self.time_by(path).at_once()
+                self.time_by(path, which).at_once()
 
         return Load(path.name, read, put)
 
@@ -177,11 +178,11 @@ class OpenProject(QObject):
         whole = path if path.suffix.lower() == ".xdts" else path.with_name(path.name + ".xdts")
         write_xdts(whole, sheet_of(self.bridge.document, name))
 
-    def new_by(self, sheet: Path) -> AnyLoad:
+    def new_by(self, sheet: Path, which: str | None = None) -> AnyLoad:
         """Begin a project of the drawings beside a timesheet; it has no file yet and counts as unsaved."""
 
         def read(progress: Progress) -> Imported:
-            return _first_seen(self, document_of_sheet(sheet, progress), progress)
+            return _first_seen(self, document_of_sheet(sheet, progress, which), progress)
 
         return Load(
             sheet.name, read, lambda imported: self._begin(self.tr("New from timesheet"), imported), replaces=True

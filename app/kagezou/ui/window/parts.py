@@ -13,7 +13,6 @@ from kagezou.ui.export.progress import Exporting
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.style_list import StyleList
-from kagezou.ui.panels.thumbnails import Thumbnails
 from kagezou.ui.project.actions import ProjectActions
 from kagezou.ui.project.demo import DemoOpener, MakeDemo
 from kagezou.ui.project.dialogs import Dialogs
@@ -28,6 +27,7 @@ from kagezou.ui.sets.standing import StandingNotes
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.settings import Settings
+from kagezou.ui.system.thumbnails import Thumbnails
 from kagezou.ui.time.key_commands import KeyCommands
 from kagezou.ui.time.playback import Player
 from kagezou.ui.time.prefetch import Prefetch

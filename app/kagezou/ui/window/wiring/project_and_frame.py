@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, Qt
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.table import exporter_of
 from kagezou.export.remembered import dumps_choices, loads_choices
+from kagezou.importing.understood import drawings_line
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.panels.style_use import put_on
@@ -128,6 +129,14 @@ def connect_messages(parts: Parts) -> None:
     viewport.controller.refused.connect(lambda sentence: bar.say("hand", sentence, Severity.NOTE))
     viewport.started.connect(parts.status.show_device, _QUEUED)
     parts.open_project.noted.connect(lambda note: bar.say(str(note), translated(note), Severity.WARNING))
+
+    def say_found(layer_ids: tuple[str, ...]) -> None:
+        # Of several characters a list was shown before they came; what else is to be said goes before.
+        if len(layer_ids) == 1 and not bar.text:
+            layer = parts.open_project.bridge.document.layer(layer_ids[0])
+            bar.say("found", translated(drawings_line(layer.name, layer.cels.drawings)), Severity.NOTE)
+
+    parts.open_project.imported.connect(say_found)
 
 
 def _connect_welcome(parts: Parts) -> None:

@@ -1,0 +1,132 @@
+"""The dialog of what was found, and when it comes."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from kagezou.importing.found_characters import FoundCharacters, found_characters
+from kagezou.importing.new_cels import CharacterSource
+from kagezou.io.images.writing import write_rgba
+from kagezou.io.sheets.reading import read_sheets
+from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.io.sheets.xdts_writing import write_xdts
+from kagezou.ui.project.dialogs import Dialogs
+from kagezou.ui.project.found_dialog import FoundDialog
+from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.settings import Settings
+from kagezou.ui.window.main_window import MainWindow
+from tests.ui.conftest import figure_rgba
+from tests.ui.viewing import OwnClipboard
+
+
+@pytest.fixture
+def mixed(tmp_path: Path) -> Path:
+    """A folder with a body, an arm and a prop, a retake among them."""
+    folder = tmp_path / "cut"
+    folder.mkdir()
+    for name in ("A0001", "A0002", "A0002_R1", "arm_1", "arm_2", "prop1"):
+        write_rgba(folder / f"{name}.png", figure_rgba(1))
+    return folder
+
+
+@pytest.fixture
+def found(mixed: Path) -> FoundCharacters:
+    return found_characters([CharacterSource(None, mixed)])
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, found: FoundCharacters) -> FoundDialog:
+    made = FoundDialog(found)
+    qtbot.addWidget(made)
+    made.show()
+    return made
+
+
+@pytest.fixture
+def plain(qtbot: QtBot, settings: Settings) -> MainWindow:
+    made = MainWindow(OpenProject(), settings, OwnClipboard())
+    qtbot.addWidget(made)
+    return made
+
+
+def cell(dialog: FoundDialog, row: int, column: int) -> str:
+    item = dialog.table.item(row, column)
+    return item.text() if item else ""
+
+
+def test_it_tells_what_was_understood(dialog: FoundDialog, found: FoundCharacters, qtbot: QtBot) -> None:
+    assert [cell(dialog, row, 0) for row in range(3)] == ["A", "arm", "prop"]
+    assert [cell(dialog, row, 1) for row in range(3)] == ["2\n1-2", "2\n1-2", "1\n1"]
+    assert cell(dialog, 0, 2) == "A0001.png\n… A0002_R1.png"
+    assert cell(dialog, 0, 4) == "The newest retake counts: A0002.png → A0002_R1.png"
+    assert dialog.sources() == found.sources
+    qtbot.waitUntil(lambda: all(not name.icon().isNull() for name in dialog.names))
+
+
+def test_rows_are_left_out_renamed_and_joined(dialog: FoundDialog) -> None:
+    dialog.names[0].setText("Hero ")
+    dialog.names[2].setCheckState(Qt.CheckState.Unchecked)
+    dialog.figures[1].setCurrentIndex(1)
+    assert [(source.name, source.joins) for source in dialog.sources()] == [("Hero", None), ("arm", "Hero")]
+    assert not dialog.figures[0].isEnabled(), "there is no figure above the first row"
+    dialog.names[0].setCheckState(Qt.CheckState.Unchecked)
+    assert [(source.name, source.joins) for source in dialog.sources()] == [("arm", None)]
+    dialog.names[1].setCheckState(Qt.CheckState.Unchecked)
+    assert not dialog.take.isEnabled()
+    dialog.names[1].setCheckState(Qt.CheckState.Checked)
+    dialog.names[1].setText("  ")
+    assert [source.name for source in dialog.sources()] == ["arm"]
+
+
+def test_enter_takes(dialog: FoundDialog, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(dialog.accepted):
+        qtbot.keyClick(dialog, Qt.Key.Key_Return)
+
+
+def test_one_clear_character_comes_unasked(plain: MainWindow, cels: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Dialogs, "characters", lambda _dialogs, _found: pytest.fail("nothing is to be asked"))
+    plain.parts.project.bring([cels])
+    assert [layer.name for layer in plain.parts.open_project.bridge.document.layers] == ["walker"]
+    assert "walker: 6 drawings, 1-6, walk_0001.png … walk_0006.png" in plain.parts.bar.text
+    plain.close_unasked()
+
+
+def test_what_is_taken_comes_and_nothing_else(plain: MainWindow, mixed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Dialogs, "characters", lambda _dialogs, _found: ())
+    plain.parts.project.bring([mixed])
+    assert plain.parts.open_project.is_blank
+    monkeypatch.setattr(Dialogs, "characters", lambda _dialogs, found: found.sources[:2])
+    plain.parts.project.bring([mixed])
+    layers = plain.parts.open_project.bridge.document.layers
+    assert [(layer.name, len(layer.cels.drawings)) for layer in layers] == [("A", 2), ("arm", 2)]
+    plain.close_unasked()
+
+
+def test_which_of_several_sheets_is_asked(plain: MainWindow, cels: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[list[str]] = []
+
+    def second(_dialogs: Dialogs, names: list[str]) -> str:
+        asked.append(names)
+        return "#2"
+
+    monkeypatch.setattr(Dialogs, "sheet", second)
+    path = cels.parent / "c012.xdts"
+    write_xdts(path, Timesheet("one", 12, (SheetTrack("walker", ((0, "1"),)),)))
+    plain.parts.project.open_path(path)
+    assert asked == []
+    assert plain.parts.open_project.bridge.document.canvas.length_frames == 12
+    text = path.read_text(encoding="utf-8")
+    table = text[text.index('"timeTables": [') + 15 : text.index('],\n "version"')]
+    other = table.replace('"one"', '"two"').replace("12", "30")
+    path.write_text(text.replace(table, f"{table},{other}"), encoding="utf-8")
+    assert len(read_sheets(path)) == 2
+    plain.parts.project.time_by(path)
+    assert asked == [["one", "two"]]
+    assert plain.parts.open_project.bridge.document.canvas.length_frames == 30
+    monkeypatch.setattr(Dialogs, "sheet", lambda _dialogs, _names: None)
+    before = plain.parts.open_project.bridge.document
+    plain.parts.project.time_by(path)
+    assert plain.parts.open_project.bridge.document is before
+    plain.close_unasked()
