@@ -6,13 +6,15 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Final
 
+import numpy as np
+
 from kagezou.animation.frames import format_frames
 from kagezou.importing.cels_of_files import held_by
 from kagezou.importing.file_notes import notes_on_files
 from kagezou.importing.new_cels import CharacterSource, Held, NewCels
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES, sources_beside
 from kagezou.io.files.faults import input_problem, shown
-from kagezou.io.images.reading import probe, read_cel
+from kagezou.io.images.reading import probe, read_cel, read_matte
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import load
 from kagezou.io.project.paths import absolute
@@ -21,6 +23,7 @@ from kagezou.io.sets.mesh_cache import MeshCache, is_mesh
 from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.message import Message
+from kagezou.picture_source import PictureSource
 
 Fact = str | int | float | bool | None | Sequence["Fact"] | Mapping[str, "Fact"]
 
@@ -120,10 +123,17 @@ def _facts_of(layer: NewCels) -> dict[str, Fact]:
         "width_px": layer.size_px[0],
         "height_px": layer.size_px[1],
         "last_frame": layer.length_frames,
+        "covered_px": _covered(first.source),
         **depth,
         "drawings": [{"name": each.name, "file": shown(each.path), "part": each.part} for each in layer.cels.drawings],
         "exposures": [[each.frame, each.drawing] for each in layer.cels.exposures],
     }
+
+
+def _covered(source: PictureSource) -> float:
+    """Return how many pixels the matte of a drawing covers, parts of pixels added up."""
+    alpha = read_matte(source).alpha
+    return round(float(alpha.sum(dtype=float)) / np.iinfo(alpha.dtype).max, 2)
 
 
 def _notes_on(held: Held) -> tuple[Message, ...]:
@@ -135,9 +145,10 @@ def _notes_on(held: Held) -> tuple[Message, ...]:
     return tuple(dict.fromkeys(notes))
 
 
-def _in_pixels(source: object) -> Iterator[Message]:
-    """Yield what only the pixels of a drawing tell."""
-    yield from read_cel(source).notes  # type: ignore[arg-type]
+def _in_pixels(source: PictureSource) -> Iterator[Message]:
+    """Yield what only the pixels of a drawing tell; of one without alpha its layer tells it."""
+    if probe(source).has_alpha:
+        yield from read_cel(source).notes
 
 
 def _timesheet(path: Path) -> Inspection:
