@@ -3,17 +3,24 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Final
 
 from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
 from kagezou.export.contents import Content
 from kagezou.export.names import safe_names
 from kagezou.export.request import ExportRequest
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import OutputSequence, sequences_of
 from kagezou.export.uniting import cut_groups
+from kagezou.io.images.picture_size import free_memory
 from kagezou.message import Message
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.set_extent import check_extent
+
+_SHADOW_BYTES: Final = 5
+_IN_COLOUR_BYTES: Final = 25
+"""So much memory is taken for a pixel of the canvas while shadows, and while whole pictures are drawn: measured."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,11 +92,12 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     Raises
     ------
     UsageProblem
-        A layer or a frame is asked for that the document does not have, there is nothing to make, or the set is too
-        large to be drawn.
+        A layer or a frame is asked for that the document does not have, there is nothing to make, or the set or the
+        canvas is too large to be drawn.
     """
     frames = chosen_frames(document, request)
     check_extent(evaluate(document, frames[0]).pieces if frames else ())
+    _check_memory(document, request)
     sequences = sequences_of(document, request)
     jobs = jobs_of(document, frames, sequences)
     if request.once:
@@ -98,6 +106,24 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     names = safe_names(layer.name for layer in document.layers)
     carried = {each.name: names[each.name] for each in document.layers if each.id in owners}
     return Plan(jobs, sequences, carried, _notes(document, request))
+
+
+def _check_memory(document: Document, request: ExportRequest) -> None:
+    """Refuse a canvas that the machine cannot draw, before anything is allocated for it."""
+    canvas, free = document.canvas, free_memory()
+    of_pixel = _IN_COLOUR_BYTES if request.composite or request.layered else _SHADOW_BYTES
+    needed = canvas.width_px * canvas.height_px * of_pixel
+    if free is not None and needed > free:
+        raise UsageProblem(
+            Message(
+                "a canvas of {width} × {height} px needs about {needed} MB of memory to be drawn, "
+                "of which {free} MB are free",
+                width=canvas.width_px,
+                height=canvas.height_px,
+                needed=needed >> 20,
+                free=free >> 20,
+            )
+        )
 
 
 def _notes(document: Document, request: ExportRequest) -> tuple[Message, ...]:
