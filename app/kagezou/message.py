@@ -5,7 +5,7 @@ line shows ``str(message)``; the window looks the text up in its catalogue and p
 literally in the call, so that the catalogues are filled from the sources.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Protocol, runtime_checkable
 
 Translate = Callable[[str, str], str]
@@ -42,6 +42,11 @@ class Message:
         self.text = text
         self.about = about
         self.values = values
+
+    @classmethod
+    def retold(cls, text: str, about: str, values: Mapping[str, object]) -> "Message":
+        """Return a message that another process made, from its parts."""
+        return cls(text, about, **values)
 
     def formatted(self, translate: Translate) -> str:
         """Return the text in the language of ``translate``, with its values."""

@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>Asking</name>
+    <message>
+        <source>the files</source>
+        <translation>ファイル</translation>
+    </message>
+</context>
+<context>
     <name>BoxDrag</name>
     <message>
         <source>Move keys</source>
@@ -772,6 +779,14 @@
         <translation>セルを選択</translation>
     </message>
     <message>
+        <source>Choose a Sheet</source>
+        <translation>タイムシートを選ぶ</translation>
+    </message>
+    <message>
+        <source>The file holds several timesheets:</source>
+        <translation>このファイルには複数のタイムシートがあります：</translation>
+    </message>
+    <message>
         <source>Choose a Background</source>
         <translation>背景を選択</translation>
     </message>
@@ -1288,6 +1303,53 @@
     <message>
         <source>As Found (Unpin)</source>
         <translation>見つかったまま (固定を解除)</translation>
+    </message>
+</context>
+<context>
+    <name>FoundDialog</name>
+    <message>
+        <source>Characters Found</source>
+        <translation>見つかったキャラクター</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取り込む</translation>
+    </message>
+    <message>
+        <source>of its own</source>
+        <translation>独立</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>人物</translation>
+    </message>
+    <message>
+        <source>This is what was found. Lower rows lie over upper ones.</source>
+        <translation>次のものが見つかりました。下の行ほど手前に重なります。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Drawings</source>
+        <translation>枚数</translation>
+    </message>
+    <message>
+        <source>First and last file</source>
+        <translation>最初と最後のファイル</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>part of %1</source>
+        <translation>%1 の一部</translation>
     </message>
 </context>
 <context>
@@ -2996,10 +3058,6 @@ Drop a folder of cels here.</source>
         <translation>見つかりません</translation>
     </message>
     <message>
-        <source>it has more than the {most} triangles that can be worked with</source>
-        <translation>三角形が、扱える {most} 個を超えています</translation>
-    </message>
-    <message>
         <source>it has more than {most_nodes} nodes</source>
         <translation>ノードが {most_nodes} 個を超えています</translation>
     </message>
@@ -3070,10 +3128,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>it is damaged: it refers to more numbers than it holds</source>
         <translation>壊れています：持っている以上の数値を参照しています</translation>
-    </message>
-    <message>
-        <source>it is damaged: its corners are not points in space</source>
-        <translation>ファイルが壊れています：頂点が立体の点になっていません</translation>
     </message>
     <message>
         <source>it is damaged: its nodes form an endless loop</source>
@@ -3198,10 +3252,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>it refers to {name!r} outside its own folder, which is not followed</source>
         <translation>フォルダの外の {name!r} を参照しているため読み込みません</translation>
-    </message>
-    <message>
-        <source>it uses sparse accessors, which are not read</source>
-        <translation>疎アクセサーには対応していません</translation>
     </message>
     <message>
         <source>it would exceed the file size limit</source>
@@ -3900,6 +3950,14 @@ Drop a folder of cels here.</source>
         <translation>同じ見た目の影が重なる所で一つになるか。オフでは重なるほど濃くなります。</translation>
     </message>
     <message>
+        <source>a canvas of {width} × {height} px needs about {needed} MB of memory to be drawn, of which {free} MB are free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a dash before a number is taken as a minus: {first}</source>
+        <translation>番号の前のハイフンをマイナスとみなしました：{first}</translation>
+    </message>
+    <message>
         <source>a layered frame holds the shadows of a look as a group; ask for one of the two</source>
         <translation>レイヤー付きフレームには同じ見た目の影がグループとして入っています。どちらか一方を選んでください</translation>
     </message>
@@ -3944,20 +4002,152 @@ Drop a folder of cels here.</source>
         <translation>ガイドは合成画像に描かれます。合成画像も指定してください</translation>
     </message>
     <message>
+        <source>it cannot be read as USD: the file is damaged, or too large for the memory</source>
+        <translation>USD として読めません：ファイルが壊れているか、メモリーに対して大きすぎます</translation>
+    </message>
+    <message>
+        <source>it ends within a solid: something may be missing</source>
+        <translation>ソリッドの途中で終わっています。欠けている部分があるかもしれません</translation>
+    </message>
+    <message>
+        <source>it has light where its alpha is 0, as a glow has; that is not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has light where its alpha is 0; that is seen as a glow over what is behind it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has more than {most} prims</source>
+        <translation>プリムが {most} 個を超えています</translation>
+    </message>
+    <message>
+        <source>it has no scene: all of its nodes are read</source>
+        <translation>シーンがないため、すべてのノードを読みます</translation>
+    </message>
+    <message>
+        <source>it is compressed with Draco, which needs the package DracoPy: pip install &apos;kagezou[draco]&apos;</source>
+        <translation>Draco で圧縮されています。読むにはパッケージ DracoPy が要ります：pip install &apos;kagezou[draco]&apos;</translation>
+    </message>
+    <message>
+        <source>it is damaged: an instancer names what is not there</source>
+        <translation>壊れています：インスタンサーが存在しないものを参照しています</translation>
+    </message>
+    <message>
+        <source>it is damaged: instances are made of themselves</source>
+        <translation>壊れています：インスタンスが自分自身を含んでいます</translation>
+    </message>
+    <message>
+        <source>it is damaged: what is compressed in it cannot be read</source>
+        <translation>壊れています：圧縮されたデータを読めません</translation>
+    </message>
+    <message>
+        <source>it is made of more than {most} layers</source>
+        <translation>{most} 個を超えるレイヤーでできています</translation>
+    </message>
+    <message>
         <source>it is too large for values</source>
         <translation>値のファイルとしては大きすぎます</translation>
+    </message>
+    <message>
+        <source>it is too large for what is not used of it to be kept for writing</source>
+        <translation>大きすぎるため、使わない内容は書き出し用に保存されません</translation>
+    </message>
+    <message>
+        <source>it refers to {names}, which cannot be read</source>
+        <translation>参照している {names} を読めません</translation>
+    </message>
+    <message>
+        <source>it requires glTF {version}; only glTF 2.0 is read</source>
+        <translation>glTF {version} を必要としています。読めるのは glTF 2.0 だけです</translation>
+    </message>
+    <message>
+        <source>it requires the extensions {names}, which are not read</source>
+        <translation>拡張機能 {names} を必要としていますが、対応していません</translation>
+    </message>
+    <message>
+        <source>its alpha is 0 everywhere; its colours are seen as if there were none</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>its animation of {count} frames is not used: layers count as they are visible now</source>
         <translation>{count} フレームのアニメーションは使いません。レイヤーは現在の表示状態のまま扱います</translation>
     </message>
     <message>
+        <source>its camera work is not used</source>
+        <translation>カメラワークは使いません</translation>
+    </message>
+    <message>
+        <source>its cameras {names} are mirrored, which is not done</source>
+        <translation>カメラ {names} は鏡像ですが、反転はしません</translation>
+    </message>
+    <message>
+        <source>its cameras {names} hang on no node and are not used</source>
+        <translation>カメラ {names} はどのノードにも付いていないため使いません</translation>
+    </message>
+    <message>
+        <source>its colour profile is damaged and not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its colour profile is not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>its colour profile {profile!r} is not used: colours are taken as sRGB</source>
         <translation>カラープロファイル {profile!r} は使いません。色は sRGB とみなします</translation>
     </message>
     <message>
+        <source>its colours are inks with further channels, which cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its colours are taken as linear light of Rec. 709, though it calls them {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its colours are taken as sRGB, though it calls them {primaries}/{transfer}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its columns of key drawings are not used</source>
+        <translation>原画欄は使いません</translation>
+    </message>
+    <message>
+        <source>its columns of the kind {kind} are not used</source>
+        <translation>種類 {kind} の欄は使いません</translation>
+    </message>
+    <message>
         <source>its columns</source>
         <translation>すべての列</translation>
+    </message>
+    <message>
+        <source>its curved surfaces are not used</source>
+        <translation>曲面（サーフェス）は使いません</translation>
+    </message>
+    <message>
+        <source>its curves are not used</source>
+        <translation>カーブは使いません</translation>
+    </message>
+    <message>
+        <source>its dialogue is not used</source>
+        <translation>台詞欄は使いません</translation>
+    </message>
+    <message>
+        <source>its elements {names} are not used</source>
+        <translation>要素 {names} は使いません</translation>
+    </message>
+    <message>
+        <source>its fourth channel, of which it does not say what it is, was taken as alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its inks (CMYK) have no colour profile: its colours are an approximation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its inks (CMYK) were turned into sRGB by its colour profile</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>its layer comps are not used: layers count as they are visible now</source>
@@ -3970,6 +4160,58 @@ Drop a folder of cels here.</source>
     <message>
         <source>its layers, put together here, differ from the picture saved with them by up to {levels:.0f} of 255 levels; by more than {least} in {share:.1%} of the picture</source>
         <translation>ここで合成したレイヤーは、保存済みの統合画像と最大 {levels:.0f}/255 階調異なります（{least} 階調を超える差は画像の {share:.1%}）</translation>
+    </message>
+    <message>
+        <source>its length is missing; it ends with its last entry</source>
+        <translation>長さの記載がないため、最後の記入までとしました</translation>
+    </message>
+    <message>
+        <source>its lines are not used</source>
+        <translation>線は使いません</translation>
+    </message>
+    <message>
+        <source>its meshes are animated: they are used as they stand without that</source>
+        <translation>メッシュにアニメーションがありますが、動かない状態の形を使います</translation>
+    </message>
+    <message>
+        <source>its morph targets are used with the weights that the file sets at first</source>
+        <translation>モーフターゲットには、ファイルの初期ウェイトを使います</translation>
+    </message>
+    <message>
+        <source>its second channel, of which it does not say what it is, was taken as alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its shapes are animated: they are used as on its first frame</source>
+        <translation>形状にアニメーションがありますが、最初のフレームの形を使います</translation>
+    </message>
+    <message>
+        <source>its single points are not used</source>
+        <translation>点は使いません</translation>
+    </message>
+    <message>
+        <source>its skins are posed as on its first frame</source>
+        <translation>スキンには、最初のフレームのポーズを使います</translation>
+    </message>
+    <message>
+        <source>its skins are posed as their joints stand without animation</source>
+        <translation>スキンには、アニメーションなしのジョイントのポーズを使います</translation>
+    </message>
+    <message>
+        <source>its subdivision surfaces are used as their cages</source>
+        <translation>サブディビジョンサーフェスは、細分前の形を使います</translation>
+    </message>
+    <message>
+        <source>its text is {encoding}, where UTF-8 is usual</source>
+        <translation>文字コードは通常の UTF-8 ではなく {encoding} です</translation>
+    </message>
+    <message>
+        <source>its unit is {unit:g} m; its size on the canvas does not follow from that</source>
+        <translation>単位は {unit:g} m ですが、キャンバス上の大きさには使いません</translation>
+    </message>
+    <message>
+        <source>its {kinds} are not used</source>
+        <translation>{kinds} は使いません</translation>
     </message>
     <message>
         <source>layer {name}: {drawings}</source>
@@ -3992,6 +4234,22 @@ Drop a folder of cels here.</source>
         <translation>ライト</translation>
     </message>
     <message>
+        <source>line {number} cannot be understood: {text!r}</source>
+        <translation>{number} 行目を読み取れません：{text!r}</translation>
+    </message>
+    <message>
+        <source>line {number} has a comma in a number: {text!r}; please export it with decimal points</source>
+        <translation>{number} 行目の数値にコンマがあります：{text!r}。小数点にはピリオドを使って書き出し直してください</translation>
+    </message>
+    <message>
+        <source>marks of a kind not known here are passed over: {count}</source>
+        <translation>未知の記号は使いません：{count} 個</translation>
+    </message>
+    <message>
+        <source>marks of inbetweens and reverse sheets (○ ●) are not used: {count}</source>
+        <translation>中割り・逆シートの記号（○ ●）は使いません：{count} 個</translation>
+    </message>
+    <message>
         <source>moving for {frames} frames</source>
         <translation>{frames} コマ動きます</translation>
     </message>
@@ -4008,12 +4266,56 @@ Drop a folder of cels here.</source>
         <translation>統合画像が保存されていないため、レイヤーを比べられませんでした</translation>
     </message>
     <message>
+        <source>not meant by the pattern: {names}</source>
+        <translation>パターンに合わないため使わなかったもの：{names}</translation>
+    </message>
+    <message>
+        <source>not used of it: {names} and {count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used of it: {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nothing is drawn</source>
         <translation>何も描かれていません</translation>
     </message>
     <message>
+        <source>of its variants these are used: {names}</source>
+        <translation>バリアントは次のものを使います：{names}</translation>
+    </message>
+    <message>
+        <source>of its {count} pictures the first alone is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of its {count} scenes only {name!r} is read</source>
+        <translation>{count} 個のシーンのうち {name!r} だけを読みます</translation>
+    </message>
+    <message>
+        <source>of its {count} sheets {name} is used, not {others}</source>
+        <translation>{count} 枚のシートのうち {name} を使います（使わないもの：{others}）</translation>
+    </message>
+    <message>
+        <source>of several cels on one frame the first counts: {count} times</source>
+        <translation>1 コマに複数のセルがある箇所は最初のものを使います：{count} か所</translation>
+    </message>
+    <message>
+        <source>of two with one number only one counts: {names}</source>
+        <translation>同じ番号のものは一方だけを使います：{names}</translation>
+    </message>
+    <message>
+        <source>one sequence, although the words in its names differ: {first}, {last}</source>
+        <translation>名前の語は違いますが 1 つの連番とみなしました：{first}、{last}</translation>
+    </message>
+    <message>
         <source>orthographic</source>
         <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>other files that it calls are not read</source>
+        <translation>呼び出されている別のファイルは読みません</translation>
     </message>
     <message>
         <source>paper is one of {papers}, not {text!r}</source>
@@ -4028,12 +4330,20 @@ Drop a folder of cels here.</source>
         <translation>{width} × {height} px のプロジェクト、コマ {frames}、毎秒 {rate:g} コマ</translation>
     </message>
     <message>
+        <source>reading it takes longer than {seconds} seconds: given up</source>
+        <translation>読み込みに {seconds} 秒以上かかるため中止しました</translation>
+    </message>
+    <message>
         <source>set of {count} triangles, {x:.6g} × {y:.6g} × {z:.6g} units, {up} points up</source>
         <translation>三角形 {count} 個のセット、{x:.6g} × {y:.6g} × {z:.6g} 単位、上方向は {up}</translation>
     </message>
     <message>
         <source>set piece {name}</source>
         <translation>セットの部品 {name}</translation>
+    </message>
+    <message>
+        <source>several numbers run; the drawing&apos;s is taken to be {number} in {first}</source>
+        <translation>変化する番号が複数あります。{first} では {number} を絵の番号とみなしました</translation>
     </message>
     <message>
         <source>standing still</source>
@@ -4044,12 +4354,20 @@ Drop a folder of cels here.</source>
         <translation>{layer!r} のアンカーは x と y が別々のイーズで動きますが、After Effects のアンカーポイントにはそれがないため、代わりに各フレームにキーを打ちました</translation>
     </message>
     <message>
+        <source>the extensions {names} are not used</source>
+        <translation>拡張機能 {names} は使いません</translation>
+    </message>
+    <message>
         <source>the figure is cut off by the lower edge of the drawing</source>
         <translation>人物が作画の下端で切れています</translation>
     </message>
     <message>
         <source>the figure rests on a broad base: a hem, or it sits or lies</source>
         <translation>人物が広い面で接地しています（裾、座り、寝そべりなど）</translation>
+    </message>
+    <message>
+        <source>the file is damaged (a colour is not in its palette)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the head of {figure}&apos;s long shadow falls beside the picture on frame {frame}, as it does under any sun</source>
@@ -4068,6 +4386,14 @@ Drop a folder of cels here.</source>
         <translation>フレーム {frame} でライトが {figure} の真上にあります。そこでは四つのライトに分かれ、その影は単純化されて一つになります（light.overhead_radius、light.overhead_simplify）</translation>
     </message>
     <message>
+        <source>the layer {layer} has no alpha of its own; that of the file is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the layer {layer} is used, which has no alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
         <translation>光源を太陽にしました：ランプの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
     </message>
@@ -4076,12 +4402,28 @@ Drop a folder of cels here.</source>
         <translation>前のスタイルが入れたライトを元に戻しました</translation>
     </message>
     <message>
+        <source>the line that names its format is missing</source>
+        <translation>形式を示す先頭行がありません</translation>
+    </message>
+    <message>
+        <source>the newest retake counts: {names}</source>
+        <translation>最新のリテイクを使います：{names}</translation>
+    </message>
+    <message>
+        <source>the newest version counts; older drawings left out: {count} ({names})</source>
+        <translation>最新の版を使います。使わない古い絵：{count} 枚（{names}）</translation>
+    </message>
+    <message>
         <source>the picture saved with its layers is empty, so they could not be compared with it</source>
         <translation>保存済みの統合画像が空のため、レイヤーを比べられませんでした</translation>
     </message>
     <message>
         <source>the pictures of the background are not a sequence without gaps, so they were copied</source>
         <translation>背景の画像は欠番のない連番ではないため、コピーしました</translation>
+    </message>
+    <message>
+        <source>the process that reads USD cannot be started</source>
+        <translation>USD を読むプロセスを起動できません</translation>
     </message>
     <message>
         <source>the set is made of {count} parts, more than the {most} that are drawn while you work: left out here, but not of what is exported: {names}</source>
@@ -4106,6 +4448,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>the timesheet: {note}</source>
         <translation>タイムシート: {note}</translation>
+    </message>
+    <message>
+        <source>there are no triangles in it: {why}</source>
+        <translation>三角形がありません：{why}</translation>
+    </message>
+    <message>
+        <source>there is no layer {address!r} in it, but there are: {names}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>
@@ -4188,6 +4538,22 @@ Drop a folder of cels here.</source>
         <translation>動画には PyAV が要りますが、入っていません：pip install &apos;kagezou[video]&apos;</translation>
     </message>
     <message>
+        <source>what could be its alpha is 0 everywhere and was taken as unused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what lies behind its last frame is not used: {count} entries</source>
+        <translation>最後のコマより後の記入は使いません：{count} 件</translation>
+    </message>
+    <message>
+        <source>what looks like a version is taken as the drawing&apos;s number: {first}</source>
+        <translation>版に見える数字を絵の番号とみなしました：{first}</translation>
+    </message>
+    <message>
+        <source>what stands behind its end is not used</source>
+        <translation>末尾の後ろにあるものは使いません</translation>
+    </message>
+    <message>
         <source>with {megabytes} MB it is larger than can be read</source>
         <translation>{megabytes} MB は大きすぎて読み込めません</translation>
     </message>
@@ -4200,6 +4566,18 @@ Drop a folder of cels here.</source>
         <translation>{cause}</translation>
     </message>
     <message>
+        <source>{count} bytes behind its end are not used</source>
+        <translation>終わりの後ろの {count} バイトは使いません</translation>
+    </message>
+    <message>
+        <source>{count} bytes behind its last triangle are not used</source>
+        <translation>最後の三角形の後ろの {count} バイトは使いません</translation>
+    </message>
+    <message>
+        <source>{count} characters have one drawing each and are seen together: {names}</source>
+        <translation>{count} 人のキャラクターは絵が 1 枚ずつで、同時に表示されます：{names}</translation>
+    </message>
+    <message>
         <source>{count} drawings are missing: {names}</source>
         <translation>{count} 枚の絵が見つかりません：{names}</translation>
     </message>
@@ -4210,6 +4588,54 @@ Drop a folder of cels here.</source>
     <message>
         <source>{count} keyed properties got a key on frame {frame}: {names}</source>
         <translation>キーのあるプロパティ {count} 個の {frame} フレームにキーを打ちました：{names}</translation>
+    </message>
+    <message>
+        <source>{count} of its faces cross or touch themselves: every loop is filled</source>
+        <translation>自己交差または自己接触している面が {count} 個あり、輪のそれぞれを塗りつぶします</translation>
+    </message>
+    <message>
+        <source>{count} of its faces have fewer than three corners and are not used</source>
+        <translation>頂点が 3 つ未満の面が {count} 個あり、使いません</translation>
+    </message>
+    <message>
+        <source>{count} of its faces have too many corners or cross themselves too often and are left out</source>
+        <translation>頂点または自己交差が多すぎる面が {count} 個あり、省きます</translation>
+    </message>
+    <message>
+        <source>{count} of its facets are no triangles and are not used</source>
+        <translation>三角形でないファセットが {count} 個あり、使いません</translation>
+    </message>
+    <message>
+        <source>{count} of its instancers put nothing</source>
+        <translation>何も配置しないインスタンサーが {count} 個あります</translation>
+    </message>
+    <message>
+        <source>{count} of its meshes hang on no node and are not used</source>
+        <translation>{count} 個のメッシュはどのノードにも付いていないため使いません</translation>
+    </message>
+    <message>
+        <source>{count} of its nodes are hidden, and what hangs on them</source>
+        <translation>{count} 個のノードは非表示なので、その下にあるものも含めて使いません</translation>
+    </message>
+    <message>
+        <source>{count} of its prototypes are missing</source>
+        <translation>プロトタイプが {count} 個見つかりません</translation>
+    </message>
+    <message>
+        <source>{count} of its shapes are guides and are not used</source>
+        <translation>ガイド用の形状が {count} 個あり、使いません</translation>
+    </message>
+    <message>
+        <source>{count} of its shapes are proxies for others and are not used</source>
+        <translation>プロキシ用の形状が {count} 個あり、使いません</translation>
+    </message>
+    <message>
+        <source>{count} of its skins stand as they were modelled, without their pose</source>
+        <translation>{count} 個のスキンはポーズなしの、モデリング時の形を使います</translation>
+    </message>
+    <message>
+        <source>{count} of its triangles have a corner that is not a number</source>
+        <translation>頂点が数値でない三角形が {count} 個あり、省きます</translation>
     </message>
     <message>
         <source>{figure} pokes through {piece} on frame {frame}, which cuts its shadow: more room behind the figure, or upright = 1, keeps it whole</source>
@@ -4320,12 +4746,24 @@ Drop a folder of cels here.</source>
         <translation>{name}：{width} × {height} px の絵が {canvas} px のキャンバスからはみ出しています</translation>
     </message>
     <message>
+        <source>{name}: its numbers lie too far apart to be frames; each drawing has one</source>
+        <translation>{name}：番号が離れすぎていてコマ番号とみなせないため、1 枚を 1 コマずつ並べました</translation>
+    </message>
+    <message>
         <source>{name}: missing {gaps}; the drawing before is held</source>
         <translation>{name}：{gaps} がありません。前の絵を止めて使います</translation>
     </message>
     <message>
+        <source>{name}: newer retakes count instead of {names}</source>
+        <translation>{name}：新しいリテイクを使い、{names} は使いません</translation>
+    </message>
+    <message>
         <source>{name}: no feet were found ({reason}), so it stands on the ground line</source>
         <translation>{name}: 足が見つからないため ({reason})、接地線に立ちます</translation>
+    </message>
+    <message>
+        <source>{name}: one drawing, {first}</source>
+        <translation>{name}：1 枚、{first}</translation>
     </message>
     <message>
         <source>{name}: the figure reaches the lower edge of its drawing, where the ground was put; if its feet are cut off, move the ground to where they would stand</source>
@@ -4354,6 +4792,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>{name}: {count} drawings cannot be opened</source>
         <translation>{name}：{count} 枚の絵を開けません</translation>
+    </message>
+    <message>
+        <source>{name}: {count} drawings, {first} … {last}</source>
+        <translation>{name}：{count} 枚、{first} … {last}</translation>
+    </message>
+    <message>
+        <source>{name}: {count} drawings, {numbers}, {first} … {last}</source>
+        <translation>{name}：{count} 枚、{numbers}、{first} … {last}</translation>
     </message>
     <message>
         <source>{name}: {note}, in all its {count} files</source>
@@ -4440,6 +4886,22 @@ Drop a folder of cels here.</source>
         <translation>{path}：すべてのレイヤーが非表示か空です</translation>
     </message>
     <message>
+        <source>{path}: its {count} pages are its drawings, a frame each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: its {count} pictures are its drawings, as long as it says at {rate} frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: its {count} pictures are its drawings, as long as it says, rounded to whole frames at {rate} frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: its {count} pictures are its drawings; {unsaid} of them do not say how long they are seen, which counts as {ms:g} ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{path}: keys are out of order</source>
         <translation>{path}：キーの順序が正しくありません</translation>
     </message>
@@ -4458,6 +4920,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: left out, as they have no number: {names}</source>
         <translation>{path}：番号がないため使わなかった画像：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: none of its cels has a drawing among those of {layers}</source>
+        <translation>{path}：どのセルにも {layers} の絵が見つかりません</translation>
     </message>
     <message>
         <source>{path}: one figure with one shadow: {names}</source>
@@ -4492,6 +4958,10 @@ Drop a folder of cels here.</source>
         <translation>{path}：カメラ {camera!r} はありません。あるのは {known} です</translation>
     </message>
     <message>
+        <source>{path}: there is no sheet {which!r} in it, but {names}</source>
+        <translation>{path}：シート {which!r} はありません。あるもの：{names}</translation>
+    </message>
+    <message>
         <source>{path}: these are not rules of path mapping: {cause}</source>
         <translation>{path}：パスマッピングの規則ではありません：{cause}</translation>
     </message>
@@ -4506,10 +4976,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: {note}</source>
         <translation>{path}: {note}</translation>
-    </message>
-    <message>
-        <source>{path}: {path_2} has the same number</source>
-        <translation>{path}：{path_2} と番号が同じです</translation>
     </message>
     <message>
         <source>{path}: {where}: {problem}</source>
@@ -4578,6 +5044,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{width} × {height} px is larger than can be read</source>
         <translation>{width} × {height} px は大きすぎて読み込めません</translation>
+    </message>
+    <message>
+        <source>{width} × {height} px need {needed} MB of memory to be read, of which {free} MB are free</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{words}</source>

@@ -98,6 +98,6 @@ def _tree_of(message: Message) -> list[Any]:
 
 def _message_of(tree: list[Any]) -> Message:
     text, about, values = tree
-    return Message(
-        text, about, **{name: _message_of(each) if isinstance(each, list) else each for name, each in values.items()}
+    return Message.retold(
+        text, about, {name: _message_of(each) if isinstance(each, list) else each for name, each in values.items()}
     )
