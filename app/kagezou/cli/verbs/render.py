@@ -9,7 +9,7 @@ from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
-from kagezou.cli.terminal import ProgressLine
+from kagezou.cli.terminal import ProgressLine, note
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -76,6 +76,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.project.file import load
     from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
+    from kagezou.scene.heavy_sets import heavy_words
 
     form = options.format or ("psd" if options.layered else "png")
     request = ExportRequest(
@@ -99,6 +100,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         document = load(options.project)
         if options.path_mapping is not None:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
+        if (words := heavy_words(document)) is not None:
+            note(words)
         summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
         if isinstance(lines, JobLines) and summary.failures:
             lines.fail(summary.failures[0].message)

@@ -10,8 +10,9 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import bounding_box, box_polygon, clipped, shifted
 from kagezou.geometry.sets.bodies import Body, Drum, Solid
+from kagezou.geometry.sets.extents import Extents
 from kagezou.geometry.sets.occlusion_cones import Cone, Occlusion, end_cone, facet_cone, occlusion_of
-from kagezou.geometry.sets.regions import Flat, Group, Region, Taken, apart, beyond, heights_over
+from kagezou.geometry.sets.regions import Flat, Group, Region, Taken, apart, beyond
 from kagezou.geometry.vectors import Matrix, Vector4
 
 GROUND = -1
@@ -60,9 +61,9 @@ class Face:
                 groups.append(self._beyond(taken[0] if seen is None else apart(taken, seen)))
         return tuple(groups)
 
-    def hidden_by(self, bodies: Sequence[Body], occlusions: dict[int, Occlusion]) -> "Face":
+    def hidden_by(self, extents: Extents, occlusions: dict[int, Occlusion]) -> "Face":
         """Return the face with what the camera's occlusions, but for its own body's, hide of it."""
-        spans = tuple(heights_over(self.flat.equation, body) for body in bodies)
+        spans = extents.over(self.flat.equation)
         hidden: dict[int, Taken] = {}
         for index, occlusion in occlusions.items():
             taken = None if index == self.body else self.flat.group(spans[index], occlusion, keeps_footprint=True)
@@ -84,7 +85,8 @@ def faces_of(camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body])
             found.append(_face(camera, canvas, plane, cone))
             owners.append(index)
     faces = (None if face is None else replace(face, body=owner) for face, owner in zip(found, owners, strict=True))
-    return tuple(face.hidden_by(bodies, occlusions) for face in faces if face is not None)
+    extents = Extents.of(bodies)
+    return tuple(face.hidden_by(extents, occlusions) for face in faces if face is not None)
 
 
 def _face(camera: Camera, canvas: Box, plane: Plane, cone: Cone | None) -> Face | None:
