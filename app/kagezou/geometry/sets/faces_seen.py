@@ -1,6 +1,6 @@
 """What a camera sees of a set: the ground and every flat face that is turned to it, and what hides parts of them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -75,8 +75,17 @@ class Face:
         return group if self.outline is None else beyond(group, self.outline, self.box)
 
 
-def faces_of(camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body]) -> tuple[Face, ...]:
-    """Return the ground and the flat faces turned to the eye, those outside of the canvas left out."""
+def go_on() -> None:
+    """Do nothing between two faces."""
+
+
+def faces_of(
+    camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body], between: Callable[[], None] = go_on
+) -> tuple[Face, ...]:
+    """Return the ground and the flat faces turned to the eye, those outside of the canvas left out.
+
+    Of many bodies this takes long: ``between`` is called before each face, and what it raises ends the work.
+    """
     occlusions = dict(enumerate(occlusion_of(body, camera.eye) for body in bodies))
     found = [_face(camera, canvas, ground, None)]
     owners = [GROUND]
@@ -86,7 +95,12 @@ def faces_of(camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body])
             owners.append(index)
     faces = (None if face is None else replace(face, body=owner) for face, owner in zip(found, owners, strict=True))
     extents = Extents.of(bodies)
-    return tuple(face.hidden_by(extents, occlusions) for face in faces if face is not None)
+    made: list[Face] = []
+    for face in faces:
+        if face is not None:
+            between()
+            made.append(face.hidden_by(extents, occlusions))
+    return tuple(made)
 
 
 def _face(camera: Camera, canvas: Box, plane: Plane, cone: Cone | None) -> Face | None:
