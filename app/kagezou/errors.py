@@ -33,6 +33,10 @@ class Problem(Exception):
         return self.message.sentence(translate)
 
 
+class Stopped(Exception):
+    """The person asked to stop in the middle of something that takes long; no problem of anything."""
+
+
 class UsageProblem(Problem):
     """The command line or a typed value does not make sense."""
 

@@ -4,13 +4,11 @@ import pytest
 
 from kagezou.document.edits import add_layer, set_exposures
 from kagezou.document.model import Cels, Document, Exposure
-from kagezou.document.set_pieces import add_piece
 from kagezou.errors import UsageProblem
 from kagezou.export import planning
 from kagezou.export.planning import planned
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.box import Box
-from kagezou.geometry.sets.measures import PieceKind
 from tests.export.small_cuts import cut, with_key, with_values
 
 
@@ -96,11 +94,3 @@ def test_a_canvas_that_the_machine_cannot_draw_is_refused_before_it_is_drawn(
         planned(document, ExportRequest(tmp_path, composite=True))
     monkeypatch.setattr(planning, "free_memory", lambda: None)
     assert planned(document, ExportRequest(tmp_path, composite=True)).files
-
-
-def test_a_set_that_cannot_be_drawn_is_refused(tmp_path: Path) -> None:
-    document = cut(tmp_path, count=1)
-    for number in range(76):
-        document = add_piece(document, f"stairs {number}", PieceKind.STEPS, {"count": 40})
-    with pytest.raises(UsageProblem, match="the set is made of 3040 parts, more than the 3000 that can be drawn"):
-        planned(document, ExportRequest(tmp_path))

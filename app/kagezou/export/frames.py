@@ -20,6 +20,7 @@ from kagezou.io.files.atomic import sweep_stale
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.render.gpu.context import OpenContext
 from kagezou.render.renderer import Renderer
+from kagezou.scene.heavy_sets import heavy_words
 
 CEL_BUDGET_BYTES: Final = 256 << 20
 
@@ -64,9 +65,10 @@ def _make(
     request, canvas = run.request, document.canvas
     cels = CelCache(CEL_BUDGET_BYTES)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
+    stops = stops_of(document, cancelled)
     steps = PipelineSteps(
         decode=partial(decode, cels, in_color=request.composite or request.layered),
-        drawing=partial(drawing, cels, request.depth, open_context, keeps_opacity=request.keeps_opacity),
+        drawing=partial(drawing, cels, request.depth, open_context, stops, keeps_opacity=request.keeps_opacity),
         write=write_all,
     )
     with closing(flow(jobs, steps, request.workers, window, cancelled)) as outcomes:
@@ -74,11 +76,19 @@ def _make(
             run.note(outcome)
 
 
+def stops_of(document: Document, cancelled: Cancelled) -> Cancelled:
+    """Return what stops within a frame: whatever stops between two of them, where a frame takes minutes."""
+    return cancelled if heavy_words(document) is not None else lambda: False
+
+
 @contextmanager
-def drawing(cels: CelCache, depth: int, open_context: OpenContext, *, keeps_opacity: bool = False) -> Iterator[Draw]:
+def drawing(
+    cels: CelCache, depth: int, open_context: OpenContext, stops: Cancelled, *, keeps_opacity: bool = False
+) -> Iterator[Draw]:
     """Open OpenGL for the block and give what draws a job; the options are those of `Painter`."""
     with open_context():
         renderer = Renderer(cels)
+        renderer.stop_when(stops)
         painter = Painter(renderer, cels, depth, keeps_opacity)
         try:
             yield lambda job: job.content.draw(painter)

@@ -11,7 +11,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Final, Generic, TypeVar
 
-from kagezou.errors import InputProblem
+from kagezou.errors import InputProblem, Stopped
 from kagezou.export.pictures import Picture
 from kagezou.export.planning import FrameJob
 
@@ -64,7 +64,8 @@ def flow(
 ) -> Generator[Outcome[Made], None, None]:
     """Yield the outcome of each job, in their order but for failed ones, which come as soon as they are known.
 
-    When ``cancelled`` says so, what is drawn is still written and yielded, and nothing more is begun. Whatever ends
+    When ``cancelled`` says so, what is drawn is still written and yielded, and nothing more is begun; so it is when
+    drawing raises `Stopped`, as it may where a frame takes minutes, and that frame is not made. Whatever ends
     the run, no worker is left when the iterator is closed.
     """
     upcoming = iter(jobs)
@@ -88,6 +89,8 @@ def flow(
                 except InputProblem as problem:
                     yield Outcome(job, problem=problem)
                     continue
+                except Stopped:
+                    break
                 writing.append((job, pool.submit(steps.write, job, picture)))
                 while writing and (len(writing) > window or writing[0][1].done()):
                     job, written = writing.popleft()

@@ -16,7 +16,6 @@ from kagezou.export.uniting import cut_groups
 from kagezou.io.images.picture_size import free_memory
 from kagezou.message import Message
 from kagezou.scene.evaluate import evaluate
-from kagezou.scene.set_extent import check_extent
 
 _SHADOW_BYTES: Final = 5
 _IN_COLOUR_BYTES: Final = 25
@@ -92,11 +91,10 @@ def planned(document: Document, request: ExportRequest) -> Plan:
     Raises
     ------
     UsageProblem
-        A layer or a frame is asked for that the document does not have, there is nothing to make, or the set or the
-        canvas is too large to be drawn.
+        A layer or a frame is asked for that the document does not have, there is nothing to make, or the canvas
+        is too large to be drawn.
     """
     frames = chosen_frames(document, request)
-    check_extent(evaluate(document, frames[0]).pieces if frames else ())
     _check_memory(document, request)
     sequences = sequences_of(document, request)
     jobs = jobs_of(document, frames, sequences)

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from kagezou.document.model import Document
+from kagezou.errors import Stopped
 from kagezou.export.checks import check_sources
-from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing
+from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing, stops_of
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, jobs_of
 from kagezou.export.request import SHADOWS, Cancelled, ExportRequest, Progress
@@ -59,10 +60,6 @@ class VideoSummary:
     seconds: float
 
 
-class _Stopped(Exception):
-    """The person asked to stop, and the unfinished file goes."""
-
-
 def export_video(
     document: Document, request: VideoRequest, open_context: OpenContext, progress: Progress, cancelled: Cancelled
 ) -> VideoSummary:
@@ -87,7 +84,7 @@ def export_video(
     length = sum(len(job.targets) for job in jobs)
     film = _Film(document, jobs, kind, request)
     is_whole = False
-    with suppress(_Stopped):
+    with suppress(Stopped):
         replace_by(path, lambda temp: film.write(temp, open_context, progress, cancelled))
         is_whole = True
     return VideoSummary(path, length, is_whole, time.monotonic() - started)
@@ -137,7 +134,7 @@ class _Film:
         cels = CelCache(CEL_BUDGET_BYTES)
         steps: PipelineSteps[Any] = PipelineSteps(
             decode=partial(decode, cels, in_color=self.request.layer is None),
-            drawing=partial(drawing, cels, _DEPTH, open_context),
+            drawing=partial(drawing, cels, _DEPTH, open_context, stops_of(self.document, cancelled)),
             write=lambda _, picture: converted(picture.rgba(), self.kind),
         )
         length, done = sum(len(job.targets) for job in self.jobs), 0
@@ -155,7 +152,7 @@ class _Film:
                 done += len(outcome.job.targets)
                 progress(done, length)
             if done < length:
-                raise _Stopped
+                raise Stopped
         if frames_in(temp) != length:
             raise output_problem(
                 self.request.path, Message("cannot be written: it reads back with other frames than it got")

@@ -1,6 +1,6 @@
 """The covered parts of each layer's shadow, kept as long as nothing that shapes them changes."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -73,6 +73,10 @@ class CoverageCache:
         self._by_layer: dict[str, Coverage] = {}
         self.casts_drawn = 0
         self.filters_drawn = 0
+
+    def call_between(self, between: Callable[[], None]) -> None:
+        """Have something called before each face of a set is drawn; what it raises ends the drawing."""
+        self._set.call_between(between)
 
     @property
     def meshes_seen(self) -> tuple[int, int]:

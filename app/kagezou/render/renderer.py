@@ -1,9 +1,10 @@
 """The renderer: the one way from a scene to pixels, for the window, the command line and a farm alike."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from kagezou.errors import Stopped
 from kagezou.geometry.box import Box
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Steps
@@ -57,6 +58,15 @@ class Renderer:
         self._images = ShadowImages(self._boxes)
         self._presenter = Presenter(self._boxes)
         check("setting up")
+
+    def stop_when(self, stops: Callable[[], bool]) -> None:
+        """Have it ask before each face of a set whether to stop; drawing raises `Stopped` then."""
+
+        def between() -> None:
+            if stops():
+                raise Stopped
+
+        self._shadows.call_between(between)
 
     @property
     def casts_drawn(self) -> int:

@@ -1,4 +1,4 @@
-"""How many parts a set is made of, and how many can be drawn in a sensible time."""
+"""How many parts a set is made of, and how many can be drawn while someone works."""
 
 from collections.abc import Iterable
 from typing import Final
@@ -9,10 +9,6 @@ from kagezou.scene.pieces import PieceScene
 
 MOST_AT_HAND: Final = 250
 """So many parts are drawn while someone works; each hides and darkens every other, so twice as many take four times."""
-
-SLOW: Final = 400
-MOST: Final = 3000
-"""A picture of more takes many minutes and gigabytes."""
 
 _SHOWN: Final = 3
 
@@ -31,34 +27,6 @@ def beyond(pieces: Iterable[PieceScene], most: int) -> tuple[PieceScene, ...]:
         if count > most and piece.bodies:
             left.append(piece)
     return tuple(left)
-
-
-def check_extent(pieces: Iterable[PieceScene]) -> None:
-    """See that a set can be drawn.
-
-    Raises
-    ------
-    UsageProblem
-        It has more parts than that.
-    """
-    count = parts_of(pieces)
-    if count > MOST:
-        raise UsageProblem(
-            Message(
-                "the set is made of {count} parts, more than the {most} that can be drawn: "
-                "please take pieces away, or give stairs fewer steps",
-                count=count,
-                most=MOST,
-            )
-        )
-
-
-def notes_on_extent(pieces: Iterable[PieceScene]) -> tuple[Message, ...]:
-    """Return what is to be said before a set is drawn: that it takes long."""
-    count = parts_of(pieces)
-    if count <= SLOW:
-        return ()
-    return (Message("the set is made of {count} parts: a picture may take minutes", count=count),)
 
 
 def too_many_at_hand(pieces: Iterable[PieceScene], left_out: Iterable[PieceScene]) -> UsageProblem:

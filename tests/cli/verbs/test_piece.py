@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from kagezou.io.images.reading import read_cel
+from kagezou.scene import heavy_sets
 from tests.cli.projects import Shell
 
 
@@ -107,3 +108,18 @@ def test_wrong_words_about_a_mesh_are_one_sentence(
     shell: Shell, project: Path, words: tuple[str, ...], cause: str
 ) -> None:
     assert cause in shell.fails(2, "piece", project, *words)
+
+
+def test_a_set_whose_frames_take_minutes_is_said(
+    shell: Shell, project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert shell("piece", project, "add", "stairs", "steps", "count=3") == 0
+    assert "minutes" not in shell.said
+    monkeypatch.setattr(heavy_sets, "MAX_PAIRS", 50)
+    assert shell("set", project, "set.stairs.count=8") == 0
+    assert "minutes" not in shell.said, "so it was before"
+    assert shell("render", project, "-o", tmp_path / "out", "--frames", "1") == 0
+    assert "note: the set pieces have 48 flat faces: drawing a frame may take minutes" in shell.said
+    monkeypatch.setattr(heavy_sets, "MAX_PAIRS", 400)
+    assert shell("piece", project, "copy", "stairs") == 0
+    assert "note: the set pieces have 96 flat faces" in shell.said

@@ -66,6 +66,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     """Load, change, and write the project if it changed."""
     from kagezou.document.set_pieces import stood_up_notes
     from kagezou.io.project.file import load, save
+    from kagezou.scene.heavy_sets import heavy_notes
     from kagezou.scene.misfits import misfits_of, new_misfits
     from kagezou.tools.wall_placing import cut_notes
 
@@ -87,8 +88,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if options.action == "add" and options.words[:1] != [PieceKind.MESH]:
         for sentence in (*stood_up_notes(before, after), *cut_notes(before, after)):
             note(sentence)
-    for misfit in new_misfits(misfits_of(before), misfits_of(after)):
-        note(misfit.message)
+    misfits = new_misfits(misfits_of(before), misfits_of(after))
+    for sentence in (*heavy_notes(before, after), *(misfit.message for misfit in misfits)):
+        note(sentence)
     save(after, options.project)
     return 0
 

@@ -76,8 +76,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.project.file import load
     from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
-    from kagezou.scene.evaluate import evaluate
-    from kagezou.scene.set_extent import notes_on_extent
+    from kagezou.scene.heavy_sets import heavy_words
 
     form = options.format or ("psd" if options.layered else "png")
     request = ExportRequest(
@@ -101,8 +100,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         document = load(options.project)
         if options.path_mapping is not None:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
-        for sentence in notes_on_extent(evaluate(document, 1).pieces):
-            note(sentence)
+        if (words := heavy_words(document)) is not None:
+            note(words)
         summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
         if isinstance(lines, JobLines) and summary.failures:
             lines.fail(summary.failures[0].message)

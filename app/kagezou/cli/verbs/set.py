@@ -54,6 +54,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation
     from kagezou.io.project.file import load, save
+    from kagezou.scene.heavy_sets import heavy_notes
     from kagezou.scene.misfits import misfits_of, new_misfits
 
     _check(options)
@@ -72,8 +73,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         turning = turning_note(before, document)
         for sentence in said if turning is None else (*said, turning):
             note(sentence)
-    for misfit in new_misfits(misfits_of(before), misfits_of(document)):
-        note(misfit.message)
+    misfits = new_misfits(misfits_of(before), misfits_of(document))
+    for sentence in (*heavy_notes(before, document), *(misfit.message for misfit in misfits)):
+        note(sentence)
     save(document, options.project)
     return 0
 

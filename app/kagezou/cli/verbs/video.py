@@ -7,7 +7,7 @@ from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
-from kagezou.cli.terminal import ProgressLine, give, give_json, tell
+from kagezou.cli.terminal import ProgressLine, give, give_json, note, tell
 
 DESCRIPTION = """\
 Write the finished picture as a video: .mp4 is H.264 to look at, .mov is ProRes 4444 with alpha, both in BT.709. With
@@ -37,6 +37,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.export.video import VideoRequest
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
+    from kagezou.scene.heavy_sets import heavy_words
 
     request = VideoRequest(
         path=options.output,
@@ -46,6 +47,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     )
     with stopping_gently() as interruption, ProgressLine("filming") as line:
         document = load(options.project)
+        if (words := heavy_words(document)) is not None:
+            note(words)
         done = VIDEO_FILE.export(document, request, entry_points.open_context, line.update, interruption.is_set)
     if not done.is_whole:
         tell("stopped; the video is not written")

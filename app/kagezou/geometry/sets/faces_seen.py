@@ -1,6 +1,6 @@
 """What a camera sees of a set: the ground and every flat face that is turned to it, and what hides parts of them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,7 +10,7 @@ from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import bounding_box, box_polygon, clipped, shifted
 from kagezou.geometry.sets.bodies import Body, Drum, Solid
-from kagezou.geometry.sets.heights import BodyHeights, Spans
+from kagezou.geometry.sets.heights import BodyHeights
 from kagezou.geometry.sets.occlusion_cones import Cone, Occlusion, end_cone, facet_cone, occlusion_of
 from kagezou.geometry.sets.regions import TOUCHING_PX, Flat, Group, Region, Taken, apart, beyond
 from kagezou.geometry.vectors import Matrix, Vector4
@@ -37,8 +37,8 @@ class Face:
         What each body hides of it, by the body.
     box
         The canvas box it is seen in.
-    spans
-        (B, 2): between which heights over it each body lies, px.
+    heights
+        Those of the bodies over any plane.
     """
 
     body: int
@@ -47,7 +47,7 @@ class Face:
     outline: Region | None
     hidden: dict[int, Taken]
     box: Box
-    spans: Spans
+    heights: BodyHeights
 
     def unlit(self, occlusions: dict[int, Occlusion]) -> tuple[Group, ...]:
         """Return what each of the occlusions of a light takes from this face."""
@@ -73,10 +73,11 @@ class Face:
 
     def _over(self) -> dict[int, tuple[float, float]]:
         """Return the heights of the bodies that reach over the face, but for its own: no other takes anything of it."""
-        reaching = np.flatnonzero(self.spans[:, 1] > TOUCHING_PX)
+        spans = self.heights.over(self.flat.equation)
+        reaching = np.flatnonzero(spans[:, 1] > TOUCHING_PX)
         return {
             index: (low, high)
-            for index, (low, high) in zip(reaching.tolist(), self.spans[reaching].tolist(), strict=True)
+            for index, (low, high) in zip(reaching.tolist(), spans[reaching].tolist(), strict=True)
             if index != self.body
         }
 
@@ -84,14 +85,28 @@ class Face:
         return group if self.outline is None else beyond(group, self.outline, self.box)
 
 
-def faces_of(camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body]) -> tuple[Face, ...]:
-    """Return the ground and the flat faces turned to the eye, those outside of the canvas left out."""
+def go_on() -> None:
+    """Do nothing between two faces."""
+
+
+def faces_of(
+    camera: Camera, canvas: Box, ground: Plane, bodies: Sequence[Body], between: Callable[[], None] = go_on
+) -> tuple[Face, ...]:
+    """Return the ground and the flat faces turned to the eye, those outside of the canvas left out.
+
+    Of many bodies this takes long: ``between`` is called before each face, and what it raises ends the work.
+    """
     occlusions = [occlusion_of(body, camera.eye) for body in bodies]
     heights = BodyHeights(bodies)
     found = [_face(camera, canvas, (GROUND, ground, None), heights)]
     for index, body in enumerate(bodies):
         found += [_face(camera, canvas, (index, *seen), heights) for seen in _seen_of(body, camera.eye)]
-    return tuple(face.hidden_by(occlusions) for face in found if face is not None)
+    made: list[Face] = []
+    for face in found:
+        if face is not None:
+            between()
+            made.append(face.hidden_by(occlusions))
+    return tuple(made)
 
 
 def _face(camera: Camera, canvas: Box, seen: tuple[int, Plane, Cone | None], heights: BodyHeights) -> Face | None:
@@ -106,7 +121,7 @@ def _face(camera: Camera, canvas: Box, seen: tuple[int, Plane, Cone | None], hei
     flat = Flat(lift / np.abs(lift).max(), plane.equation, rim)
     outline = None if cone is None else flat.outline(cone)
     box = canvas if outline is None else region_box(outline, canvas)
-    return None if box is None else Face(body, plane, flat, outline, {}, box, heights.over(flat.equation))
+    return None if box is None else Face(body, plane, flat, outline, {}, box, heights)
 
 
 def _seen_of(body: Body, eye: Vector4) -> Iterator[tuple[Plane, Cone]]:

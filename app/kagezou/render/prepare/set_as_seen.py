@@ -7,14 +7,13 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane
 from kagezou.geometry.sets.bodies import Body
-from kagezou.geometry.sets.faces_seen import GROUND, Face, faces_of
+from kagezou.geometry.sets.faces_seen import GROUND, Face, faces_of, go_on
 from kagezou.geometry.sets.occlusion_cones import Occlusion, occlusion_of
 from kagezou.geometry.sets.regions import Group
 from kagezou.geometry.sets.round_faces_seen import RoundFace, round_faces_of
 from kagezou.geometry.vectors import Vector4
 from kagezou.render.prepare.mask_tiles import Mask
 from kagezou.scene.pieces import PieceScene
-from kagezou.scene.set_extent import check_extent
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,13 +42,18 @@ class SetAsSeen:
     eye_occlusions: tuple[Occlusion, ...]
 
     @staticmethod
-    def of(camera: Camera, canvas: Box, ground: Plane, pieces: tuple[PieceScene, ...]) -> "SetAsSeen":
-        """Look at a set; raises UsageProblem where it has too many parts to be drawn."""
-        check_extent(pieces)
+    def of(
+        camera: Camera,
+        canvas: Box,
+        ground: Plane,
+        pieces: tuple[PieceScene, ...],
+        between: Callable[[], None] = go_on,
+    ) -> "SetAsSeen":
+        """Look at a set, ``between`` being called before each of its faces."""
         pairs = [(body, piece) for piece in pieces for body in piece.bodies]
         bodies = tuple(body for body, _ in pairs)
         owners = tuple(piece for _, piece in pairs)
-        faces = faces_of(camera, canvas, ground, bodies)
+        faces = faces_of(camera, canvas, ground, bodies, between)
         rounds = round_faces_of(camera, canvas, bodies)
         eye_occlusions = (
             tuple(occlusion_of(body, camera.eye) for body in bodies)

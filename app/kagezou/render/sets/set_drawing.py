@@ -6,7 +6,7 @@ from collections.abc import Callable
 from kagezou.geometry.box import Box, around
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import Plane
-from kagezou.geometry.sets.faces_seen import Face
+from kagezou.geometry.sets.faces_seen import Face, go_on
 from kagezou.geometry.sets.round_faces_seen import RoundFace
 from kagezou.geometry.vectors import Vector4
 from kagezou.io.sets.mesh_cache import MeshCache
@@ -35,13 +35,18 @@ class SetDrawing:
         What adds up flat faces, draws round ones, and draws meshes.
     scratches
         Targets for faces that are drawn alone.
+    between
+        Called before each face; what it raises ends the drawing.
     """
+
+    between: Callable[[], None]
 
     def __init__(self, boxes: Boxes, caster: CastPass, meshes: MeshCache) -> None:
         self.adding = Adding(boxes, caster)
         self.round = RoundPass(boxes)
         self.mesh = MeshPass(boxes, meshes)
         self.scratches = Scratches()
+        self.between = go_on
         self._views: OrderedDict[int, SetAsSeen] = OrderedDict()
 
     def close(self) -> None:
@@ -57,7 +62,7 @@ class SetDrawing:
             if set_seen.is_of(camera, ground, pieces):
                 self._views.move_to_end(key)
                 return set_seen
-        set_seen = SetAsSeen.of(camera, canvas, ground, pieces)
+        set_seen = SetAsSeen.of(camera, canvas, ground, pieces, self.between)
         self._views[id(set_seen)] = set_seen
         if len(self._views) > _KEPT_VIEWS:
             self._views.popitem(last=False)

@@ -4,7 +4,7 @@ A flat face is one more receiver with a homography of its own, so its edges are 
 seen and lit of a face adds up to the whole picture pixel by pixel: there is no gap and no double edge at a seam.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
@@ -56,6 +56,10 @@ class SetPass:
         """Give back the memory of meshes."""
         self._drawing.mesh.forget()
 
+    def call_between(self, between: Callable[[], None]) -> None:
+        """Have something called before each face is drawn; what it raises ends the drawing."""
+        self._drawing.between = between
+
     @property
     def meshes_seen(self) -> tuple[int, int]:
         """How often the camera's view of meshes has been drawn, and how many lights' views."""
@@ -102,6 +106,7 @@ class SetPass:
         drawn: Box | None = None
         single: list[Face] = []
         for face in set_seen.faces:
+            self._drawing.between()
             if not set_seen.receives(face) or (face.body == GROUND and not cast.ground_receives):
                 continue
             of_face = None if shaped is None else shaped.faces.get(face)

@@ -5,6 +5,7 @@ from PySide6.QtCore import QObject, Signal
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import stood_up_notes
 from kagezou.importing.lighting import turning_note
+from kagezou.scene.heavy_sets import heavy_notes
 from kagezou.scene.misfits import Misfit, misfits_at, new_misfits
 from kagezou.tools.wall_placing import cut_notes
 from kagezou.ui.system.bridge import Bridge
@@ -40,6 +41,8 @@ class StandingNotes(QObject):
         if len(document.pieces) > len(before.pieces):
             for note in (*stood_up_notes(before, document), *cut_notes(before, document)):
                 self.noted.emit(note)
+        for note in heavy_notes(before, document):
+            self.noted.emit(note)
         for misfit in new_misfits(self._known, found):
             self.noted.emit(misfit.message)
         if (turning := turning_note(before, document)) is not None:
