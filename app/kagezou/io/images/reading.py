@@ -26,6 +26,7 @@ from kagezou.io.images.stored_pixels import (
 from kagezou.io.images.white_paper import clear_white
 from kagezou.io.pixels.colour import steps_from_unit
 from kagezou.io.pixels.completeness import check_end
+from kagezou.io.pixels.jpeg_segments import notes_on_jpeg
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
@@ -143,7 +144,7 @@ def probe(source: PictureSource) -> ImageInfo:
     width, height = header.display[2:]
     if header.orientation >= TURNED:
         width, height = height, width
-    notes = header.notes
+    notes = (*header.notes, *notes_on_jpeg(path))
     if pictures > 1 and not isinstance(source, PicturePart):
         notes = (*notes, Message("of its {count} pictures the first alone is used", count=pictures))
     return ImageInfo(
