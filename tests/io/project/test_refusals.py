@@ -87,7 +87,7 @@ def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path) -> None:
     path = tmp_path / "p.kage"
     with path.open("wb") as stream:
         stream.truncate(project_file.MAX_BYTES + 1)
-    with pytest.raises(ProjectProblem, match="it is larger than 64 MB"):
+    with pytest.raises(ProjectProblem, match="it is larger than 32 MB"):
         load(path)
 
 

@@ -15,6 +15,9 @@ from typing import Final, Never
 from kagezou.errors import ProjectProblem
 from kagezou.message import Message
 
+MOST_VALUES: Final = 2_000_000
+"""So many lists, objects and commas may be in a text."""
+
 _MAX_DIGITS: Final = 18
 _SHOWN_CHARACTERS: Final = 60
 _PLAIN_NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -27,8 +30,12 @@ def parse(text: str) -> object:
     Raises
     ------
     ProjectProblem
-        If it is not JSON, a number is not finite or too long, a key stands twice, or it is nested too deep.
+        If it is not JSON, a number is not finite or too long, a key stands twice, it is nested too deep, or it has more
+        than `MOST_VALUES` values.
     """
+    # Each value takes far more memory than its text; commas within texts are counted as well, which is no matter.
+    if text.count(",") + text.count("[") + text.count("{") > MOST_VALUES:
+        raise ProjectProblem(Message("it has more than {most} values", most=MOST_VALUES))
     try:
         return json.loads(
             text.removeprefix("\ufeff"),

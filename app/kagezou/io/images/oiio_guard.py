@@ -22,6 +22,7 @@ from kagezou.io.images.exr_layers import chosen_layer
 from kagezou.io.images.oiio_errors import first_line, text_of
 from kagezou.io.images.oiio_header import STRAIGHT, exr_layers, full_pages, header_of
 from kagezou.io.images.picture_size import LARGEST_PICTURE_MB, check_size
+from kagezou.io.pixels import riff
 from kagezou.io.pixels.png_chunks import png_chunks
 from kagezou.io.pixels.signatures import LARGEST_SIDE_PX, checked_format
 from kagezou.message import Message
@@ -144,9 +145,10 @@ class DecodedPicture:
         kind = self.header.format
         if kind == "png":
             return png_chunks(self._path).pictures
-        if kind not in {"tiff", "webp"}:
-            return 1
-        return len(full_pages(self._input))
+        if kind == "webp":
+            with self._path.open("rb") as stream:
+                return max(len(riff.durations_ms(stream)), 1)
+        return len(full_pages(self._input)) if kind == "tiff" else 1
 
 
 def write_verified(temp: Path, pixels: Pixels, settings: Mapping[str, Any], shown_as: Path) -> None:

@@ -249,6 +249,8 @@ def _is_for_pillow(kind: str, spec: oiio.ImageSpec) -> bool:
     """Return whether what this decoder leaves out is there with the other: an alpha beside a palette, inks' profile."""
     if kind == "tiff" and spec.get_int_attribute("tiff:PhotometricInterpretation", -1) == _PALETTE:
         return bool(spec.alpha_channel >= 0)
+    if kind == "jpeg" and spec.format.size() > 1:
+        return True  # expanded by its gain map; the picture itself is wanted
     ink = spec.get_string_attribute(f"{kind}:ColorSpace") in {"CMYK", "YCCK"}
     return ink and spec.format.size() == 1
 
@@ -276,12 +278,8 @@ def _in_colour(path: Path, spec: oiio.ImageSpec, header: Header) -> Header:
     if profile is not None:
         data = bytes(np.asarray(profile, np.uint8))
         found = change_by_profile(data, is_gray=len(header.colour) == 1)
-    elif header.format == "jpeg" and _is_adobe_rgb(spec):
+    elif header.format == "jpeg" and spec.get_string_attribute("Exif:InteroperabilityIndex") == "R03":
         found = light_change(_ADOBE_RGB, power_curves(_ADOBE_GAMMA))
     if isinstance(found, Message):
         return replace(header, notes=(*header.notes, found))
     return replace(header, change=found)
-
-
-def _is_adobe_rgb(spec: oiio.ImageSpec) -> bool:
-    return spec.get_string_attribute("Exif:InteroperabilityIndex") == "R03"

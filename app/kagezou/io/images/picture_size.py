@@ -13,6 +13,9 @@ from kagezou.message import Message
 LARGEST_PICTURE_MB: Final = 1024
 """So much memory may the stored pixels of a picture take that are read, and so much the canvas they lie on."""
 
+_LARGEST_WEBP_MB: Final = 256
+"""Its decoder holds three pictures."""
+
 _COPIES: Final = 2
 """While a picture is read, its pixels are held at most so many times."""
 
@@ -33,7 +36,8 @@ def check_size(path: Path, header: Header) -> None:
         raise input_problem(path, Message("it has no pixels"))
     canvas = width * height * 4 * (1 if header.dtype == "uint8" else 2)
     stored = stored_width * stored_height * len(header.used) * _BYTES[header.dtype]
-    if max(width, height) > LARGEST_SIDE_PX or max(canvas, stored) > LARGEST_PICTURE_MB << 20:
+    most = _LARGEST_WEBP_MB if header.format == "webp" else LARGEST_PICTURE_MB
+    if max(width, height) > LARGEST_SIDE_PX or max(canvas, stored) > most << 20:
         raise input_problem(
             path, Message("{width} × {height} px is larger than can be read", width=width, height=height)
         )

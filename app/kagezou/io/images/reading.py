@@ -25,6 +25,8 @@ from kagezou.io.images.stored_pixels import (
 )
 from kagezou.io.images.white_paper import clear_white
 from kagezou.io.pixels.colour import steps_from_unit
+from kagezou.io.pixels.completeness import check_end
+from kagezou.io.pixels.jpeg_segments import notes_on_jpeg
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.psd.file import psd_pixels, psd_tree
 from kagezou.io.psd.tree import psd_header
@@ -138,10 +140,11 @@ def probe(source: PictureSource) -> ImageInfo:
         return _probe_psd(source)
     with opened(source, whole=False) as picture:
         header, pictures = picture.header, picture.pictures()
+    check_end(path)
     width, height = header.display[2:]
     if header.orientation >= TURNED:
         width, height = height, width
-    notes = header.notes
+    notes = (*header.notes, *notes_on_jpeg(path))
     if pictures > 1 and not isinstance(source, PicturePart):
         notes = (*notes, Message("of its {count} pictures the first alone is used", count=pictures))
     return ImageInfo(

@@ -27,7 +27,7 @@ from kagezou.message import Message
 
 _VERSION: Final = re.compile(r"(.+)_(\d{2,5})")
 
-MAX_BYTES: Final = 64 << 20
+MAX_BYTES: Final = 32 << 20
 """A project larger than this is refused before it is read."""
 
 

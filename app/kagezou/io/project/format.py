@@ -27,9 +27,9 @@ _HEAD: Final = """\
 
 Made by `python -m kagezou.io.project.format` from the tables that the reader obeys; do not edit.
 
-A project is one JSON object as UTF-8 text (a byte order mark is allowed), at most 64 MB. It holds no pictures and no
-code. Reading is strict: a key that is not listed here, a key that stands twice, a value of another kind, NaN, infinity
-or a number beyond its range is refused with the place of the mistake, such as
+A project is one JSON object as UTF-8 text (a byte order mark is allowed), at most 32 MB and 2,000,000 values. It holds
+no pictures and no code. Reading is strict: a key that is not listed here, a key that stands twice, a value of another
+kind, NaN, infinity or a number beyond its range is refused with the place of the mistake, such as
 `$.layers[2].tracks['shadow.opacity'].keys[0].frame`.
 
 Lengths are canvas pixels (origin top left, x right, y down, z toward the viewer), angles degrees, times frames counted

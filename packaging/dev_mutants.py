@@ -1,0 +1,184 @@
+"""Damages picture files of every format at random and reads them: each must end in a picture or in one sentence.
+
+    python packaging/dev_mutants.py [COUNT] [SEED]
+
+COUNT files a format (2000) are read in child processes, so that a crash or a hang is counted and the others go on.
+"""
+
+import io
+import json
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import OpenImageIO as oiio  # noqa: N813  # the name its own manual uses
+from PIL import Image
+
+FORMATS: Final = ("tga", "tif", "exr", "webp", "png", "jpg", "gif", "bmp")
+_HANG_S: Final = 60
+_BATCH: Final = 100
+
+
+def seeds(form: str) -> list[bytes]:
+    """Return small whole files of a format, of several kinds."""
+    chance = np.random.default_rng(1)
+    rgba = np.repeat(chance.integers(0, 256, (9, 5, 4)).astype(np.uint8), 3, axis=1)
+    image, opaque = Image.fromarray(rgba), Image.fromarray(rgba[..., :3])
+    film: dict[str, Any] = {"save_all": True, "append_images": [image.rotate(180)], "duration": 90}
+    match form:
+        case "tga":
+            return [_saved(each, "tga", **how) for each in (image, opaque, opaque.quantize(9)) for how in _PACKED] + [
+                _targa_palette(rgba)
+            ]
+        case "tif":
+            ways: list[dict[str, Any]] = [{"compression": each} for each in ("raw", "tiff_lzw", "tiff_adobe_deflate")]
+            return [_saved(image, "tiff", **each) for each in ways] + [_saved(image, "tiff", **film)]
+        case "exr":
+            return [_exr(names, packing) for names in _LAYERS for packing in ("zip", "none", "piz", "dwaa")]
+        case "webp":
+            return [_saved(image, "webp", lossless=True), _saved(opaque, "webp"), _saved(image, "webp", **film)]
+        case "png":
+            profile = b"x\0\0" + zlib.compress(bytes(300))
+            plain = _saved(image, "png")
+            named = plain[:33] + _chunk(b"iCCP", profile) + _chunk(b"gAMA", bytes(4)) + plain[33:]
+            return [plain, named, _saved(opaque.quantize(9), "png"), _saved(image, "png", **film)]
+        case "jpg":
+            inks = _saved(opaque.convert("CMYK"), "jpeg")
+            return [_saved(opaque, "jpeg"), inks, _saved(opaque, "jpeg", progressive=True)]
+        case "gif":
+            return [_saved(opaque.quantize(9), "gif"), _saved(image, "gif", **film)]
+        case _:
+            return [_saved(opaque, "bmp"), _saved(opaque.quantize(9), "bmp"), _saved(image, "bmp")]
+
+
+_PACKED: Final[tuple[dict[str, Any], ...]] = ({}, {"compression": "tga_rle"})
+_LAYERS: Final = (("R", "G", "B", "A"), ("R", "G", "B", "A", "Z", "d.R", "d.G", "d.B"))
+
+
+def _saved(image: Image.Image, kind: str, **how: Any) -> bytes:
+    out = io.BytesIO()
+    image.save(out, kind, **how)
+    return out.getvalue()
+
+
+def _targa_palette(rgba: Any) -> bytes:
+    head = struct.pack("<BBBHHBHHHHBB", 0, 1, 1, 0, 9, 32, 0, 0, 5, 9, 8, 8)
+    colours: bytes = rgba[:, 0].tobytes()
+    return head + colours + bytes(index % 9 for index in range(45))
+
+
+def _chunk(name: bytes, body: bytes) -> bytes:
+    return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+
+
+def _exr(names: tuple[str, ...], packing: str) -> bytes:
+    spec = oiio.ImageSpec(15, 9, len(names), oiio.HALF)
+    spec.channelnames = names
+    spec.attribute("compression", packing)
+    spec.attribute("chromaticities", oiio.TypeDesc("float[8]"), (0.7, 0.3, 0.2, 0.7, 0.1, 0.05, 0.31, 0.33))
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "a.exr"
+        out = oiio.ImageOutput.create(str(path))
+        assert out is not None
+        out.open(str(path), spec)
+        out.write_image(np.random.default_rng(2).random((9, 15, len(names))).astype(np.float16))
+        out.close()
+        return path.read_bytes()
+
+
+def mutants(whole: bytes, chance: random.Random) -> Iterator[bytes]:
+    """Yield damaged files without end: single bytes, numbers, parts left out or twice, and cuts; most near the head."""
+    while True:
+        data = bytearray(whole)
+        for _ in range(chance.randint(1, 6)):
+            reach = len(data) if chance.random() < 0.5 else min(len(data), 200)
+            at = chance.randrange(max(reach, 1))
+            match chance.randrange(6):
+                case 0 | 1 | 2:
+                    data[at : at + 1] = bytes([chance.choice([0, 1, 127, 128, 254, 255, chance.randrange(256)])])
+                case 3:
+                    data[at : at + 4] = struct.pack("<I", chance.choice([0, 1, 65535, 1 << 31, (1 << 32) - 1]))
+                case 4:
+                    del data[at : at + chance.randint(1, 8)]
+                case _:
+                    data[at:at] = data[at : at + chance.randint(1, 8)]
+        yield _mended(bytes(data if chance.random() < 0.8 else data[: chance.randrange(len(data) or 1)]), chance)
+
+
+def _mended(data: bytes, chance: random.Random) -> bytes:
+    """Return a PNG with right checksums half of the time, so that what is behind them is reached."""
+    if not data.startswith(b"\x89PNG") or chance.random() < 0.5:
+        return data
+    out, at = data[:8], 8
+    while at + 8 <= len(data):
+        length = int.from_bytes(data[at : at + 4])
+        if at + 12 + length > len(data):
+            return out + data[at:]
+        out += _chunk(data[at + 4 : at + 8], data[at + 8 : at + 8 + length])
+        at += 12 + length
+    return out + data[at:]
+
+
+def outcomes(form: str, count: int, seed: int) -> Counter[str]:
+    """Return how many files were read, refused by a sentence, or ended otherwise, in this process."""
+    from kagezou.errors import InputProblem
+    from kagezou.importing.file_pages import FILM_RATE, pages_of
+    from kagezou.io.images.reading import probe, read_cel, read_matte
+
+    chance = random.Random(f"{form}{seed}")
+    sources = [mutants(each, chance) for each in seeds(form)]
+    found: Counter[str] = Counter()
+    with tempfile.TemporaryDirectory() as folder:
+        for number in range(count):
+            path = Path(folder) / f"{number}.{form}"
+            path.write_bytes(next(sources[number % len(sources)]))
+            try:
+                probe(path)
+                pages = pages_of(path, FILM_RATE)
+                read_matte(path if pages is None else pages.cels.drawings[-1].source)
+                read_cel(path, white_is_clear=bool(number % 2))
+                found["read"] += 1
+            except InputProblem as problem:
+                found["refused" if "\n" not in str(problem) else "refused by several lines"] += 1
+            except Exception as error:  # what is looked for
+                found[f"untyped {type(error).__name__}: {error}"[:200]] += 1
+            path.unlink()
+    return found
+
+
+def main(words: list[str]) -> int:
+    """Run all formats and print the counts."""
+    if words[:1] == ["--child"]:
+        form, count, seed = words[1], int(words[2]), int(words[3])
+        print(json.dumps(outcomes(form, count, seed)))
+        return 0
+    count, first = int(words[0]) if words else 2000, int(words[1]) if words[1:] else 1
+    bad = 0
+    for form in FORMATS:
+        found: Counter[str] = Counter()
+        for seed in range(first, first + -(-count // _BATCH)):
+            command = [sys.executable, __file__, "--child", form, str(_BATCH), str(seed)]
+            try:
+                done = subprocess.run(command, capture_output=True, text=True, timeout=_HANG_S, check=False)
+            except subprocess.TimeoutExpired:
+                found[f"hang (seed {seed})"] += 1
+                continue
+            if done.returncode:
+                found[f"crash {done.returncode} (seed {seed})"] += 1
+            else:
+                found.update(json.loads(done.stdout.splitlines()[-1]))
+        print(form, dict(found), flush=True)
+        bad += sum(number for name, number in found.items() if name not in {"read", "refused"})
+    return min(bad, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
