@@ -166,6 +166,7 @@ def test_odd_names_and_full_width_figures_are_understood(tmp_path: Path) -> None
         ("Ａ０００１", "Ａ０００２"),
         ("A_0001_col", "A_0002_col"),
         ("a-01_v2", "a-02_v2"),
+        ("A1A", "A2A"),
         ("c012_A_0001", "c012_A_0002"),
     ],
 )

@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
+from kagezou.io.names.marks import key
 from kagezou.io.names.members import NO_STAMP, Member
 
 
@@ -37,7 +38,7 @@ def drafts_of(members: Iterable[Member]) -> list[Draft]:
     Different spellings and different words behind the numbers are one sequence unless they claim the same numbers.
     """
     groups: dict[tuple[str, str], list[Member]] = defaultdict(list)
-    for member in members:
+    for member in _called_by_letters(list(members)):
         groups[member.tail_key, member.head].append(member)
     drafts: list[Draft] = []
     for group in sorted(
@@ -50,6 +51,21 @@ def drafts_of(members: Iterable[Member]) -> list[Draft]:
     return drafts
 
 
+def _called_by_letters(members: list[Member]) -> list[Member]:
+    """Return drawings whose letters behind the numbers are names where each letter has several: ``1A 2A 1B 2B``."""
+    numbers: dict[str, set[int]] = defaultdict(set)
+    for member in members:
+        numbers[member.insert.casefold()].add(member.number)
+    if "" in numbers or len(numbers) < 2 or min(map(len, numbers.values())) < 2:
+        return members
+    return [
+        replace(
+            member, insert="", tail=f"{member.insert} {member.tail}", tail_key=key(f"{member.insert} {member.tail}")
+        )
+        for member in members
+    ]
+
+
 def _takes(draft: Draft, group: Sequence[Member]) -> bool:
     """Take a group into a draft, if it belongs there."""
     clash = _clash(draft, group)
@@ -60,7 +76,7 @@ def _takes(draft: Draft, group: Sequence[Member]) -> bool:
     ):
         clash, group = 0, negative
     is_alike = group[0].tail_key in draft.tails
-    if clash and not is_alike:
+    if not is_alike and {each.place for each in draft.members} & {each.place for each in group}:
         return _takes_aside(draft, group)
     if clash and len(group) > 1:
         return False
