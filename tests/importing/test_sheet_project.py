@@ -201,6 +201,19 @@ def test_a_folder_or_a_run_whose_last_word_is_the_column_is_its(tmp_path: Path) 
     assert cels_of(imported.document) == [("A", [(1, "0001.png")]), ("b", [(1, "c012_B_0001.png")])]
 
 
+def test_retakes_of_a_column_count_and_are_said(tmp_path: Path) -> None:
+    for name in ("A/1", "A/2", "A_R1/2", "B_1", "B_1_R1"):
+        drawing(tmp_path / f"{name}.png")
+    imported = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "2"))), SheetTrack("B", ((0, "1"),)))
+    paths = [
+        each.path.relative_to(tmp_path).as_posix() for layer in imported.document.layers for each in layer.cels.drawings
+    ]
+    assert paths == ["A/1.png", "A_R1/2.png", "B_1_R1.png"]
+    said = list(map(str, imported.notes))
+    assert any("taken as one, of which the newest counts: A, A_R1" in note for note in said)
+    assert any("the newest retake counts: B_1.png → B_1_R1.png" in note for note in said)
+
+
 def test_a_column_that_ends_with_a_figure_is_no_part_of_a_cel(tmp_path: Path) -> None:
     for number in (1, 2):
         drawing(tmp_path / "1" / f"{number}.png")

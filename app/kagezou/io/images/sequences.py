@@ -149,20 +149,29 @@ def _in_folder(folder: Path) -> Found:
         unseen = [child.name for child in folders if _listed(child)[0]]
         note = Message("folders beside its pictures are left out: {names}", names=_some(unseen))
         return _with_doubts(replace(found, notes=(*found.notes, *([note] if unseen else []))))
-    inside = [_understood(_listed(child)[0], child) for child in folders]
-    loose = [*found.left_out, *(path for each in inside for path in each.left_out)]
-    below = [
-        replace(each, name=child.name) if len(part.sequences) == 1 else each
-        for child, part in zip(folders, inside, strict=True)
-        for each in part.sequences
-    ]
-    if below:
-        sequences = _sorted(_newest(below))
-        notes = tuple(note for each in sequences for note in each.notes)
-        return _with_doubts(Found(sequences, tuple(loose), notes))
+    below = sequences_below(folders)
+    loose = (*found.left_out, *below.left_out)
+    if below.sequences:
+        return _with_doubts(replace(below, left_out=loose))
     if not loose:
         raise input_problem(folder, Message("there is no picture in this folder"))
     return _with_doubts(Found(_stills(loose), ()))
+
+
+def sequences_below(folders: Iterable[Path]) -> Found:
+    """Return the sequences in folders, each named after its folder where it is the only one in it.
+
+    Folders that hold one thing in several states, such as ``A`` and ``A_R1``, are one.
+    """
+    inside = [(folder, _understood(_listed(folder)[0], folder)) for folder in folders]
+    below = [
+        replace(each, name=folder.name) if len(part.sequences) == 1 else each
+        for folder, part in inside
+        for each in part.sequences
+    ]
+    sequences = _sorted(_newest(below))
+    loose = tuple(path for _, part in inside for path in part.left_out)
+    return Found(sequences, loose, tuple(note for each in sequences for note in each.notes))
 
 
 def _newest(sequences: list[Sequence]) -> list[Sequence]:
