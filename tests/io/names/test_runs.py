@@ -1,5 +1,6 @@
 """Names as runs: whatever stands around the numbers, one sequence is one, and two are two."""
 
+import hashlib
 import random
 import unicodedata
 
@@ -83,6 +84,14 @@ def test_one_sequence(name: str, names: tuple[str, ...]) -> None:
         ),
         (("A1_1", "A1_2", "A2_3", "A2_4", "A2_5"), {"A1": ["A1_1", "A1_2"], "A2": ["A2_3", "A2_4", "A2_5"]}),
         (("A0001", "A0002", "a0001", "a0002"), {"A": ["A0001", "A0002"], "a": ["a0001", "a0002"]}),
+        (
+            ("12_0001", "12_0002", "12_0003", "13_0001", "13_0002", "13_0003"),
+            {"12": ["12_0001", "12_0002", "12_0003"], "13": ["13_0001", "13_0002", "13_0003"]},
+        ),
+        (
+            ("f1_1", "f1_2", "f2_1", "f2_2", "f3_1", "f3_2"),
+            {"f_1": ["f1_1", "f2_1", "f3_1"], "f_2": ["f1_2", "f2_2", "f3_2"]},
+        ),
         (("walk1", "walk2", "run1"), {"walk": ["walk1", "walk2"], "run": ["run1"]}),
     ],
 )
@@ -127,6 +136,11 @@ def test_the_newest_counts_and_what_does_not_is_said(names: tuple[str, ...], kep
 )
 def test_doubts_are_said(names: tuple[str, ...], note: str) -> None:
     assert notes_of(names) == [note]
+
+
+def test_figures_of_a_hash_behind_each_number_tear_nothing_apart() -> None:
+    names = tuple(f"A_{number:04d}_{hashlib.md5(bytes([number])).hexdigest()[:6]}" for number in range(1, 200))
+    assert told(names) == {"A": list(names)}
 
 
 def test_what_has_no_number_is_told_apart() -> None:

@@ -77,6 +77,9 @@ class NameParts:
 
 # Longer runs of figures are no number that anybody counts by.
 _FIGURES: Final = re.compile(r"(?<!\d)\d{1,18}(?!\d)")
+_MOST_NUMBERS: Final = 12
+"""Of more numbers in one name the last are looked at."""
+
 _MINUS: Final = re.compile(r"(?:^|[_.(\[\-])-$")
 _INSERT: Final = re.compile(r"(?:[A-Za-z]{1,2}|\.[1-9])(?![^\W_])")
 _SEPARATORS: Final = re.compile(r"[\s_.\-()\[\]{}#~,]+")
@@ -204,4 +207,4 @@ def _numbers_in(text: str, marks: tuple[Mark, ...]) -> tuple[Number, ...]:
             continue
         is_below = _MINUS.search(text[: found.start()])
         numbers.append(Number(found.start(), found.end(), -int(found[0]) if is_below else int(found[0])))
-    return tuple(numbers)
+    return tuple(numbers[-_MOST_NUMBERS:])

@@ -3,7 +3,6 @@
 from collections import Counter, defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import chain
 from typing import Final
 
 from kagezou.io.names.columns import default_column, running
@@ -158,7 +157,8 @@ def _joined_singles(drafts: list[Draft]) -> list[Draft]:
         numbers = {draft.members[0].number for draft in singles}
         if len(numbers) == len(singles) > 2:
             first, *others = singles
-            first.members = list(chain.from_iterable(draft.members for draft in singles))
+            for draft in others:
+                first.add(draft.members)
             drafts = [draft for draft in drafts if draft not in others]
     return drafts
 
