@@ -52,6 +52,8 @@ def notes_of(names: tuple[str, ...]) -> list[str]:
         ("walk_v", ("walk_v1", "walk_v2")),
         ("A", ("A0000", "A0001", "A0001a", "A0001b", "A0002")),
         ("", ("①", "②")),
+        ("c012", ("c012_20260130", "c012_20260131", "c012_20260132")),
+        ("c012", ("c012_20260101", "c012_20260102", "c012_20260103")),
         ("", ("1", "1.5", "2")),
         ("A", ("A_0001", "A_0001.5", "A_0002")),
         ("A", ("A0001a", "A0001b", "A0002a")),
@@ -176,7 +178,7 @@ _WIDE = str.maketrans("0123456789", "０１２３４５６７８９")
 @st.composite
 def sequences(draw: st.DrawFn, words: st.SearchStrategy[str] = _WORDS) -> tuple[list[str], list[int]]:
     """Draw the names of a sequence and its numbers, both in order."""
-    first = draw(st.integers(-20, 12_000) | st.integers(10_000_000, 19_000_000))
+    first = draw(st.integers(-20, 12_000) | st.integers(10_000_000, 20_400_000))
     step = draw(st.integers(1, 3))
     numbers = [first + step * index for index in range(draw(st.integers(2, 12)))]
     digits, word, tail = draw(st.sampled_from([1, 2, 4, 5, 8])), draw(words), draw(_TAILS)

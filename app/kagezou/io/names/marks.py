@@ -2,7 +2,7 @@
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from itertools import pairwise
@@ -86,6 +86,8 @@ _SEPARATORS: Final = re.compile(r"[\s_.\-()\[\]{}#~,]+")
 
 _VERSION: Final = re.compile(r"(?<![^\W\d_])(?:version|ver|rev|v)[ _.\-]?(\d{1,4})(?![^\W_])", re.IGNORECASE)
 _DATE: Final = re.compile(r"(?<!\d)((?:19|20)\d\d)([-_.]?)(0[1-9]|1[0-2])\2(0[1-9]|[12]\d|3[01])(?!\d)")
+_EIGHT: Final = re.compile(r"(?<!\d)(?:19|20)\d{6}(?!\d)")
+_FEW: Final = 2
 _SIZE: Final = re.compile(
     r"(?<![^\W_])@?(?:\d{2,5} ?[x×] ?\d{2,5}|(?:360|480|540|576|720|1080|1440|2160|4320)[pi]|(?:[1-9]|1[0-6])k"
     r"|\d{2,4}[dp]pi|\d{1,5}px|(?:8|10|12|16|24|32)(?:bits?|bpc)|\d{1,3}fps|[1-9]x)(?![^\W_])",
@@ -140,7 +142,15 @@ def has_left_side(text: str) -> bool:
     return _LEFT.search(text) is not None
 
 
-def parts_of(name: str, copy: int = 0, *, has_sides: bool = False) -> NameParts:
+def are_dates(names: Iterable[str]) -> bool:
+    """Whether figures that look like dates are dates; not where they count on, or beside such as are none."""
+    figures = [found for name in names for found in _EIGHT.findall(name)]
+    dates = {int(each) for each in figures if _DATE.fullmatch(each)}
+    counts_on = len(dates) > _FEW and max(dates) - min(dates) < _FEW * len(dates)
+    return not counts_on and all(_DATE.fullmatch(each) for each in figures)
+
+
+def parts_of(name: str, copy: int = 0, *, has_sides: bool = False, has_dates: bool = True) -> NameParts:
     """Return the parts of a name; one that has no number has none in it either.
 
     Parameters
@@ -151,10 +161,15 @@ def parts_of(name: str, copy: int = 0, *, has_sides: bool = False) -> NameParts:
         Which copy it is known to be.
     has_sides
         Whether a mere R is no retake.
+    has_dates
+        Whether what looks like a date is one.
     """
     text, found = _without_copy(name)
     marks = tuple(
-        mark for mark in _marks_in(text) if not (has_sides and words_of(text[mark.start : mark.end]) in ("R", "r"))
+        mark
+        for mark in _marks_in(text)
+        if not (has_sides and words_of(text[mark.start : mark.end]) in ("R", "r"))
+        and (has_dates or mark.kind is not MarkKind.DATE)
     )
     parts = NameParts(text, _numbers_in(text, marks), marks, copy or found)
     for kind in MarkKind:
