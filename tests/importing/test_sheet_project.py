@@ -1,5 +1,6 @@
 """A project of a timesheet alone, and the timesheet of a project."""
 
+import unicodedata
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,8 +14,9 @@ from kagezou.importing.sheet_project import document_of_sheet
 from kagezou.importing.staging import Imported
 from kagezou.importing.timesheet_on_document import sheet_of, timed
 from kagezou.io.images.writing import write_rgba
+from kagezou.io.project.file import load, save
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts_writing import write_xdts
+from kagezou.io.sheets.xdts_writing import write_xdts, xdts_text
 
 SHEET = Timesheet(
     "c012",
@@ -154,3 +156,81 @@ def test_odd_names_and_full_width_figures_are_understood(tmp_path: Path) -> None
     imported = opened(tmp_path, odd, SheetTrack("../../B", ((0, "1"),)), SheetTrack("B", ((0, "1"),)))
     assert cels_of(imported.document) == [("A\"'_🎈", [(1, "1.png"), (4, "2.png")]), ("B", [(1, "b001.png")])]
     assert any("'../../B'" in note for note in map(str, imported.notes))
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("A (1)", "A (2)"),
+        ("1", "2"),
+        ("Ａ０００１", "Ａ０００２"),
+        ("A_0001_col", "A_0002_col"),
+        ("a-01_v2", "a-02_v2"),
+        ("A1A", "A2A"),
+        ("c012_A_0001", "c012_A_0002"),
+    ],
+)
+def test_cels_are_found_by_whatever_names_their_drawings_have(tmp_path: Path, names: tuple[str, str]) -> None:
+    for name in names:
+        drawing(tmp_path / "A" / f"{name}.png")
+    imported = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "A_0002"), (6, "０１"))))
+    first, second = (f"{name}.png" for name in names)
+    assert cels_of(imported.document) == [("A", [(1, first), (5, second), (7, first)])]
+
+
+@pytest.mark.parametrize(("kept", "asked"), [("NFD", "NFC"), ("NFC", "NFD")])
+def test_columns_are_found_in_either_spelling(tmp_path: Path, kept: str, asked: str) -> None:
+    def spelled(text: str, form: str) -> str:
+        return unicodedata.normalize("NFD" if form == "NFD" else "NFC", text)
+
+    drawing(tmp_path / spelled("ガール", kept) / "0001.png")
+    drawing(tmp_path / f"{spelled('パンダ', kept)}_0001.png")
+    path = tmp_path / f"{spelled('カット_ガ', kept)}.xdts"
+    write_xdts(
+        path, Timesheet("c", 9, tuple(SheetTrack(spelled(name, asked), ((0, "1"),)) for name in ("ガール", "パンダ")))
+    )
+    document = document_of_sheet(path.with_name(spelled(path.name, asked))).document
+    assert [layer.name for layer in document.layers] == ["ガール", "パンダ"]
+    assert all(layer.cels.drawing_at(1) is not None for layer in document.layers)
+
+
+def test_a_folder_or_a_run_whose_last_word_is_the_column_is_its(tmp_path: Path) -> None:
+    drawing(tmp_path / "c012_A" / "0001.png")
+    drawing(tmp_path / "c012_B_0001.png")
+    imported = opened(tmp_path, SheetTrack("A", ((0, "1"),)), SheetTrack("b", ((0, "1"),)))
+    assert cels_of(imported.document) == [("A", [(1, "0001.png")]), ("b", [(1, "c012_B_0001.png")])]
+
+
+def test_retakes_of_a_column_count_and_are_said(tmp_path: Path) -> None:
+    for name in ("A/1", "A/2", "A_R1/2", "B_1", "B_1_R1"):
+        drawing(tmp_path / f"{name}.png")
+    imported = opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "2"))), SheetTrack("B", ((0, "1"),)))
+    paths = [
+        each.path.relative_to(tmp_path).as_posix() for layer in imported.document.layers for each in layer.cels.drawings
+    ]
+    assert paths == ["A/1.png", "A_R1/2.png", "B_1_R1.png"]
+    said = list(map(str, imported.notes))
+    assert any("taken as one, of which the newest counts: A, A_R1" in note for note in said)
+    assert any("the newest retake counts: B_1.png → B_1_R1.png" in note for note in said)
+
+
+def test_a_column_that_ends_with_a_figure_is_no_part_of_a_cel(tmp_path: Path) -> None:
+    for number in (1, 2):
+        drawing(tmp_path / "1" / f"{number}.png")
+    imported = opened(tmp_path, SheetTrack("1", ((0, "12"), (3, "2"))))
+    assert cels_of(imported.document)[0][1] == [(1, None), (4, "2.png")]
+
+
+def test_a_sheet_none_of_whose_cels_is_there_makes_nothing(tmp_path: Path) -> None:
+    drawing(tmp_path / "A" / "7.png")
+    with pytest.raises(InputProblem, match=r"c012\.xdts: none of its cels has a drawing among those of A"):
+        opened(tmp_path, SheetTrack("A", ((0, "1"), (4, "2"))))
+
+
+def test_what_a_sheet_holds_besides_comes_back_with_the_project(sheet: Path, tmp_path: Path) -> None:
+    text = sheet.read_text(encoding="utf-8").replace('"cut": "1"', '"cut": "77"')
+    sheet.write_text(text, encoding="utf-8")
+    save(document_of_sheet(sheet).document, tmp_path / "p.kage")
+    document = load(tmp_path / "p.kage")
+    assert '"cut": "77"' in xdts_text(sheet_of(document, "p"))
+    assert '"C"' in xdts_text(sheet_of(document, "p")), "a column without a layer stays in the sheet"

@@ -47,7 +47,8 @@ def held_by(source: CharacterSource, progress: Progress = no_progress, frame_rat
     progress(LoadPhase.FINDING, 0, 0)
     if source.drawings is not None:
         name = source.name or printable(source.drawings.name)
-        return _joining(source, Held([_new_cels(name, source.drawings, source, progress, frame_rate)], []))
+        notes = list(said_once(name, [(path, source.drawings.notes)]))
+        return _joining(source, Held([_new_cels(name, source.drawings, source, progress, frame_rate)], notes))
     if is_psd(path) and path.is_file():
         return _joining(source, held_by_psd(source, path, progress))
     found = find_sequences(path)

@@ -17,7 +17,8 @@ from kagezou.importing.staging import Imported, new_document
 from kagezou.importing.timesheet_on_document import timed
 from kagezou.io.files.faults import cause_of, shown
 from kagezou.io.files.spellings import on_disk
-from kagezou.io.images.sequences import sequences_among
+from kagezou.io.images.sequences import sequences_among, sequences_below
+from kagezou.io.names.states import states_among
 from kagezou.io.pixels.signatures import is_picture, is_psd
 from kagezou.io.project.paths import absolute
 from kagezou.io.psd.file import psd_tree
@@ -122,7 +123,7 @@ def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
             continue
         seen.add(name)
         if (folder := _called(name, folders)) is not None:
-            found.append(CharacterSource(printable(track.name), folder, is_timed=True))
+            found.append(_in_folder(printable(track.name), folder, list(folders.values())))
         elif (run := _called(name, runs)) is not None:
             found.append(CharacterSource(printable(track.name), path.parent, is_timed=True, drawings=run))
         else:
@@ -131,6 +132,15 @@ def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
     if not sources:
         raise _no_drawings(path, sheet)
     return sources
+
+
+def _in_folder(name: str, folder: Path, folders: Sequence[Path]) -> CharacterSource:
+    """Return a column's drawings in a folder; where others beside it hold retakes of them, the newest."""
+    for states in states_among([each.name for each in folders]):
+        group = [folders[index] for index in states.indices]
+        if folder in group and len(sequences := sequences_below(group).sequences) == 1:
+            return CharacterSource(name, folder, is_timed=True, drawings=sequences[0])
+    return CharacterSource(name, folder, is_timed=True)
 
 
 def _no_drawings(path: Path, sheet: Timesheet) -> InputProblem:

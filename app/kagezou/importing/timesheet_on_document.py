@@ -14,7 +14,6 @@ from kagezou.message import Message
 
 _SHOWN_CELS = 5
 _BETWEEN = "_-. "
-_DECIMAL = re.compile(r"[0-9]\.[0-9]")
 
 
 def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]]:
@@ -100,10 +99,12 @@ class _Drawings:
         name = _plain(cel)
         if name in self._by_name:
             return self._by_name[name]
-        if _DECIMAL.search(name):
-            return None
         number = number_in(_behind(column, name)) or number_in(name)
-        return None if number is None else self._by_number.get(number)
+        if number is None or number in self._by_number:
+            return None if number is None else self._by_number[number]
+        # Drawings that all have a letter, 1A and 2A, are asked for without it.
+        near = [index for (each, _), index in self._by_number.items() if each == number[0] and not number[1]]
+        return near[0] if len(near) == 1 else None
 
 
 def _behind(column: str, cel: str) -> str:

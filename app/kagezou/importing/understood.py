@@ -10,7 +10,7 @@ from kagezou.document.model import Document, Drawing
 from kagezou.io.files.faults import shown
 from kagezou.message import Message
 
-_NUMBER: Final = re.compile(r"(-?[0-9]{1,18})[a-z]{0,2}", re.IGNORECASE)
+_NUMBER: Final = re.compile(r"(-?[0-9]{1,18})(?:[a-z]{0,2}|\.[1-9])", re.IGNORECASE)
 _MOST_CHARACTERS: Final = 40
 
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kagezou.errors import InputProblem
-from kagezou.io.images.sequences import Found, find_sequences, natural_key
+from kagezou.io.images.sequences import Found, find_sequences, natural_key, sequences_among
 
 
 def touch(folder: Path, *names: str) -> None:
@@ -207,3 +207,59 @@ def test_real_samples(samples: Path) -> None:
         ("maleAdventurer_walk", 8),
     ]
     assert len(kenney.left_out) == 3
+
+
+def test_folders_of_retakes_are_one_character(tmp_path: Path) -> None:
+    touch(tmp_path, "A/0001.png", "A/0002.png", "A/0003.png", "A.R1/0002.png", "A.R2/0003.png", "B/0001.png")
+    found = find_sequences(tmp_path)
+    assert [(each.name, [file.path.parent.name for file in each.files]) for each in found.sequences] == [
+        ("A", ["A", "A.R1", "A.R2"]),
+        ("B", ["B"]),
+    ]
+    assert list(map(str, found.notes)) == [
+        "taken as one, of which the newest counts: A, A.R1, A.R2; older drawings: 2",
+    ]
+
+
+def test_of_folders_of_versions_the_newest_counts(tmp_path: Path) -> None:
+    touch(tmp_path, "walk_v1/0001.png", "walk_v1/0002.png", "walk_v2/0001.png", "run/0001.png")
+    found = find_sequences(tmp_path)
+    assert [(each.name, [file.path.parent.name for file in each.files]) for each in found.sequences] == [
+        ("run", ["run"]),
+        ("walk_v2", ["walk_v2"]),
+    ]
+
+
+def test_folders_beside_pictures_are_said(tmp_path: Path) -> None:
+    touch(tmp_path, "A0001.png", "A0002.png", "B/0001.png", "notes/readme.txt")
+    (note,) = find_sequences(tmp_path).notes
+    assert str(note) == "folders beside its pictures are left out: B"
+
+
+def test_characters_of_one_drawing_each_are_said(tmp_path: Path) -> None:
+    touch(tmp_path, "A1.png", "B2.png", "C3.png", "D1.png", "D2.png")
+    (note,) = find_sequences(tmp_path).notes
+    assert str(note) == "3 characters have one drawing each and are seen together: A, B, C"
+
+
+def test_a_pattern_says_what_it_does_not_mean(tmp_path: Path) -> None:
+    touch(tmp_path, "walk_-0002.png", "walk_0001.png", "walk_0001_R1.png", "walk_0003_x.png", "walk_Ａ.png")
+    found = find_sequences(tmp_path / "walk_#*.png")
+    assert told(found) == [("walk", [(-2, "", "walk_-0002.png"), (1, "", "walk_0001_R1.png")])]
+    assert str(found.notes[-1]) == "not meant by the pattern: walk_0003_x.png"
+    assert [file.path.name for file in find_sequences(tmp_path / "walk_#.png").sequences[0].files] == [
+        "walk_-0002.png",
+        "walk_0001.png",
+    ]
+    touch(tmp_path / "days", "20260101.png")
+    assert told(find_sequences(tmp_path / "days" / "#.png")) == [("days", [(None, "", "20260101.png")])]
+
+
+def test_chosen_pictures_of_several_folders_are_understood_each_by_its_folder(tmp_path: Path) -> None:
+    touch(tmp_path, "A/1.png", "A/2.png", "B/1.png", "B/tree.png")
+    chosen = [tmp_path / name for name in ("B/tree.png", "A/2.png", "B/1.png", "A/1.png")]
+    assert told(sequences_among(chosen)) == [
+        ("A", [(1, "", "1.png"), (2, "", "2.png")]),
+        ("B", [(1, "", "1.png")]),
+        ("tree", [(None, "", "tree.png")]),
+    ]

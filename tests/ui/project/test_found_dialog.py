@@ -61,7 +61,11 @@ def test_it_tells_what_was_understood(dialog: FoundDialog, found: FoundCharacter
     assert [cell(dialog, row, 1) for row in range(3)] == ["2\n1-2", "2\n1-2", "1\n1"]
     assert cell(dialog, 0, 2) == "A0001.png\n… A0002_R1.png"
     assert cell(dialog, 0, 4) == "The newest retake counts: A0002.png → A0002_R1.png"
-    assert dialog.sources() == found.sources
+    assert [source.name for source in dialog.sources()] == ["A", "arm", "prop"]
+    drawings = [source.drawings for source in dialog.sources()]
+    assert [each.files for each in drawings if each] == [
+        each.source.drawings.files for each in found.characters if each.source.drawings
+    ]
     qtbot.waitUntil(lambda: all(not name.icon().isNull() for name in dialog.names))
 
 
@@ -78,6 +82,16 @@ def test_rows_are_left_out_renamed_and_joined(dialog: FoundDialog) -> None:
     dialog.names[1].setCheckState(Qt.CheckState.Checked)
     dialog.names[1].setText("  ")
     assert [source.name for source in dialog.sources()] == ["arm"]
+
+
+def test_a_psd_file_names_its_characters_itself_unless_it_is_called_otherwise(qtbot: QtBot, tmp_path: Path) -> None:
+    (tmp_path / "hero.psd").write_bytes(b"8BPS")
+    psd = [CharacterSource(None, tmp_path / name) for name in ("hero.psd",)]
+    dialog = FoundDialog(FoundCharacters(found_characters(psd).characters * 2))
+    qtbot.addWidget(dialog)
+    assert cell(dialog, 0, 1) == "PSD"
+    dialog.names[1].setText("Other")
+    assert [source.name for source in dialog.sources()] == [None, "Other"]
 
 
 def test_enter_takes(dialog: FoundDialog, qtbot: QtBot) -> None:

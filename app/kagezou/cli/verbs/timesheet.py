@@ -10,8 +10,8 @@ from kagezou.message import Message
 
 DESCRIPTION = """\
 Write when which drawing is exposed as a digital timesheet (XDTS), a column for each layer, for Clip Studio Paint,
-OpenToonz and others. A file that is there stays unless --force replaces it: it may hold dialogue and camera work, which
-a project does not. Prints the file."""
+OpenToonz and others. Dialogue, camera work and marks of the sheet that timed the project come back in it. A file that
+is there stays unless --force replaces it: it may hold newer ones. Prints the file."""
 EXAMPLES = """\
   kagezou timesheet cut12.kage -o cut12.xdts
 """

@@ -12,6 +12,7 @@ from kagezou.io.files.faults import input_problem, shown
 from kagezou.io.files.spellings import on_disk
 from kagezou.io.names.marks import half_width
 from kagezou.io.names.runs import Run, is_numbered_by, runs_of
+from kagezou.io.names.states import states_among
 from kagezou.io.pixels.signatures import is_picture
 from kagezou.message import Message
 
@@ -145,20 +146,48 @@ def _in_folder(folder: Path) -> Found:
     pictures, folders = _listed(folder)
     found = _understood(pictures, folder)
     if found.sequences:
-        return _with_doubts(found)
-    below: list[Sequence] = []
-    loose, notes = [*found.left_out], list(found.notes)
-    for child in folders:
-        inside = _understood(_listed(child)[0], child)
-        sequences = inside.sequences
-        below += [replace(sequences[0], name=child.name)] if len(sequences) == 1 else sequences
-        loose += inside.left_out
-        notes += inside.notes
-    if below:
-        return _with_doubts(Found(_sorted(below), tuple(loose), tuple(notes)))
+        unseen = [child.name for child in folders if _listed(child)[0]]
+        note = Message("folders beside its pictures are left out: {names}", names=_some(unseen))
+        return _with_doubts(replace(found, notes=(*found.notes, *([note] if unseen else []))))
+    below = sequences_below(folders)
+    loose = (*found.left_out, *below.left_out)
+    if below.sequences:
+        return _with_doubts(replace(below, left_out=loose))
     if not loose:
         raise input_problem(folder, Message("there is no picture in this folder"))
-    return _with_doubts(Found(_stills(loose), (), tuple(notes)))
+    return _with_doubts(Found(_stills(loose), ()))
+
+
+def sequences_below(folders: Iterable[Path]) -> Found:
+    """Return the sequences in folders, each named after its folder where it is the only one in it.
+
+    Folders that hold one thing in several states, such as ``A`` and ``A_R1``, are one.
+    """
+    inside = [(folder, _understood(_listed(folder)[0], folder)) for folder in folders]
+    below = [
+        replace(each, name=folder.name) if len(part.sequences) == 1 else each
+        for folder, part in inside
+        for each in part.sequences
+    ]
+    sequences = _sorted(_newest(below))
+    loose = tuple(path for _, part in inside for path in part.left_out)
+    return Found(sequences, loose, tuple(note for each in sequences for note in each.notes))
+
+
+def _newest(sequences: list[Sequence]) -> list[Sequence]:
+    """Return sequences, those whose names are states of one thing as one: newer drawings in the place of older ones."""
+    rest = dict(enumerate(sequences))
+    made = []
+    for states in states_among([each.name for each in sequences]):
+        parts = [rest.pop(index) for index in states.indices]
+        kept = parts[-1:] if states.are_versions else parts
+        files = {(file.number or 0, file.suffix.casefold()): file for part in kept for file in part.files}
+        old = sum(len(part.files) for part in parts) - len(files)
+        names = ", ".join(part.name for part in parts)
+        note = Message("taken as one, of which the newest counts: {names}; older drawings: {old}", names=names, old=old)
+        own = [each for part in kept for each in part.notes]
+        made.append(Sequence(kept[0].name, tuple(files[place] for place in sorted(files)), (note, *own)))
+    return [*rest.values(), *made]
 
 
 def _with_doubts(found: Found) -> Found:

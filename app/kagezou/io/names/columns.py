@@ -12,6 +12,7 @@ _PLACE: Final = re.compile(
     r"(?:^|[^\w]|_)(?:c|s|sc|cut|scene|shot|sq|seq|ep|part|take|layer|cam|カット|シーン|話)[ _.\-]?$", re.IGNORECASE
 )
 _WIDE: Final = 3
+_LOOKED_AT: Final = 20
 
 
 def shape_of(parts: NameParts) -> tuple[str, ...]:
@@ -46,7 +47,7 @@ def running(names: Mapping[int, NameParts]) -> dict[int, tuple[int, tuple[int, .
         rows = sorted({tuple(number.value for number in names[index].numbers) for index in indices})
         varying = [at for at in range(len(rows[0])) if len({row[at] for row in rows}) > 1]
         if varying:
-            found = _of_several(rows, varying, names[indices[0]])
+            found = _of_several(rows, varying, [names[index] for index in indices[:_LOOKED_AT]], followers)
             chosen.update(dict.fromkeys(indices, found))
         else:
             for index in indices:
@@ -61,15 +62,23 @@ def default_column(parts: NameParts) -> int:
 
 
 def _of_several(
-    rows: Sequence[tuple[int, ...]], varying: Sequence[int], sample: NameParts
+    rows: Sequence[tuple[int, ...]],
+    varying: Sequence[int],
+    samples: Sequence[NameParts],
+    followers: Mapping[str, int],
 ) -> tuple[int, tuple[int, ...], bool]:
     """Return the column of equally built names that runs, from the numbers that each has once."""
     if len(varying) == 1:
         return varying[0], (), False
     alone = [at for at in varying if len({row[at] for row in rows}) == len(rows)]
-    candidates = [at for at in alone or varying if not _is_place(sample, at)] or alone or varying
-    # Padded numbers are counted by; times and sizes of files lie far apart.
-    best = min(candidates, key=lambda at: (_span(rows, at) if alone else not _is_wide(sample, at), -at))
+    candidates = [at for at in alone or varying if not _is_place(samples[0], at)] or alone or varying
+
+    def merit(at: int) -> tuple[int, int, bool, int]:
+        # Padded numbers are counted by; times and sizes of files lie far apart.
+        behind = sum(followers[head_key(sample, at)] for sample in samples)
+        return behind, -_span(rows, at) if alone else 0, _is_wide(samples[0], at), at
+
+    best = max(candidates, key=merit)
     return best, tuple(at for at in alone if at != best), len(candidates) > 1
 
 

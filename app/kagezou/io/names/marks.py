@@ -2,7 +2,7 @@
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from itertools import pairwise
@@ -60,7 +60,7 @@ class NameParts:
     stands_in: MarkKind | None = None
 
     def insert(self, at: int) -> str:
-        """Return the letters of an inserted drawing right behind a number: the ``a`` of ``12a``."""
+        """Return what tells an inserted drawing right behind a number: the ``a`` of ``12a``, the ``.5`` of ``12.5``."""
         end = self.numbers[at].end
         if any(mark.start <= end < mark.end for mark in self.marks):
             return ""
@@ -77,12 +77,17 @@ class NameParts:
 
 # Longer runs of figures are no number that anybody counts by.
 _FIGURES: Final = re.compile(r"(?<!\d)\d{1,18}(?!\d)")
+_MOST_NUMBERS: Final = 12
+"""Of more numbers in one name the last are looked at."""
+
 _MINUS: Final = re.compile(r"(?:^|[_.(\[\-])-$")
-_INSERT: Final = re.compile(r"[A-Za-z]{1,2}(?![^\W_])")
+_INSERT: Final = re.compile(r"(?:[A-Za-z]{1,2}|\.[1-9])(?![^\W_])")
 _SEPARATORS: Final = re.compile(r"[\s_.\-()\[\]{}#~,]+")
 
 _VERSION: Final = re.compile(r"(?<![^\W\d_])(?:version|ver|rev|v)[ _.\-]?(\d{1,4})(?![^\W_])", re.IGNORECASE)
 _DATE: Final = re.compile(r"(?<!\d)((?:19|20)\d\d)([-_.]?)(0[1-9]|1[0-2])\2(0[1-9]|[12]\d|3[01])(?!\d)")
+_EIGHT: Final = re.compile(r"(?<!\d)(?:19|20)\d{6}(?!\d)")
+_FEW: Final = 2
 _SIZE: Final = re.compile(
     r"(?<![^\W_])@?(?:\d{2,5} ?[x×] ?\d{2,5}|(?:360|480|540|576|720|1080|1440|2160|4320)[pi]|(?:[1-9]|1[0-6])k"
     r"|\d{2,4}[dp]pi|\d{1,5}px|(?:8|10|12|16|24|32)(?:bits?|bpc)|\d{1,3}fps|[1-9]x)(?![^\W_])",
@@ -97,6 +102,7 @@ _RETAKE: Final = re.compile(
 _RETAKE_IN_FRONT: Final = re.compile(
     r"^(?P<insert>)[(\[]?(?:retake|リテイク|リテーク|修正)[ _.\-]?(?P<number>\d{0,3})[)\]]?[ _.\-]+", re.IGNORECASE
 )
+_LEFT: Final = re.compile(r"(?<=\d)[ _.\-]*l(?![^\W_])", re.IGNORECASE)
 _OLD: Final = re.compile(
     r"(?<=\d)(?P<insert>[a-z]{0,2}?)[ _.\-]+[(\[]?(?:old|original|orig|backup|bak|ng|旧|没)[)\]]?(?![^\W_])",
     re.IGNORECASE,
@@ -131,7 +137,20 @@ def bracketed(text: str) -> tuple[str, int] | None:
     return (text[: found.start()], int(found[1])) if found else None
 
 
-def parts_of(name: str, copy: int = 0) -> NameParts:
+def has_left_side(text: str) -> bool:
+    """Whether a name is of a left side, such as ``hand_1_L``, so that an R beside it is a right side and no retake."""
+    return _LEFT.search(text) is not None
+
+
+def are_dates(names: Iterable[str]) -> bool:
+    """Whether figures that look like dates are dates; not where they count on, or beside such as are none."""
+    figures = [found for name in names for found in _EIGHT.findall(name)]
+    dates = {int(each) for each in figures if _DATE.fullmatch(each)}
+    counts_on = len(dates) > _FEW and max(dates) - min(dates) < _FEW * len(dates)
+    return not counts_on and all(_DATE.fullmatch(each) for each in figures)
+
+
+def parts_of(name: str, copy: int = 0, *, has_sides: bool = False, has_dates: bool = True) -> NameParts:
     """Return the parts of a name; one that has no number has none in it either.
 
     Parameters
@@ -140,9 +159,18 @@ def parts_of(name: str, copy: int = 0) -> NameParts:
         In half-width letters; of a file without its suffix.
     copy
         Which copy it is known to be.
+    has_sides
+        Whether a mere R is no retake.
+    has_dates
+        Whether what looks like a date is one.
     """
     text, found = _without_copy(name)
-    marks = _marks_in(text)
+    marks = tuple(
+        mark
+        for mark in _marks_in(text)
+        if not (has_sides and words_of(text[mark.start : mark.end]) in ("R", "r"))
+        and (has_dates or mark.kind is not MarkKind.DATE)
+    )
     parts = NameParts(text, _numbers_in(text, marks), marks, copy or found)
     for kind in MarkKind:
         if parts.numbers:
@@ -186,10 +214,12 @@ def _every_mark(text: str) -> Iterator[Mark]:
 
 
 def _numbers_in(text: str, marks: tuple[Mark, ...]) -> tuple[Number, ...]:
-    numbers = []
+    numbers: list[Number] = []
     for found in _FIGURES.finditer(text):
         if any(mark.start < found.end() and found.start() < mark.end for mark in marks):
             continue
+        if numbers and numbers[-1].end + 1 == found.start() and _INSERT.match(text, numbers[-1].end):
+            continue
         is_below = _MINUS.search(text[: found.start()])
         numbers.append(Number(found.start(), found.end(), -int(found[0]) if is_below else int(found[0])))
-    return tuple(numbers)
+    return tuple(numbers[-_MOST_NUMBERS:])

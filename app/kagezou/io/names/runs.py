@@ -3,12 +3,12 @@
 from collections import Counter, defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import chain
+from functools import partial
 from typing import Final
 
 from kagezou.io.names.columns import default_column, running
 from kagezou.io.names.joining import Draft, drafts_of
-from kagezou.io.names.marks import MarkKind, NameParts, bracketed, half_width, key, parts_of
+from kagezou.io.names.marks import MarkKind, NameParts, are_dates, bracketed, half_width, has_left_side, key, parts_of
 from kagezou.io.names.members import Member, member_of
 from kagezou.io.names.titles import titles_of
 from kagezou.message import Message
@@ -137,12 +137,13 @@ def _parts(written: Sequence[str]) -> list[NameParts]:
     """Return the parts of names; a number in brackets behind another is a copy's, unless it is what runs."""
     there = set(written)
     behind: Counter[str] = Counter(found[0] for text in written if (found := bracketed(text)))
+    parts_in = partial(parts_of, has_sides=any(map(has_left_side, written)), has_dates=are_dates(written))
     made = []
     for text in written:
         found = bracketed(text)
-        base = parts_of(found[0], found[1]) if found else None
+        base = parts_in(found[0], found[1]) if found else None
         is_copy = found is not None and (found[0] in there or (behind[found[0]] == 1 < len(behind)))
-        made.append(base if base is not None and base.numbers and is_copy else parts_of(text))
+        made.append(base if base is not None and base.numbers and is_copy else parts_in(text))
     return made
 
 
@@ -157,7 +158,8 @@ def _joined_singles(drafts: list[Draft]) -> list[Draft]:
         numbers = {draft.members[0].number for draft in singles}
         if len(numbers) == len(singles) > 2:
             first, *others = singles
-            first.members = list(chain.from_iterable(draft.members for draft in singles))
+            for draft in others:
+                first.add(draft.members)
             drafts = [draft for draft in drafts if draft not in others]
     return drafts
 

@@ -65,7 +65,13 @@ class FoundDialog(QDialog):
         for row in taken:
             figure = self.figures[row].currentData()
             joins = self._name(figure) if figure in taken else None
-            made.append(replace(self._found.characters[row].source, name=self._name(row), joins=joins))
+            character = self._found.characters[row]
+            # A PSD file that nobody called otherwise names its characters itself.
+            name = character.source.name if self._name(row) == character.name else self._name(row)
+            drawings = character.source.drawings
+            # What is doubtful about them has been read here.
+            told = None if drawings is None else replace(drawings, notes=())
+            made.append(replace(character.source, name=name, joins=joins, drawings=told))
         return tuple(made)
 
     def _fill(self, row: int, character: FoundCharacter) -> None:
@@ -175,7 +181,8 @@ class FoundDialog(QDialog):
             box.setCurrentIndex(max(box.findData(chosen), 0) if chosen is not None else 0)
             box.blockSignals(False)
             box.setEnabled(bool(own) and self._is_taken(row))
-            if self._is_taken(row) and box.currentData() is None:
+            is_known = self._found.characters[row].source.drawings is not None
+            if is_known and self._is_taken(row) and box.currentData() is None:
                 own.append(row)
         self.take.setEnabled(any(map(self._is_taken, range(self.table.rowCount()))))
 
