@@ -3574,6 +3574,10 @@ Drop a folder of cels here.</source>
         <translation>セットがカメラの前にないフレームがあります</translation>
     </message>
     <message>
+        <source>the set pieces have {faces} flat faces: drawing a frame may take minutes; fewer steps or an imported set take less</source>
+        <translation>セットに平面が {faces} 枚あり、1 フレームの描画に数分かかることがあります。段を減らすか、3Dセットを読み込むと速くなります</translation>
+    </message>
+    <message>
         <source>there are no triangles in it</source>
         <translation>三角形がひとつもありません</translation>
     </message>
@@ -3951,7 +3955,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>a canvas of {width} × {height} px needs about {needed} MB of memory to be drawn, of which {free} MB are free</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} × {height} px のキャンバスを描くには約 {needed} MB のメモリーが必要ですが、空きは {free} MB です</translation>
     </message>
     <message>
         <source>a dash before a number is taken as a minus: {first}</source>
@@ -3994,6 +3998,10 @@ Drop a folder of cels here.</source>
         <translation>追加のチャンネルは使いません: {names}</translation>
     </message>
     <message>
+        <source>folders beside its pictures are left out: {names}</source>
+        <translation>画像と同じ場所にあるフォルダーは使いません：{names}</translation>
+    </message>
+    <message>
         <source>groups are clipped to the layer below them, as Clip Studio Paint does: {names}</source>
         <translation>フォルダーを下のレイヤーでクリッピングします（CLIP STUDIO PAINT と同じ扱い）: {names}</translation>
     </message>
@@ -4011,15 +4019,19 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>it has light where its alpha is 0, as a glow has; that is not used</source>
-        <translation type="unfinished"></translation>
+        <translation>アルファが 0 の所に発光のような光がありますが、使いません</translation>
     </message>
     <message>
         <source>it has light where its alpha is 0; that is seen as a glow over what is behind it</source>
-        <translation type="unfinished"></translation>
+        <translation>アルファが 0 の所に光があります。後ろのものに重なる発光として表示します</translation>
     </message>
     <message>
         <source>it has more than {most} prims</source>
         <translation>プリムが {most} 個を超えています</translation>
+    </message>
+    <message>
+        <source>it has more than {most} values</source>
+        <translation>値が {most} 個を超えています</translation>
     </message>
     <message>
         <source>it has no scene: all of its nodes are read</source>
@@ -4067,7 +4079,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>its alpha is 0 everywhere; its colours are seen as if there were none</source>
-        <translation type="unfinished"></translation>
+        <translation>アルファが全面 0 のため、アルファのない画像として色を表示します</translation>
     </message>
     <message>
         <source>its animation of {count} frames is not used: layers count as they are visible now</source>
@@ -4087,11 +4099,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>its colour profile is damaged and not used</source>
-        <translation type="unfinished"></translation>
+        <translation>カラープロファイルが壊れているため使われません</translation>
     </message>
     <message>
         <source>its colour profile is not used</source>
-        <translation type="unfinished"></translation>
+        <translation>カラープロファイルは使われません</translation>
     </message>
     <message>
         <source>its colour profile {profile!r} is not used: colours are taken as sRGB</source>
@@ -4099,15 +4111,15 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>its colours are inks with further channels, which cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>追加チャンネルのあるインク（CMYK など）の色は読めません</translation>
     </message>
     <message>
         <source>its colours are taken as linear light of Rec. 709, though it calls them {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>色空間は {name} とありますが、Rec. 709 のリニアとして扱います</translation>
     </message>
     <message>
         <source>its colours are taken as sRGB, though it calls them {primaries}/{transfer}</source>
-        <translation type="unfinished"></translation>
+        <translation>色の指定は {primaries}/{transfer} ですが、sRGB として扱います</translation>
     </message>
     <message>
         <source>its columns of key drawings are not used</source>
@@ -4139,15 +4151,19 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>its fourth channel, of which it does not say what it is, was taken as alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>用途の指定がない 4 番目のチャンネルをアルファとみなしました</translation>
+    </message>
+    <message>
+        <source>its gain map for bright screens is not used: it is seen as on other screens</source>
+        <translation>HDR 画面用のゲインマップは使わず、通常の画面での見え方で表示します</translation>
     </message>
     <message>
         <source>its inks (CMYK) have no colour profile: its colours are an approximation</source>
-        <translation type="unfinished"></translation>
+        <translation>CMYK ですがカラープロファイルがないため、色は近似です</translation>
     </message>
     <message>
         <source>its inks (CMYK) were turned into sRGB by its colour profile</source>
-        <translation type="unfinished"></translation>
+        <translation>CMYK をカラープロファイルにより sRGB に変換しました</translation>
     </message>
     <message>
         <source>its layer comps are not used: layers count as they are visible now</source>
@@ -4179,7 +4195,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>its second channel, of which it does not say what it is, was taken as alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>用途の指定がない 2 番目のチャンネルをアルファとみなしました</translation>
     </message>
     <message>
         <source>its shapes are animated: they are used as on its first frame</source>
@@ -4271,11 +4287,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>not used of it: {names} and {count} more</source>
-        <translation type="unfinished"></translation>
+        <translation>使わないもの: {names} ほか {count} 個</translation>
     </message>
     <message>
         <source>not used of it: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>使わないもの: {names}</translation>
     </message>
     <message>
         <source>nothing is drawn</source>
@@ -4287,7 +4303,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>of its {count} pictures the first alone is used</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} 枚の画像のうち最初の 1 枚だけを使います</translation>
     </message>
     <message>
         <source>of its {count} scenes only {name!r} is read</source>
@@ -4350,6 +4366,10 @@ Drop a folder of cels here.</source>
         <translation>静止</translation>
     </message>
     <message>
+        <source>taken as one, of which the newest counts: {names}; older drawings: {old}</source>
+        <translation>同じものの版とみなし最新のものを使います：{names}（使わない古い絵：{old} 枚）</translation>
+    </message>
+    <message>
         <source>the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has keys on its frames instead</source>
         <translation>{layer!r} のアンカーは x と y が別々のイーズで動きますが、After Effects のアンカーポイントにはそれがないため、代わりに各フレームにキーを打ちました</translation>
     </message>
@@ -4367,7 +4387,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the file is damaged (a colour is not in its palette)</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルが壊れています（パレットにない色があります）</translation>
     </message>
     <message>
         <source>the head of {figure}&apos;s long shadow falls beside the picture on frame {frame}, as it does under any sun</source>
@@ -4387,11 +4407,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the layer {layer} has no alpha of its own; that of the file is used</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー {layer} には自分のアルファがないため、ファイルのアルファを使います</translation>
     </message>
     <message>
         <source>the layer {layer} is used, which has no alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>使用するレイヤー {layer} にはアルファがありません</translation>
     </message>
     <message>
         <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
@@ -4430,14 +4450,6 @@ Drop a folder of cels here.</source>
         <translation>セットは {count} 個の部分からできていて、作業中に描ける {most} 個を超えています。ここでは省きますが、書き出しには入ります: {names}</translation>
     </message>
     <message>
-        <source>the set is made of {count} parts, more than the {most} that can be drawn: please take pieces away, or give stairs fewer steps</source>
-        <translation>セットは {count} 個の部分からできていて、描ける {most} 個を超えています。部品を減らすか、階段の段数を減らしてください</translation>
-    </message>
-    <message>
-        <source>the set is made of {count} parts: a picture may take minutes</source>
-        <translation>セットは {count} 個の部分からできています。1 枚に数分かかることがあります</translation>
-    </message>
-    <message>
         <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
         <translation>{layers} の影は画面では一つに重なりますが、レイヤーでは別々のままで、重なる所が濃くなります。見た目がフレームによって違うか、2色の影だからです</translation>
     </message>
@@ -4455,7 +4467,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>there is no layer {address!r} in it, but there are: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー {address!r} がありません。あるのは {names} です</translation>
     </message>
     <message>
         <source>there is no layer {name!r} in this project; did you mean {near!r}?</source>
@@ -4539,7 +4551,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>what could be its alpha is 0 everywhere and was taken as unused</source>
-        <translation type="unfinished"></translation>
+        <translation>アルファらしきチャンネルが全面 0 のため、使われていないものとみなしました</translation>
     </message>
     <message>
         <source>what lies behind its last frame is not used: {count} entries</source>
@@ -4887,19 +4899,19 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: its {count} pages are its drawings, a frame each</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {count} ページを 1 コマずつの動画として読み込みました</translation>
     </message>
     <message>
         <source>{path}: its {count} pictures are its drawings, as long as it says at {rate} frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {count} 枚の画像を、{rate} コマ/秒でファイルの表示時間どおりに、動画として読み込みました</translation>
     </message>
     <message>
         <source>{path}: its {count} pictures are its drawings, as long as it says, rounded to whole frames at {rate} frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {count} 枚の画像を、表示時間を {rate} コマ/秒のコマ単位に丸めて、動画として読み込みました</translation>
     </message>
     <message>
         <source>{path}: its {count} pictures are its drawings; {unsaid} of them do not say how long they are seen, which counts as {ms:g} ms</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {count} 枚の画像を動画として読み込みました。{unsaid} 枚には表示時間の指定がないため、{ms:g} ms としました</translation>
     </message>
     <message>
         <source>{path}: keys are out of order</source>
@@ -5047,7 +5059,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{width} × {height} px need {needed} MB of memory to be read, of which {free} MB are free</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} × {height} px の読み込みには {needed} MB のメモリが必要ですが、空きは {free} MB です</translation>
     </message>
     <message>
         <source>{words}</source>
