@@ -26,6 +26,7 @@ from kagezou.importing.imported_sets import ImportedSet, SetImport, import_set, 
 from kagezou.importing.set_following import follow_camera
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.scene.evaluate import camera_at, evaluate, ground_at, light_at
+from tests.io.sets.mesh_files import glb, triangle_tree
 
 SIZE = (800, 600)
 
@@ -307,3 +308,20 @@ def test_a_field_of_view_that_the_canvas_camera_cannot_have_is_refused(fov: floa
     document = with_mesh(stage(), (0.0, 0.0, -1.0))
     with pytest.raises(UsageProblem, match=r"from 0 to 120|within"):
         follow_camera(document, document.pieces[0].id, camera)
+
+
+@pytest.mark.parametrize(
+    ("name", "up", "is_said"), [("a.obj", None, True), ("a.obj", "z", False), ("a.glb", None, False)]
+)
+def test_an_axis_that_the_file_does_not_tell_is_said(
+    tmp_path: Path,
+    name: str,
+    up: str | None,
+    is_said: bool,  # noqa: FBT001
+) -> None:
+    if name == "a.obj":
+        (tmp_path / name).write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    else:
+        glb(tmp_path / name, *triangle_tree())
+    notes = [str(note) for note in import_set(stage(), SetImport(tmp_path / name, "set", up=up), MeshCache()).notes]
+    assert any("it does not say which axis points up: y is taken" in note for note in notes) == is_said

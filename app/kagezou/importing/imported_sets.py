@@ -30,7 +30,7 @@ from kagezou.importing.file_notes import said_once
 from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece, placement, track_through
 from kagezou.io.files.faults import shown
-from kagezou.io.sets.cameras import cameras_of, up_axis_of
+from kagezou.io.sets.cameras import cameras_of, says_up_axis, up_axis_of
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at
@@ -102,7 +102,8 @@ def import_set(document: Document, wanted: SetImport, meshes: MeshCache) -> Impo
     }
     added = add_piece(document, wanted.name, PieceKind.MESH, values, wanted.path)
     document = stood_up(added)
-    notes = (*said_once(wanted.name, [(wanted.path, meshes.notes(wanted.path))]), *stood_up_notes(added, document))
+    read = (*meshes.notes(wanted.path), *_assumed(wanted))
+    notes = (*said_once(wanted.name, [(wanted.path, read)]), *stood_up_notes(added, document))
     piece_id = document.pieces[-1].id
     document = set_constant(document, Address(lines.GROUND_RECEIVES), raw=False)
     if camera is None:
@@ -205,6 +206,12 @@ def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> tuple[
             )
         )
     return tuple(notes)
+
+
+def _assumed(wanted: SetImport) -> tuple[Message, ...]:
+    if wanted.up is not None or says_up_axis(wanted.path):
+        return ()
+    return (Message("it does not say which axis points up: y is taken"),)
 
 
 def _camera_named(document: Document, wanted: SetImport) -> SetCamera:

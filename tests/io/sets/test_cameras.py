@@ -189,3 +189,14 @@ def test_a_camera_under_uneven_scales_is_rigid(tmp_path: Path) -> None:
     assert turn @ turn.T == pytest.approx(np.eye(3))
     back = np.array([0, -5 * sin(0.4), cos(0.4)])
     assert turn[:, 2] == pytest.approx(back / np.linalg.norm(back))
+
+
+def test_a_broken_way_of_something_else_leaves_the_camera_alone(tmp_path: Path) -> None:
+    tree, data = triangle_tree(cameras=[PERSPECTIVE], nodes=[{"mesh": 0}, {"camera": 0}], scenes=[{"nodes": [0, 1]}])
+    channel = {"sampler": 0, "target": {"node": 0, "path": "translation"}}
+    tree["animations"] = [{"samplers": [{"input": 0, "output": 99}], "channels": [channel]}]
+    (camera,) = cameras_of(glb(tmp_path / "a.glb", tree, data), RATE)
+    assert not camera.is_animated
+    channel["target"] = {"node": 1, "path": "translation"}
+    with pytest.raises(InputProblem):
+        cameras_of(glb(tmp_path / "b.glb", tree, data), RATE)

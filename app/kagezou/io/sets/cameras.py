@@ -39,6 +39,11 @@ def _told_apart(cameras: tuple[SetCamera, ...]) -> tuple[SetCamera, ...]:
     return tuple(made)
 
 
+def says_up_axis(path: Path) -> bool:
+    """Whether files of this format say which axis points up."""
+    return path.suffix.lower() in (*_GLTF, *_USD)
+
+
 def up_axis_of(path: Path) -> str:
     """Return which axis points up, "y" or "z": glTF says y, USD says it itself, others are taken for y."""
     return "z" if path.suffix.lower() in _USD and is_z_up(path) else "y"

@@ -86,9 +86,7 @@ def gltf_cameras(path: Path, frame_rate: Fraction) -> tuple[SetCamera, ...]:
 def _camera(file: Gltf, number: int, animated: dict[tuple[int, str], _Channel], frame_rate: Fraction) -> SetCamera:
     node = file.tree["nodes"][number]
     camera = file.tree["cameras"][node["camera"]]
-    chain = [number]
-    while chain[-1] in file.parents:
-        chain.append(file.parents[chain[-1]])
+    chain = _chain(file, number)
     ends = [float(channel.times[-1]) for (on, _), channel in animated.items() if on in chain]
     frames = ceil(max(ends) * frame_rate - _HARDLY) + 1 if ends else 1
     if frames > MAX_FRAMES:
@@ -130,13 +128,23 @@ def _part(
     return np.array(node.get(name, RESTS[name]), np.float64)
 
 
+def _chain(file: Gltf, number: int) -> list[int]:
+    """Return a node and those that it hangs on."""
+    chain = [number]
+    while chain[-1] in file.parents:
+        chain.append(file.parents[chain[-1]])
+    return chain
+
+
 def _channels(file: Gltf) -> dict[tuple[int, str], _Channel]:
-    """Return what of the first animation moves nodes; others are takes of their own."""
+    """Return what of the first animation moves cameras; others are takes of their own."""
+    nodes = file.tree.get("nodes", ())
+    moved = {on for number, node in enumerate(nodes) if "camera" in node for on in _chain(file, number)}
     found: dict[tuple[int, str], _Channel] = {}
     for animation in file.tree.get("animations", ())[:1]:
         for channel in animation["channels"]:
             target = channel["target"]
-            if target.get("path") not in RESTS or "node" not in target:
+            if target.get("path") not in RESTS or target.get("node") not in moved:
                 continue
             sampler = animation["samplers"][channel["sampler"]]
             times = numbers(file, sampler["input"], "SCALAR")[:, 0]
