@@ -4,11 +4,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from kagezou.errors import InputProblem
 from kagezou.importing.cels_of_files import cels_of
 from kagezou.importing.new_cels import CharacterSource, left_out_note, printable
 from kagezou.importing.understood import numbers_text
 from kagezou.io.files.faults import input_problem, shown
 from kagezou.io.files.spellings import on_disk
+from kagezou.io.images.parts import exr_layer_names, is_exr
 from kagezou.io.images.sequences import Found, find_sequences, sequences_among
 from kagezou.io.images.sequences import Sequence as FileSequence
 from kagezou.io.pixels.signatures import is_picture, is_psd
@@ -35,6 +37,8 @@ class FoundCharacter:
         Its first drawing.
     notes
         What is doubtful about it.
+    layers
+        Of OpenEXR files with several layers that can be a picture: their names, the one that is used by itself first.
     """
 
     source: CharacterSource
@@ -44,6 +48,12 @@ class FoundCharacter:
     last_name: str
     picture: PictureSource
     notes: tuple[Message, ...] = ()
+    layers: tuple[str, ...] = ()
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether there is no doubt about it and nothing to choose."""
+        return not self.notes and not self.layers
 
     @property
     def name(self) -> str:
@@ -61,7 +71,7 @@ class FoundCharacters:
     @property
     def is_clear(self) -> bool:
         """Whether there is one character and no doubt."""
-        return len(self.characters) == 1 and not self.notes and not self.characters[0].notes
+        return len(self.characters) == 1 and not self.notes and self.characters[0].is_clear
 
     @property
     def sources(self) -> tuple[CharacterSource, ...]:
@@ -126,7 +136,19 @@ def _of_sequence(sequence: FileSequence, source: CharacterSource, own_name: str)
     first, last = (shown(Path(drawing.path.name)) for drawing in (drawings[0], drawings[-1]))
     numbers = numbers_text([each.name for each in drawings]) if sequence.files[0].number is not None else ""
     whole = replace(source, name=name, drawings=sequence)
-    return FoundCharacter(whole, len(drawings), numbers, first, last, drawings[0].source, sequence.notes)
+    layers = _layers_of(drawings[0].path) if source.layer is None else ()
+    return FoundCharacter(whole, len(drawings), numbers, first, last, drawings[0].source, sequence.notes, layers)
+
+
+def _layers_of(path: Path) -> tuple[str, ...]:
+    """Return the layers that one may choose among; none where there is one alone, or the file cannot be read."""
+    if not is_exr(path):
+        return ()
+    try:
+        names = exr_layer_names(path)
+    except InputProblem:  # told when it is brought
+        return ()
+    return names if len(names) > 1 else ()
 
 
 def _general(found: Found, path: Path) -> list[Message]:

@@ -1324,6 +1324,18 @@
         <translation>人物</translation>
     </message>
     <message>
+        <source>Layer</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Which layer of the OpenEXR files is the drawing</source>
+        <translation>OpenEXR ファイルのどのレイヤーを動画として使うか</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>名前なし</translation>
+    </message>
+    <message>
         <source>This is what was found. Lower rows lie over upper ones.</source>
         <translation>次のものが見つかりました。下の行ほど手前に重なります。</translation>
     </message>
@@ -4012,6 +4024,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>it cannot be read as USD: the file is damaged, or too large for the memory</source>
         <translation>USD として読めません：ファイルが壊れているか、メモリーに対して大きすぎます</translation>
+    </message>
+    <message>
+        <source>it does not say which axis points up: y is taken</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>it ends within a solid: something may be missing</source>

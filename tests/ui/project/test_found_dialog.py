@@ -1,11 +1,15 @@
 """The dialog of what was found, and when it comes."""
 
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+import OpenImageIO as oiio  # noqa: N813  # the name its own manual uses
 import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
+from kagezou.importing.cels_of_files import held_by
 from kagezou.importing.found_characters import FoundCharacters, found_characters
 from kagezou.importing.new_cels import CharacterSource
 from kagezou.io.images.writing import write_rgba
@@ -144,3 +148,31 @@ def test_which_of_several_sheets_is_asked(plain: MainWindow, cels: Path, monkeyp
     plain.parts.project.time_by(path)
     assert plain.parts.open_project.bridge.document is before
     plain.close_unasked()
+
+
+def passes(folder: Path) -> Path:
+    """A sequence of two frames with a beauty and a line pass."""
+    folder.mkdir()
+    for number in (1, 2):
+        spec = oiio.ImageSpec(8, 8, 8, oiio.HALF)
+        spec.channelnames = tuple(f"{layer}.{channel}" for layer in ("line", "beauty") for channel in "RGBA")
+        out: Any = oiio.ImageOutput.create(str(folder / f"a_{number}.exr"))
+        assert out.open(str(folder / f"a_{number}.exr"), spec)
+        assert out.write_image(np.full((8, 8, 8), 0.5, np.float32))
+        out.close()
+    return folder
+
+
+def test_which_layer_of_exr_files_is_asked(qtbot: QtBot, tmp_path: Path) -> None:
+    found = found_characters([CharacterSource(None, passes(tmp_path / "A"))])
+    assert not found.is_clear
+    dialog = FoundDialog(found)
+    qtbot.addWidget(dialog)
+    box = dialog.layers[0]
+    assert [box.itemText(index) for index in range(box.count())] == ["beauty", "line"]
+    assert dialog.sources()[0].layer is None
+    box.setCurrentIndex(1)
+    (source,) = dialog.sources()
+    assert source.layer == "line"
+    (layer,) = held_by(source).layers
+    assert [drawing.part for drawing in layer.cels.drawings] == ["line", "line"]

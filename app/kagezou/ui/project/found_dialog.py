@@ -1,5 +1,6 @@
 """The dialog that shows what was understood of folders and files before any of it is taken."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt
@@ -46,6 +47,7 @@ class FoundDialog(QDialog):
         self.table = QTableWidget(len(found.characters), 5)
         self.names: list[QTableWidgetItem] = []
         self.figures: list[QComboBox] = []
+        self.layers: dict[int, QComboBox] = {}
         self.remarks = QLabel("\n".join(translated(note) for note in found.notes))
         self.take = QPushButton(self.tr("Take"))
         for row, character in enumerate(found.characters):
@@ -71,7 +73,8 @@ class FoundDialog(QDialog):
             drawings = character.source.drawings
             # What is doubtful about them has been read here.
             told = None if drawings is None else replace(drawings, notes=())
-            made.append(replace(character.source, name=name, joins=joins, drawings=told))
+            layer = self.layers[row].currentData() if row in self.layers else character.source.layer
+            made.append(replace(character.source, name=name, joins=joins, drawings=told, layer=layer))
         return tuple(made)
 
     def _fill(self, row: int, character: FoundCharacter) -> None:
@@ -100,11 +103,22 @@ class FoundDialog(QDialog):
         figure.setAccessibleName(self.tr("Figure"))
         figure.currentIndexChanged.connect(self._show_choice)
         self.figures.append(figure)
-        cell = QWidget()
-        beside = QHBoxLayout(cell)
-        beside.setContentsMargins(0, 0, _FRAME_PX, 0)
-        beside.addWidget(figure)
-        self.table.setCellWidget(row, _FIGURE, cell)
+        self.table.setCellWidget(row, _FIGURE, _framed(figure))
+        if character.layers:
+            self.layers[row] = self._layer_list(character.layers)
+            self.table.setItem(row, _COUNT, QTableWidgetItem())
+            self.table.setCellWidget(
+                row, _COUNT, _framed(QLabel(" · ".join(filter(None, (count, character.numbers)))), self.layers[row])
+            )
+
+    def _layer_list(self, names: Sequence[str]) -> QComboBox:
+        """Return a list of the layers of OpenEXR files, the one that is used by itself chosen."""
+        layers = QComboBox()
+        layers.setAccessibleName(self.tr("Layer"))
+        layers.setToolTip(self.tr("Which layer of the OpenEXR files is the drawing"))
+        for number, name in enumerate(names):
+            layers.addItem(name or self.tr("without a name"), None if number == 0 else name)
+        return layers
 
     def _lay_out(self) -> None:
         words = QLabel(self.tr("This is what was found. Lower rows lie over upper ones."))
@@ -197,6 +211,17 @@ class FoundDialog(QDialog):
     def _name(self, row: int) -> str:
         typed = self.names[row].text().strip()
         return printable(typed) if typed else self._found.characters[row].name
+
+
+def _framed(*widgets: QWidget) -> QWidget:
+    """Return widgets one under the other, with room to the next column."""
+    cell = QWidget()
+    column = QVBoxLayout(cell)
+    column.setContentsMargins(4, 0, _FRAME_PX, 0)
+    column.setSpacing(2)
+    for widget in widgets:
+        column.addWidget(widget)
+    return cell
 
 
 def _square(image: QImage | None) -> QPixmap:
