@@ -4027,7 +4027,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>it does not say which axis points up: y is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>どの軸が上を向くかの指定がないため、y 軸を上とみなします</translation>
     </message>
     <message>
         <source>it ends within a solid: something may be missing</source>
