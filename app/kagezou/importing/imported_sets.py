@@ -30,7 +30,7 @@ from kagezou.importing.file_notes import said_once
 from kagezou.importing.set_following import follow_camera
 from kagezou.importing.set_placing import of_piece, placement, track_through
 from kagezou.io.files.faults import shown
-from kagezou.io.sets.cameras import cameras_of, says_up_axis, up_axis_of
+from kagezou.io.sets.cameras import cameras_of, notes_on_up, up_axis_of
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at
@@ -209,9 +209,7 @@ def _notes(document: Document, camera: SetCamera, met: Vector3 | None) -> tuple[
 
 
 def _assumed(wanted: SetImport) -> tuple[Message, ...]:
-    if wanted.up is not None or says_up_axis(wanted.path):
-        return ()
-    return (Message("it does not say which axis points up: y is taken"),)
+    return () if wanted.up is not None else notes_on_up(wanted.path)
 
 
 def _camera_named(document: Document, wanted: SetImport) -> SetCamera:

@@ -18,7 +18,7 @@ from kagezou.io.images.reading import probe, read_cel, read_matte
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import load
 from kagezou.io.project.paths import absolute
-from kagezou.io.sets.cameras import cameras_of, up_axis_of
+from kagezou.io.sets.cameras import cameras_of, notes_on_up, up_axis_of
 from kagezou.io.sets.mesh_cache import MeshCache, is_mesh
 from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
@@ -220,7 +220,9 @@ def _set(path: Path) -> Inspection:
             for each in cameras
         ),
     ]
-    notes = tuple(Message("{path}: {note}", path=shown(path), note=note) for note in meshes.notes(path))
+    notes = tuple(
+        Message("{path}: {note}", path=shown(path), note=note) for note in (*notes_on_up(path), *meshes.notes(path))
+    )
     return Inspection(path, "set", facts, tuple(lines), notes)
 
 

@@ -8,6 +8,7 @@ from typing import Final
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.io.sets.gltf_cameras import gltf_cameras
 from kagezou.io.sets.usd import is_z_up, usd_cameras
+from kagezou.message import Message
 
 _GLTF: Final = (".glb", ".gltf")
 _USD: Final = (".usd", ".usda", ".usdc", ".usdz")
@@ -39,9 +40,11 @@ def _told_apart(cameras: tuple[SetCamera, ...]) -> tuple[SetCamera, ...]:
     return tuple(made)
 
 
-def says_up_axis(path: Path) -> bool:
-    """Whether files of this format say which axis points up."""
-    return path.suffix.lower() in (*_GLTF, *_USD)
+def notes_on_up(path: Path) -> tuple[Message, ...]:
+    """Return what is assumed of the axis that points up, where files of this format do not say it."""
+    if path.suffix.lower() in (*_GLTF, *_USD):
+        return ()
+    return (Message("it does not say which axis points up: y is taken"),)
 
 
 def up_axis_of(path: Path) -> str:
