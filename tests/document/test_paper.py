@@ -25,7 +25,7 @@ def test_all_drawings_of_a_layer_are_on_one_paper() -> None:
     check(document)
     assert paper_of(document.layers[0]) is Paper.BORDER
     sources = [drawing.source for drawing in document.layers[0].cels.drawings]
-    assert sources == [OutlinedPicture(Path("/c/1.png")), PicturePart(Path("/c/2.psd"), "figure")]
+    assert sources == [OutlinedPicture(Path("/c/1.png")), PicturePart(Path("/c/2.psd"), "figure", Paper.BORDER)]
     assert [file_of(source) for source in sources] == [Path("/c/1.png"), Path("/c/2.psd")]
     assert set_paper(document, "layer-1", Paper.BORDER) is document
     assert set_paper(document, "layer-1", Paper.WHITE) == cut()

@@ -1,5 +1,6 @@
 """Files of several pictures: films and pages become the drawings of one character, or of the background."""
 
+import itertools
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -194,3 +195,19 @@ def test_a_film_is_not_decoded_anew_for_each_picture(tmp_path: Path, monkeypatch
     for number in range(1, 6):
         cels.cel(PicturePart(path, str(number)))
     assert len(opened) == 1
+
+
+@pytest.mark.parametrize("suffix", [".png", ".webp", ".gif", ".tif"])
+def test_pictures_are_the_same_in_whatever_order_they_are_read(tmp_path: Path, suffix: str) -> None:
+    pictures = []
+    for number in range(3):
+        rgba = np.zeros((12, 16, 4), np.uint8)
+        rgba[3:9, 2 + 4 * number : 5 + 4 * number] = (200, 10, 10, 255)
+        pictures.append(Image.fromarray(rgba))
+    path = tmp_path / f"film{suffix}"
+    pictures[0].save(path, save_all=True, append_images=pictures[1:])
+    wanted = [read_matte(PicturePart(path, str(number))).whole() for number in (1, 2, 3)]
+    assert len({each.tobytes() for each in wanted}) == 3
+    for order in itertools.product((1, 2, 3), repeat=4):
+        for number in order:
+            assert np.array_equal(read_matte(PicturePart(path, str(number))).whole(), wanted[number - 1]), order

@@ -79,7 +79,7 @@ def test_a_film_is_rendered_picture_by_picture(tmp_path: Path, shell: Shell) -> 
     assert shell("new", tmp_path / "a.kage", "--character", f"A={path}", "--fps", "8") == 0
     assert "its 3 pictures are its drawings, as long as it says at 8 frames/s" in shell.said
     out = tmp_path / "out"
-    assert shell("render", tmp_path / "a.kage", "-o", out, "--composite") == 0
+    assert shell("render", tmp_path / "a.kage", "-o", out, "--composite") == 0, shell.said
     found = [np.asarray(Image.open(each).convert("RGBA")) for each in sorted((out / "composite").glob("*.png"))]
     reds = [np.flatnonzero((each[20, :, 0] > 150) & (each[20, :, 1] < 60)).tolist() for each in found]
     assert reds == [list(range(10 + 10 * number, 20 + 10 * number)) for number in range(3)]

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.io.images.reading import read_cel
+from kagezou.io.images.reading import probe, read_cel
 from tests.export.after_effects.extendscript import Run, pair_at, place_at, property_of, value_at
 
 Pixels = NDArray[np.uint8]
@@ -85,7 +85,8 @@ def _source(run: Run, layer: dict[str, Any], frame: int, rate: float) -> Pixels:
     if found[0]["frames"] > 1:
         stem, _, number = first.stem.rpartition("_")
         path = first.with_name(f"{stem}_{int(number) + picture:0{len(number)}d}{first.suffix}")
-    rgba = read_cel(path, white_is_clear=False).rgba
+    # A background whose alpha is 0 everywhere would be seen; footage has the alpha that it has.
+    rgba = read_cel(path, white_is_clear=probe(path).has_alpha).rgba
     assert rgba.dtype == np.uint8
     return np.asarray(rgba, np.uint8)
 

@@ -91,15 +91,15 @@ class PillowFile:
         self._path = path
         self._lock = threading.Lock()
         self._data = data
-        data = riff.with_open_alpha(data) if data[8:12] == b"WEBP" else data
+        self._shown = riff.with_open_alpha(data) if data[8:12] == b"WEBP" else data
         with pillow_problems(path):
-            self._image = _pillow().open(io.BytesIO(data), formats=_FORMATS)
+            self._image = self._opened()
             count = int(getattr(self._image, "n_frames", 1))
             # A PNG film may have a picture before it for programs that show no films.
             self._first = 1 if self._image.info.get("default_image") and count > 1 else 0
             self.pictures = count - self._first
             self.header = self._header()
-            self.nbytes = len(data) + 2 * 4 * self._image.size[0] * self._image.size[1]
+            self.nbytes = len(self._shown) + 2 * 4 * self._image.size[0] * self._image.size[1]
         check_size(path, self.header)
 
     def durations_ms(self) -> tuple[float, ...]:
@@ -110,7 +110,7 @@ class PillowFile:
         found = []
         with self._lock, pillow_problems(self._path):
             for index in range(self.pictures):
-                self._image.seek(self._first + index)
+                self._seek(index)
                 found.append(float(self._image.info.get("duration", 0)))
         return tuple(found)
 
@@ -129,12 +129,21 @@ class PillowFile:
         """
         self.check(index)
         with self._lock, pillow_problems(self._path):
-            self._image.seek(self._first + index)
+            self._seek(index)
             self._image.load()
             if self._image.mode == "CMYK":
                 return np.asarray(self._in_rgb())
             mode = next(name for name, count in _MODES.items() if count == self.header.channels)
             return self._pixels(mode)
+
+    def _opened(self) -> Any:
+        return _pillow().open(io.BytesIO(self._shown), formats=_FORMATS)
+
+    def _seek(self, index: int) -> None:
+        """Go to a picture; for an earlier one the file is opened anew, as Pillow loses its way in a PNG going back."""
+        if self._first + index < self._image.tell():
+            self._image = self._opened()
+        self._image.seek(self._first + index)
 
     def _pixels(self, mode: str) -> Pixels:
         """Return the loaded picture in a mode; some rows at a time, as a large one takes enough memory by itself."""

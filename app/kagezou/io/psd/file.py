@@ -46,8 +46,9 @@ class _Opened:
         self._image = _parsed(path, size)
         self._notes: tuple[Message, ...] | None = None
         try:
+            _check_depth(path, self._image)
             follow_clipped_groups(self._image)
-            nodes = self._nodes(self._image, None, 0)
+            nodes = self._nodes(self._image, None)
         except InputProblem:
             raise
         except Exception as error:  # a stranger's file may trip psd-tools in any way
@@ -85,9 +86,7 @@ class _Opened:
         except Exception as error:  # as above
             raise _damaged(self._path, error) from error
 
-    def _nodes(self, group: Iterable[Any], parent: str | None, depth: int) -> tuple[PsdNode, ...]:
-        if depth > DEEPEST:
-            raise input_problem(self._path, Message("its groups are nested too deep"))
+    def _nodes(self, group: Iterable[Any], parent: str | None) -> tuple[PsdNode, ...]:
         layers = list(group)
         names = [_name_of(layer) for layer in layers]
         nodes = []
@@ -101,7 +100,7 @@ class _Opened:
                 raise input_problem(
                     self._path, Message("the names of the groups around {name!r} are too long", name=name[:20])
                 )
-            children = self._nodes(layer, address, depth + 1) if layer.is_group() else None
+            children = self._nodes(layer, address) if layer.is_group() else None
             nodes.append(
                 PsdNode(
                     name=name,
@@ -223,6 +222,16 @@ def _parsed(path: Path, size: int) -> Any:
         raise input_problem(path, error) from error
     except Exception as error:  # a stranger's file may trip psd-tools in any way
         raise _damaged(path, error) from error
+
+
+def _check_depth(path: Path, image: Any) -> None:
+    """See that groups are not nested deeper than functions can call themselves, psd-tools' own among them."""
+    waiting = [(image, 0)]
+    while waiting:
+        group, depth = waiting.pop()
+        if depth > DEEPEST:
+            raise input_problem(path, Message("its groups are nested too deep"))
+        waiting += [(each, depth + 1) for each in group if each.is_group()]
 
 
 def _damaged(path: Path, error: Exception, address: str | None = None) -> InputProblem:
