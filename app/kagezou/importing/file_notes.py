@@ -1,7 +1,6 @@
 """What readers say of files, said once: what of a file was not used, and what of it had to be assumed."""
 
-from collections.abc import Iterable, Iterator
-from contextlib import suppress
+from collections.abc import Iterable
 from pathlib import Path
 
 from kagezou.document.model import Document, Drawing
@@ -48,22 +47,31 @@ def _of_files(name: str, note: Message, paths: list[Path], count: int) -> Messag
 
 
 def notes_on_files(document: Document, meshes: MeshCache) -> tuple[Message, ...]:
-    """Return what the readers of all the files of a document say; a file that cannot be read says nothing here."""
+    """Return what the readers of all the files of a document say, and which of them cannot be read.
+
+    Files that are missing are not spoken of.
+    """
     made: list[Message] = []
     for name, drawings in (
         *((layer.name, layer.cels.drawings) for layer in document.layers),
         ("background", document.behind.drawings),
     ):
-        made += said_once(name, _of_drawings(drawings))
+        said = [_of_drawing(drawing) for drawing in drawings if drawing.path.is_file()]
+        made += said_once(name, [each for each in said if not isinstance(each, Message)])
+        made += [each for each in said if isinstance(each, Message)]
     for piece in document.pieces:
-        if piece.source is not None:
-            with suppress(InputProblem):
+        if piece.source is not None and piece.source.is_file():
+            try:
                 made += said_once(piece.name, [(piece.source, meshes.notes(piece.source))])
+            except InputProblem as problem:
+                made.append(problem.message)
     return tuple(dict.fromkeys(made))
 
 
-def _of_drawings(drawings: Iterable[Drawing]) -> Iterator[tuple[Path, tuple[Message, ...]]]:
-    for drawing in drawings:
-        with suppress(InputProblem):
-            own = probe(drawing.source).notes
-            yield drawing.path, (*own, *(psd_notes(drawing.path) if is_psd(drawing.path) else ()))
+def _of_drawing(drawing: Drawing) -> tuple[Path, tuple[Message, ...]] | Message:
+    """Return what is said of a drawing's file, or why it cannot be read."""
+    try:
+        own = probe(drawing.source).notes
+        return drawing.path, (*own, *(psd_notes(drawing.path) if is_psd(drawing.path) else ()))
+    except InputProblem as problem:
+        return problem.message
