@@ -86,13 +86,20 @@ def on_canvas(leaf: Leaf, size: tuple[int, int] = SIZE) -> NDArray[np.uint8]:
     return canvas
 
 
-def write_psd(path: Path, layers: Sequence[Leaf | Folder], size: tuple[int, int] = SIZE, mode: str = "RGBA") -> Path:
-    """Write a file of layers, from the lowest up."""
+def write_psd(
+    path: Path,
+    layers: Sequence[Leaf | Folder],
+    size: tuple[int, int] = SIZE,
+    mode: str = "RGBA",
+    *,
+    is_pictured: bool = True,
+) -> Path:
+    """Write a file of layers, from the lowest up, with the picture that they make where it is one of RGB."""
     image = PSDImage.new(mode, size)
     _fill(image, layers)
     path.parent.mkdir(parents=True, exist_ok=True)
     image.save(path)
-    return with_picture(path) if mode == "RGBA" else path
+    return with_picture(path) if mode == "RGBA" and is_pictured else path
 
 
 def with_picture(path: Path, picture: NDArray[np.uint8] | None = None) -> Path:

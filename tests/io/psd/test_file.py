@@ -284,7 +284,7 @@ def test_groups_nested_too_deep_are_a_sentence(tmp_path: Path, monkeypatch: pyte
     nested: Leaf | Folder = Leaf("1", figure(1))
     for _ in range(80):
         nested = Folder("A", [nested])
-    path = write_psd(tmp_path / "a.psd", [nested])
+    path = write_psd(tmp_path / "a.psd", [nested], is_pictured=False)
     with pytest.raises(InputProblem, match="nested too deep"):
         psd_tree(path)
 
