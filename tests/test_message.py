@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from kagezou.errors import InputProblem, Problem
-from kagezou.message import Message, Translatable
+from kagezou.message import Message, Translatable, first_names
 
 JAPANESE = {
     "{path}: {cause}": "{path}：{cause}",
@@ -72,3 +72,10 @@ def test_a_missing_value_is_an_error_of_the_program() -> None:
 
 def test_a_message_shows_itself_as_its_call() -> None:
     assert repr(Message("{a}", a="b")) == "Message('{a}', a='b')"
+
+
+def test_of_many_names_the_first_are_told() -> None:
+    assert first_names(["a", "b", "c"]) == "a, b, c"
+    assert first_names(name for name in "abcd") == "a, b, c, …"
+    assert first_names(["a", "b"], most=1) == "a, …"
+    assert first_names([]) == ""

@@ -5,7 +5,7 @@ line shows ``str(message)``; the window looks the text up in its catalogue and p
 literally in the call, so that the catalogues are filled from the sources.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol, runtime_checkable
 
 Translate = Callable[[str, str], str]
@@ -86,3 +86,9 @@ def _formatted(value: object, translate: Translate) -> object:
 
 def _as_written(text: str, _about: str) -> str:
     return text
+
+
+def first_names(names: Iterable[str], most: int = 3) -> str:
+    """Return the first of many names as one enumeration, with dots where there are more."""
+    known = list(names)
+    return ", ".join(known[:most]) + (", …" if len(known) > most else "")

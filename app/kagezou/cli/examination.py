@@ -5,7 +5,6 @@ import ctypes.util
 import importlib.metadata
 import importlib.util
 import locale
-import os
 import platform
 import shutil
 import sys
@@ -132,10 +131,10 @@ def advice(report: Mapping[str, Json], *, can_render: bool) -> Iterator[str]:
 
 
 def _memory_mb() -> int | None:
-    try:
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") >> 20
-    except (AttributeError, ValueError, OSError):
-        return None
+    from kagezou.io.files.memory import whole_memory
+
+    whole = whole_memory()
+    return None if whole is None else whole >> 20
 
 
 def _platform_plugins() -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from kagezou.export.request import ExportRequest
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import OutputSequence, sequences_of
 from kagezou.export.uniting import cut_groups
-from kagezou.io.images.picture_size import free_memory
+from kagezou.io.files.memory import free_memory
 from kagezou.message import Message
 from kagezou.scene.evaluate import evaluate
 

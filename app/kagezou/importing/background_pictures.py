@@ -20,10 +20,8 @@ from kagezou.io.images.parts import is_exr
 from kagezou.io.images.reading import ImageInfo, probe, read_cel
 from kagezou.io.images.sequences import find_sequences
 from kagezou.io.project.paths import absolute
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 from kagezou.picture_source import PicturePart, PictureSource, file_of
-
-_SHOWN_NAMES = 3
 
 
 def background_of(
@@ -113,7 +111,11 @@ def laid_behind(document: Document, found: NewCels) -> Document:
 def _left_out(source: Path, taken: str, unused: list[str]) -> tuple[Message, ...]:
     if not unused:
         return ()
-    names = ", ".join(unused[:_SHOWN_NAMES]) + (", …" if len(unused) > _SHOWN_NAMES else "")
     return (
-        Message("{path}: the background is {taken}; left out: {names}", path=shown(source), taken=taken, names=names),
+        Message(
+            "{path}: the background is {taken}; left out: {names}",
+            path=shown(source),
+            taken=taken,
+            names=first_names(unused),
+        ),
     )

@@ -8,7 +8,7 @@ from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import measured_cels
 from kagezou.importing.file_notes import said_once
-from kagezou.importing.new_cels import CharacterSource, Held, NewCels, left_out_note, printable, some
+from kagezou.importing.new_cels import CharacterSource, Held, NewCels, left_out_note, printable
 from kagezou.importing.painted import notes_on_first_drawings
 from kagezou.importing.paper import on_found_paper
 from kagezou.importing.progress import Progress
@@ -18,7 +18,7 @@ from kagezou.io.images.reading import read_matte
 from kagezou.io.psd.file import psd_notes, psd_tree
 from kagezou.io.psd.tree import PsdTree
 from kagezou.io.psd.undrawn import drawn_by_extra
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 from kagezou.picture_source import PicturePart
 
 
@@ -69,7 +69,7 @@ def _joined_in(path: Path, layers: Iterable[NewCels]) -> list[Message]:
         Message(
             "{path}: one figure with one shadow: {names}",
             path=shown(path),
-            names=some([figure, *(layer.name for layer in layers if layer.joins == figure)]),
+            names=first_names([figure, *(layer.name for layer in layers if layer.joins == figure)]),
         )
         for figure in figures
     ]
@@ -112,7 +112,7 @@ def _left_out_of(path: Path, cast: PsdCharacters) -> list[Message]:
             Message(
                 "{path}: left out, as they are hidden: {names}",
                 path=shown(path),
-                names=some(node.name for node in cast.hidden),
+                names=first_names(node.name for node in cast.hidden),
             )
         )
     empty = [node for node in cast.empty if not node.is_adjustment]
@@ -121,7 +121,7 @@ def _left_out_of(path: Path, cast: PsdCharacters) -> list[Message]:
             Message(
                 "{path}: left out, as they are empty: {names}",
                 path=shown(path),
-                names=some(node.name for node in empty),
+                names=first_names(node.name for node in empty),
             )
         )
     if cast.unnumbered:
@@ -145,11 +145,13 @@ def _laid_simply(path: Path, tree: PsdTree, cast: PsdCharacters) -> list[Message
     if adjusting:
         notes.append(
             Message(
-                "{path}: adjustment layers over drawings are not used: {names}", path=shown(path), names=some(adjusting)
+                "{path}: adjustment layers over drawings are not used: {names}",
+                path=shown(path),
+                names=first_names(adjusting),
             )
         )
     if laid:
-        names = some(f"{node.name} ({node.blend})" for node in laid)
+        names = first_names(f"{node.name} ({node.blend})" for node in laid)
         notes.append(
             Message("{path}: these lie simply over what is below them here: {names}", path=shown(path), names=names)
         )

@@ -14,7 +14,7 @@ from kagezou.importing.file_notes import notes_on_files
 from kagezou.importing.new_cels import CharacterSource, Held, NewCels
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES, sources_beside
 from kagezou.io.files.faults import input_problem, shown
-from kagezou.io.images.reading import probe, read_cel, read_matte
+from kagezou.io.images.reading import Cel, Matte, probe, read_cel
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import load
 from kagezou.io.project.paths import absolute
@@ -22,8 +22,8 @@ from kagezou.io.sets.cameras import cameras_of, notes_on_up, up_axis_of
 from kagezou.io.sets.mesh_cache import MeshCache, is_mesh
 from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
-from kagezou.message import Message
-from kagezou.picture_source import PictureSource
+from kagezou.message import Message, first_names
+from kagezou.picture_source import file_of
 
 Fact = str | int | float | bool | None | Sequence["Fact"] | Mapping[str, "Fact"]
 
@@ -82,13 +82,16 @@ def inspected(path: Path) -> Inspection:
 
 def _drawings(path: Path) -> Inspection:
     held = held_by(CharacterSource(None, path))
+    firsts = [read_cel(layer.cels.drawings[0].source) for layer in held.layers]
     lines = [_said_of(layer) for layer in held.layers]
-    facts: dict[str, Fact] = {"characters": [_facts_of(layer) for layer in held.layers]}
+    facts: dict[str, Fact] = {
+        "characters": [_facts_of(layer, first) for layer, first in zip(held.layers, firsts, strict=True)]
+    }
     if held.backgrounds:
         names = [each.address for each in held.backgrounds]
         facts["backgrounds"] = names
         lines.append(Message("background: {names}", names=", ".join(names)))
-    return Inspection(path, "drawings", facts, tuple(lines), _notes_on(held))
+    return Inspection(path, "drawings", facts, tuple(lines), _notes_on(held, firsts))
 
 
 def _said_of(layer: NewCels) -> Message:
@@ -103,7 +106,7 @@ def _said_of(layer: NewCels) -> Message:
         width=width,
         height=height,
         last=layer.length_frames,
-        names=", ".join(names[:_SHOWN_CELS]) + (", …" if len(names) > _SHOWN_CELS else ""),
+        names=first_names(names, _SHOWN_CELS),
     )
 
 
@@ -111,44 +114,38 @@ def _count(drawings: int) -> Message:
     return Message("1 drawing") if drawings == 1 else Message("{count} drawings", count=drawings)
 
 
-def _facts_of(layer: NewCels) -> dict[str, Fact]:
-    first = layer.cels.drawings[0]
-    depth: dict[str, Fact] = {}
-    if not is_psd(first.path):
-        about = probe(first.source)
-        depth = {"channels": about.channels, "bit_depth": about.bit_depth, "has_alpha": about.has_alpha}
+def _facts_of(layer: NewCels, first: Cel) -> dict[str, Fact]:
+    drawing = layer.cels.drawings[0]
+    about = probe(drawing.source)
+    depth = {"channels": about.channels, "bit_depth": about.bit_depth, "has_alpha": about.has_alpha}
     return {
         "name": layer.name,
         "joins": layer.joins,
         "width_px": layer.size_px[0],
         "height_px": layer.size_px[1],
         "last_frame": layer.length_frames,
-        "covered_px": _covered(first.source),
-        **depth,
+        "covered_px": _covered(first.matte),
+        **({} if is_psd(drawing.path) else depth),
         "drawings": [{"name": each.name, "file": shown(each.path), "part": each.part} for each in layer.cels.drawings],
         "exposures": [[each.frame, each.drawing] for each in layer.cels.exposures],
     }
 
 
-def _covered(source: PictureSource) -> float:
-    """Return how many pixels the matte of a drawing covers, parts of pixels added up."""
-    alpha = read_matte(source).alpha
-    return round(float(alpha.sum(dtype=float)) / np.iinfo(alpha.dtype).max, 2)
+def _covered(matte: Matte) -> float:
+    """Return how many pixels a matte covers, parts of pixels added up."""
+    return round(float(matte.alpha.sum(dtype=float)) / np.iinfo(matte.alpha.dtype).max, 2)
 
 
-def _notes_on(held: Held) -> tuple[Message, ...]:
+def _notes_on(held: Held, firsts: Sequence[Cel]) -> tuple[Message, ...]:
+    """Return what is said of all of it, and what only the pixels of the first drawings tell."""
     notes = list(held.notes)
-    for layer in held.layers:
+    for layer, first in zip(held.layers, firsts, strict=True):
         notes += layer.notes
-        drawing = layer.cels.drawings[0]
-        notes += (Message("{path}: {note}", path=shown(drawing.path), note=note) for note in _in_pixels(drawing.source))
+        source = layer.cels.drawings[0].source
+        # Of a drawing without alpha its layer tells what was taken as clear.
+        if probe(source).has_alpha:
+            notes += (Message("{path}: {note}", path=shown(file_of(source)), note=note) for note in first.notes)
     return tuple(dict.fromkeys(notes))
-
-
-def _in_pixels(source: PictureSource) -> Iterator[Message]:
-    """Yield what only the pixels of a drawing tell; of one without alpha its layer tells it."""
-    if probe(source).has_alpha:
-        yield from read_cel(source).notes
 
 
 def _timesheet(path: Path) -> Inspection:
@@ -180,7 +177,7 @@ def _columns(sheet: Timesheet) -> Iterator[Message]:
             name=track.name,
             count=len(track.entries),
             cels=len(cels),
-            names=", ".join(cels[:_SHOWN_CELS]) + (", …" if len(cels) > _SHOWN_CELS else ""),
+            names=first_names(cels, _SHOWN_CELS),
         )
 
 

@@ -8,11 +8,10 @@ from pathlib import Path
 from kagezou.document.model import Cels
 from kagezou.io.files.faults import shown
 from kagezou.io.images.sequences import Sequence
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 from kagezou.picture_source import PicturePart
 
 MAX_NAME_CHARACTERS = 200
-_SHOWN_NAMES = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,10 +87,4 @@ def printable(name: str) -> str:
 
 def left_out_note(path: Path, names: Iterable[str]) -> Message:
     """Return what is said about files or layers without a number."""
-    return Message("{path}: left out, as they have no number: {names}", path=shown(path), names=some(names))
-
-
-def some(names: Iterable[str]) -> str:
-    """Return the first names, with dots where there are more."""
-    known = list(names)
-    return ", ".join(known[:_SHOWN_NAMES]) + (", …" if len(known) > _SHOWN_NAMES else "")
+    return Message("{path}: left out, as they have no number: {names}", path=shown(path), names=first_names(names))

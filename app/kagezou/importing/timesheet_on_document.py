@@ -10,7 +10,7 @@ from kagezou.document.model import Document, Drawing, Exposure, Layer
 from kagezou.importing.new_cels import printable
 from kagezou.io.names.runs import number_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 
 _SHOWN_CELS = 5
 _BETWEEN = "_-. "
@@ -33,13 +33,11 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
         exposures, missing = _exposed(layer, track)
         document = set_exposures(document, layer.id, exposures)
         if missing:
-            more = ", …" if len(missing) > _SHOWN_CELS else ""
             notes.append(
                 Message(
-                    "{layer}: the timesheet names cels without a drawing; they stay empty: {missing}{more}",
+                    "{layer}: the timesheet names cels without a drawing; they stay empty: {missing}",
                     layer=layer.name,
-                    missing=", ".join(missing[:_SHOWN_CELS]),
-                    more=more,
+                    missing=first_names(missing, _SHOWN_CELS),
                 )
             )
     notes += [

@@ -1,16 +1,21 @@
-"""Sets with so many faces that a frame of them takes minutes."""
+"""Sets of very many parts: said where a frame takes minutes, and left out in part while someone works."""
 
+from collections.abc import Iterable
 from typing import Final
 
 from kagezou.animation.frames import spread_frames
 from kagezou.document.model import Document
+from kagezou.errors import UsageProblem
 from kagezou.geometry.sets.bodies import Solid
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 from kagezou.scene.evaluate import camera_at, ground_at
-from kagezou.scene.pieces import pieces_at
+from kagezou.scene.pieces import PieceScene, pieces_at
 
 MAX_PAIRS: Final = 10_000_000
 """What each body takes of each face is asked for; so often takes about half a minute."""
+
+MOST_AT_HAND: Final = 250
+"""So many parts are drawn while someone works; each hides and darkens every other, so twice as many take four times."""
 
 _MOST_FRAMES: Final = 4
 
@@ -38,3 +43,32 @@ def _sizes(document: Document, frame: int) -> tuple[int, int]:
     pieces = pieces_at(document, frame, camera_at(document, frame), ground_at(document, frame))
     bodies = [body for piece in pieces for body in piece.bodies]
     return sum(len(body.facets) for body in bodies if isinstance(body, Solid)), len(bodies)
+
+
+def parts_of(pieces: Iterable[PieceScene]) -> int:
+    """Return how many steps, walls, boxes and the like pieces are made of; a mesh counts as none."""
+    return sum(len(piece.bodies) for piece in pieces)
+
+
+def beyond(pieces: Iterable[PieceScene], most: int) -> tuple[PieceScene, ...]:
+    """Return the pieces that have to be left out, the last first of all, so that at most so many parts are left."""
+    count = 0
+    left: list[PieceScene] = []
+    for piece in pieces:
+        count += len(piece.bodies)
+        if count > most and piece.bodies:
+            left.append(piece)
+    return tuple(left)
+
+
+def too_many_at_hand(pieces: Iterable[PieceScene], left_out: Iterable[PieceScene]) -> UsageProblem:
+    """Return what is said where pieces are left out of the picture that someone works on."""
+    return UsageProblem(
+        Message(
+            "the set is made of {count} parts, more than the {most} that are drawn while you work: "
+            "left out here, but not of what is exported: {names}",
+            count=parts_of(pieces),
+            most=MOST_AT_HAND,
+            names=first_names(piece.name for piece in left_out),
+        )
+    )

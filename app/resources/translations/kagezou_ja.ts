@@ -4710,8 +4710,8 @@ Drop a folder of cels here.</source>
         <translation>{layer}：タイムシートに列がありません。タイミングはそのままです</translation>
     </message>
     <message>
-        <source>{layer}: the timesheet names cels without a drawing; they stay empty: {missing}{more}</source>
-        <translation>{layer}：タイムシートのセルに当たる絵がなく、空セルになります：{missing}{more}</translation>
+        <source>{layer}: the timesheet names cels without a drawing; they stay empty: {missing}</source>
+        <translation>{layer}：タイムシートのセルに当たる絵がなく、空セルになります：{missing}</translation>
     </message>
     <message>
         <source>{layer}: wave {number} goes {velocity:g} px a frame; crests that pass in the cut: {crests}</source>

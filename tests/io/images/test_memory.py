@@ -15,6 +15,7 @@ import pytest
 from PIL import Image
 
 from kagezou.errors import InputProblem
+from kagezou.io.files.memory import free_memory
 from kagezou.io.images import picture_size
 from kagezou.io.images.reading import probe, read_cel
 from tests.io.images import picture_files as files
@@ -146,5 +147,5 @@ def test_more_than_the_memory_that_is_free_is_refused(tmp_path: Path, monkeypatc
 
 
 def test_free_memory_is_known() -> None:
-    found = picture_size.free_memory()
+    found = free_memory()
     assert found is None or found > 10 * MB

@@ -58,8 +58,9 @@ def test_a_thin_mask_cuts_in_part(tmp_path: Path, cut: Cut, *, on_group: bool) -
 def test_the_edge_of_a_painted_mask_is_as_soft_as_the_file_says(
     tmp_path: Path, width_px: float, *, on_group: bool
 ) -> None:
-    wide = Cut(np.pad(HALF, ((40, 40), (0, 40)), constant_values=0), (0, -40), 0, feather=width_px)
-    wide.painted[:, 32:] = 255  # type: ignore[index]
+    painted = np.zeros((SIZE[1] + 80, SIZE[0] + 40), np.uint8)
+    painted[:, 32:] = 255
+    wide = Cut(painted, (0, -40), feather=width_px)
     made = alpha(tmp_path, wide, on_group=on_group)
     assert np.abs(made[24] - soft(width_px)).max() <= 2
 

@@ -1,11 +1,10 @@
 """How large a picture may be: by its sides, by its memory, and by what memory the machine has left."""
 
-import os
-import sys
 from pathlib import Path
 from typing import Final
 
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.memory import free_memory
 from kagezou.io.images.header import Header
 from kagezou.io.pixels.signatures import LARGEST_SIDE_PX
 from kagezou.message import Message
@@ -53,35 +52,3 @@ def check_size(path: Path, header: Header) -> None:
                 free=free >> 20,
             ),
         )
-
-
-def free_memory() -> int | None:
-    """Return how many bytes of memory can be had now, None where the system does not tell."""
-    if sys.platform == "win32":
-        return _free_on_windows()
-    try:
-        with Path("/proc/meminfo").open(encoding="ascii") as table:
-            rows = dict(line.split(":", 1) for line in table)
-        return int(rows["MemAvailable"].split()[0]) << 10
-    except (OSError, ValueError, KeyError, IndexError):
-        pass
-    try:
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (OSError, ValueError):
-        return None
-
-
-def _free_on_windows() -> int | None:
-    import ctypes
-
-    class Status(ctypes.Structure):
-        _fields_ = (
-            ("length", ctypes.c_ulong),
-            ("load", ctypes.c_ulong),
-            *((f"bytes_{index}", ctypes.c_ulonglong) for index in range(7)),
-        )
-
-    status = Status()
-    status.length = ctypes.sizeof(Status)
-    asked: object = getattr(ctypes, "windll").kernel32.GlobalMemoryStatusEx(ctypes.byref(status))  # noqa: B009
-    return int(status.bytes_1) if asked else None

@@ -14,7 +14,7 @@ from kagezou.io.names.marks import half_width
 from kagezou.io.names.runs import Run, is_numbered_by, runs_of
 from kagezou.io.names.states import states_among
 from kagezou.io.pixels.signatures import is_picture
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 
 _MAX_SPAN: Final = 100_000
 """Numbers that lie further apart are times or dates, not frames."""
@@ -22,7 +22,6 @@ _MAX_SPAN: Final = 100_000
 _PATTERN: Final = re.compile(r"(?P<prefix>[^#]*)#+(?P<rest>[^#]*)", re.DOTALL)
 _LAST_WORD: Final = re.compile(r"(?P<rest>.*[^_\-. ])[_\-. ]+[^_\-. ]+", re.DOTALL)
 _MANY: Final = 2
-_SHOWN: Final = 3
 _ANY: Final = "*"
 _BETWEEN: Final = "_-. "
 _DIGITS: Final = re.compile(r"([0-9]+)")
@@ -147,7 +146,7 @@ def _in_folder(folder: Path) -> Found:
     found = _understood(pictures, folder)
     if found.sequences:
         unseen = [child.name for child in folders if _listed(child)[0]]
-        note = Message("folders beside its pictures are left out: {names}", names=_some(unseen))
+        note = Message("folders beside its pictures are left out: {names}", names=first_names(unseen))
         return _with_doubts(replace(found, notes=(*found.notes, *([note] if unseen else []))))
     below = sequences_below(folders)
     loose = (*found.left_out, *below.left_out)
@@ -198,7 +197,7 @@ def _with_doubts(found: Found) -> Found:
     note = Message(
         "{count} characters have one drawing each and are seen together: {names}",
         count=len(single),
-        names=_some(single),
+        names=first_names(single),
     )
     return Found(found.sequences, found.left_out, (*found.notes, note))
 
@@ -251,18 +250,13 @@ def _matching(pattern: Path, prefix: str, rest: str, pictures: list[Path]) -> Fo
     sequences = [Sequence(name, _numbered(run, files), run.notes) for run in found.runs]
     sequences = sequences or [Sequence(name, tuple(NumberedFile(None, "", path) for path in files))]
     others = [path for path, _ in tails if path not in files]
-    left = Message("not meant by the pattern: {names}", names=_some(_shown(others)))
+    left = Message("not meant by the pattern: {names}", names=first_names(_shown(others)))
     notes = [note for run in found.runs for note in run.notes]
     return Found(tuple(sequences), (), (*notes, *([left] if others else [])))
 
 
 def _stem(path: Path) -> str:
     return half_width(path.stem)
-
-
-def _some(names: Iterable[str]) -> str:
-    known = list(names)
-    return ", ".join(known[:_SHOWN]) + (", …" if len(known) > _SHOWN else "")
 
 
 def _listed(folder: Path) -> tuple[list[Path], list[Path]]:

@@ -11,10 +11,9 @@ from kagezou.io.names.joining import Draft, drafts_of
 from kagezou.io.names.marks import MarkKind, NameParts, are_dates, bracketed, half_width, has_left_side, key, parts_of
 from kagezou.io.names.members import Member, member_of
 from kagezou.io.names.titles import titles_of
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 
 _MAX_CHARACTERS: Final = 1000
-_SHOWN: Final = 3
 _Pair = tuple[Member, Member]
 
 
@@ -206,7 +205,7 @@ class _Sorter:
         if twice:
             notes.append(Message("of two with one number only one counts: {names}", names=self._instead(twice)))
         if draft.outdated:
-            left = _some([self._written(member) for member in draft.outdated])
+            left = first_names([self._written(member) for member in draft.outdated])
             count = len(draft.outdated)
             notes.append(
                 Message(
@@ -238,7 +237,7 @@ class _Sorter:
         return notes
 
     def _instead(self, pairs: Sequence[_Pair]) -> str:
-        return _some([f"{self._written(worse)} → {self._written(better)}" for worse, better in pairs])
+        return first_names([f"{self._written(worse)} → {self._written(better)}" for worse, better in pairs])
 
     def _written(self, member: Member) -> str:
         return self.shown[member.index]
@@ -253,7 +252,3 @@ def _indices(pairs: Sequence[_Pair]) -> tuple[tuple[int, int], ...]:
 
 def _age(member: Member) -> tuple[object, object]:
     return member.front, member.stamp
-
-
-def _some(names: Sequence[str]) -> str:
-    return ", ".join(names[:_SHOWN]) + (", …" if len(names) > _SHOWN else "")

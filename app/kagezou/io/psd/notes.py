@@ -10,9 +10,8 @@ from typing import Any, Final
 from kagezou.io.psd.comparing import LEAST_LEVELS, Hindrance, difference, hindrance
 from kagezou.io.psd.masks import has_soft_path
 from kagezou.io.psd.stored import GRAY, RGB
-from kagezou.message import Message
+from kagezou.message import Message, first_names
 
-_SHOWN: Final = 3
 _WHOLE_RANGE: Final = (0, 65535)
 _FRAMES: Final = b"FrInVlLs"
 """Before the number of the frames of an animation."""
@@ -51,18 +50,15 @@ def _of_file(image: Any) -> Iterator[Message]:
     # The first is the transparency of the whole picture, by its name in the language of the program.
     extra = [str(name).strip("\0") for name in list(names)[has_transparency(image) :]]
     if extra and len(image):
-        yield Message("extra channels are not used: {names}", names=_some(extra))
+        yield Message("extra channels are not used: {names}", names=first_names(extra))
     count = _animation_frames(resources)
     if count > 1:
         yield Message("its animation of {count} frames is not used: layers count as they are visible now", count=count)
-    if resources.get_data(Resource.LAYER_COMPS) and _has_comps(resources):
+    if _has_comps(resources.get_data(Resource.LAYER_COMPS)):
         yield Message("its layer comps are not used: layers count as they are visible now")
 
 
-def _has_comps(resources: Any) -> bool:
-    from psd_tools.constants import Resource
-
-    comps = resources.get_data(Resource.LAYER_COMPS)
+def _has_comps(comps: Any) -> bool:
     try:
         return len(comps[b"list"]) > 0
     except (KeyError, TypeError):
@@ -93,14 +89,14 @@ def _of_layers(layers: Iterable[Any]) -> Iterator[Message]:
     seen = [layer for layer in layers if layer.visible]
     soft = [str(layer.name) for layer in seen if has_soft_path(layer)]
     if soft:
-        yield Message("the soft edges of drawn shapes are not done: {names}", names=_some(soft))
+        yield Message("the soft edges of drawn shapes are not done: {names}", names=first_names(soft))
     ranges = [str(layer.name) for layer in seen if _blends_by_brightness(layer)]
     if ranges:
-        yield Message("blending by brightness is not done: {names}", names=_some(ranges))
+        yield Message("blending by brightness is not done: {names}", names=first_names(ranges))
     names = [str(layer.name) for layer in seen if layer.is_group() and layer.clipping]
     if names:
         yield Message(
-            "groups are clipped to the layer below them, as Clip Studio Paint does: {names}", names=_some(names)
+            "groups are clipped to the layer below them, as Clip Studio Paint does: {names}", names=first_names(names)
         )
 
 
@@ -126,8 +122,3 @@ def _of_picture(image: Any) -> Iterator[Message]:
             least=LEAST_LEVELS,
             share=found.share,
         )
-
-
-def _some(names: Iterable[str]) -> str:
-    known = list(names)
-    return ", ".join(known[:_SHOWN]) + (", …" if len(known) > _SHOWN else "")

@@ -63,7 +63,7 @@ def part_pixels(layer: Any) -> PsdPixels:
         parts = [layer, *(layer.descendants() if layer.is_group() else ())]
         clipped = [each for base in (*around, *parts) for each in base.clip_layers]
         parts += [below for each in clipped for below in (each, *(each.descendants() if each.is_group() else ()))]
-        check_size(parts)
+        _check_size(parts)
         seen = [*around, *dict.fromkeys(parts)]
         unite_masks(parts)
         reach = whole if any(each.has_effects() for each in seen) else common(layer.bbox, whole)
@@ -74,7 +74,7 @@ def part_pixels(layer: Any) -> PsdPixels:
             return PsdPixels(_composed(top, reach, whole, frozenset(map(id, seen))), has_alpha=True)
 
 
-def check_size(layers: Iterable[Any]) -> None:
+def _check_size(layers: Iterable[Any]) -> None:
     """See that layers are not larger together than can be worked with; a ValueError says that they are."""
     if sum(max(each.width, 0) * max(each.height, 0) for each in layers if not each.is_group()) > _MOST_PIXELS:
         raise ValueError("its layers are larger than can be read")

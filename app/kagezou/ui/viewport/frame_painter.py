@@ -18,10 +18,10 @@ from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.companions import without_companions
 from kagezou.scene.evaluate import evaluate
+from kagezou.scene.heavy_sets import MOST_AT_HAND, beyond, too_many_at_hand
 from kagezou.scene.left_out import without_pieces
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import Scene
-from kagezou.scene.set_extent import MOST_AT_HAND, beyond, too_many_at_hand
 from kagezou.ui.viewport.picture_view import PictureView, seen
 from kagezou.ui.viewport.resolution import FULL, PreviewFineness
 
