@@ -52,6 +52,8 @@ PROJECT: Final[Fields] = MappingProxyType({
     "vanishing": Field("list of four [[x, y], [x, y]]",
                        "Edges of the floor in the background picture by which the camera was matched, canvas px: two "
                        "that run one way, and two square to them.", optional=True),
+    "vanishing_fov": Field("number", "The field of view in degrees that is kept while these edges tell none.",
+                           optional=True),
     "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
                     "none. Every layer has them in its own tracks too.", optional=True),
     "brought_light": Field("object", "The light that a style brought; missing where none did.", optional=True),

@@ -14,7 +14,7 @@ from kagezou.document.edits import still
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import BroughtLight, Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.paper import on_paper
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
+from kagezou.document.properties import FOV, OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, ValueProblem
 from kagezou.document.set_pieces import MAX_PIECES
 from kagezou.errors import ProjectProblem
@@ -55,7 +55,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         markers=review.markers,
         notes=review.notes,
         pieces=tuple(_piece(each, folder) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
-        vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
+        vanishing=_vanishing(found["vanishing"], found.get("vanishing_fov")) if "vanishing" in found else None,
         linked=_linked(found["linked"]) if "linked" in found else frozenset(),
         brought_light=_brought_light(found["brought_light"]) if "brought_light" in found else None,
         timesheet=found["timesheet"].text(fields.MAX_SHEET_CHARACTERS) if "timesheet" in found else "",
@@ -135,9 +135,10 @@ def _piece(reader: Reader, folder: Path) -> Piece:
     return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE), source)
 
 
-def _vanishing(reader: Reader) -> VanishingLines:
+def _vanishing(reader: Reader, kept_fov: Reader | None) -> VanishingLines:
     first, second, third, fourth = (_line(each) for each in reader.items(4, least=4))
-    return VanishingLines((first, second), (third, fourth))
+    fov = None if kept_fov is None else kept_fov.number(FOV.low, FOV.high)
+    return VanishingLines((first, second), (third, fourth), fov)
 
 
 def _line(reader: Reader) -> Line:

@@ -10,6 +10,7 @@ from kagezou.document.model import BroughtLight, Cels, Document, Drawing, Exposu
 from kagezou.document.paper import paper_of
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
+from kagezou.geometry.vanishing import VanishingLines
 from kagezou.io.files.json_text import JsonRow
 from kagezou.io.project.feet import feet_tree
 from kagezou.io.project.paths import stored_path
@@ -38,10 +39,15 @@ def tree_of(document: Document, folder: Path) -> Tree:
         # Left out where there is none, so that a cut without a set reads as it always did.
         **({"set": [_piece(piece, folder) for piece in document.pieces]} if document.pieces else {}),
         **({"vanishing": [JsonRow(line) for line in document.vanishing.all]} if document.vanishing else {}),
+        **_kept_fov(document.vanishing),
         **({"linked": JsonRow([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
         **({"brought_light": _brought_light(document.brought_light)} if document.brought_light else {}),
         **({"timesheet": document.timesheet} if document.timesheet else {}),
     }
+
+
+def _kept_fov(lines: VanishingLines | None) -> dict[str, object]:
+    return {} if lines is None or lines.kept_fov_deg is None else {"vanishing_fov": lines.kept_fov_deg}
 
 
 def _brought_light(brought: BroughtLight) -> dict[str, object]:

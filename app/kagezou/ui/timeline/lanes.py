@@ -10,6 +10,7 @@ from kagezou.document.key_edits import KeyRef
 from kagezou.scene.stances import stances_of
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
+from kagezou.ui.system.window_keys import lies_on_command
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, bars_of, paint_bars
 from kagezou.ui.timeline.drawing_controller import DrawingController
 from kagezou.ui.timeline.feet_lane import feet_over_time, paint_feet
@@ -91,11 +92,14 @@ class Lanes(QWidget):
         if (
             event.type() is QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
-            and (self.controller.wants(event) or self._is_escape_of_drawings(event))
+            and (self._is_escape_of_drawings(event) or self._wants(event))
         ):
             event.accept()
             return True
         return super().event(event)
+
+    def _wants(self, event: QKeyEvent) -> bool:
+        return self.controller.wants(event) and not lies_on_command(event, self)
 
     def _is_escape_of_drawings(self, event: QKeyEvent) -> bool:
         return event.key() == Qt.Key.Key_Escape and (self.drawings.is_down or self.drawings.choice.layer_id is not None)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from kagezou.document.model import Document
 from kagezou.geometry.vectors import Point2
+from kagezou.io.images.cel_cache import CelSource
 from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
 from kagezou.tools.feet import ShownFoot
@@ -62,6 +63,8 @@ class HandleController(QObject):
         The session worked in.
     viewpoint
         How the canvas is looked at.
+    cels
+        Where the drawings come from.
     """
 
     changed = Signal()
@@ -70,14 +73,14 @@ class HandleController(QObject):
     laid_down = Signal()
     """Escape while nothing was held: what the hand was given for a while may be put away."""
 
-    def __init__(self, bridge: Bridge, viewpoint: Viewpoint) -> None:
+    def __init__(self, bridge: Bridge, viewpoint: Viewpoint, cels: CelSource) -> None:
         super().__init__()
         self._bridge = bridge
         self._viewpoint = viewpoint
         self._held: _Held | None = None
         self._nudging = Nudging(bridge, viewpoint)
         self._source = HandleSource(bridge, viewpoint)
-        self.contacts = Contacts(bridge)
+        self.contacts = Contacts(bridge, cels)
         self.contacts.refused.connect(self.refused)
         self.pieces = PieceTouch(bridge, viewpoint)
         self.hovered_id: str | None = None
@@ -168,21 +171,20 @@ class HandleController(QObject):
         self._let_go(keep=True)
 
     def cancel(self) -> bool:
-        """Let go and restore what was; without a drag let go of the selected handle, then of the lines of a match.
+        """Let go and restore what was; without a drag end the task there is, or let go of the selected handle.
 
         False where there was none of it.
         """
         if self._held is not None:
             self._let_go(keep=False)
-            return True
-        if self.selected_id is not None:
+        elif self.task is not Task.SCENE:
+            self.laid_down.emit()
+        elif self.selected_id is not None:
             self.selected_id = None
             self.changed.emit()
-            return True
-        if self.task is not Task.SCENE:
-            self.laid_down.emit()
-            return True
-        return False
+        else:
+            return False
+        return True
 
     def cycle(self, step: int) -> None:
         """Select the next handle in reading order, as Tab does."""
@@ -210,7 +212,8 @@ class HandleController(QObject):
             return False
         self.end_nudge()
         before = {handle.id for handle in self.handles.handles}
-        if not self.contacts.add(self._viewpoint.view.canvas_from_view(report.view_px)):
+        view = self._viewpoint.view
+        if not self.contacts.add(view.canvas_from_view(report.view_px), view.canvas_length(report.reach_px)):
             return False
         added = [handle.id for handle in self.handles.handles if handle.index is not None and handle.id not in before]
         self.selected_id = added[-1] if added else None

@@ -1,6 +1,6 @@
 """The viewport: the picture, the handles over it, and the events that reach them."""
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QMenu
 
@@ -9,12 +9,12 @@ from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.tools.handle import Cursor
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.viewport.foot_menu import open_foot_menu
+from kagezou.ui.viewport.hand_keys import HandKeys
 from kagezou.ui.viewport.handle_controller import HandleController
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
-from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
 from kagezou.ui.widgets.picking import Picking
 from kagezou.ui.widgets.space_bar import SpaceBar
@@ -25,15 +25,7 @@ _CURSORS = {
     Cursor.VERTICAL: Qt.CursorShape.SizeVerCursor,
     Cursor.ROTATE: Qt.CursorShape.CrossCursor,
 }
-_ARROWS = {
-    Qt.Key.Key_Left: (-1.0, 0.0),
-    Qt.Key.Key_Right: (1.0, 0.0),
-    Qt.Key.Key_Up: (0.0, -1.0),
-    Qt.Key.Key_Down: (0.0, 1.0),
-}
 _TABS: dict[int | None, int] = {Qt.Key.Key_Tab: 1, Qt.Key.Key_Backtab: -1}
-_TYPING = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Backspace)
-NUDGE_PX, LONG_NUDGE_PX = 1.0, 10.0
 
 
 class Viewport(PictureWidget):
@@ -49,16 +41,14 @@ class Viewport(PictureWidget):
         The space bar: held, it turns a drag into panning.
     """
 
-    step_asked = Signal(int)
-    """Left or right arrow without a selected handle: so many frames on."""
-
     def __init__(self, bridge: Bridge, cels: CelCache, meshes: MeshCache, space: SpaceBar) -> None:
         super().__init__(bridge, cels, meshes, Viewpoint())
         self._space = space
         self._panned_from: QPointF | None = None
         self._taps = PenTaps()
         self.foot_menu: QMenu | None = None
-        self.controller = HandleController(bridge, self.viewpoint)
+        self.controller = HandleController(bridge, self.viewpoint, cels)
+        self.keys = HandKeys(self, self.controller)
         self.picking = Picking()
         self.overlay = Overlay(self, self.controller, self.viewpoint, self.picking)
         self.picking.changed.connect(self._show_cursor)
@@ -86,11 +76,7 @@ class Viewport(PictureWidget):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QNativeGestureEvent) and self._pinch(event):
             return True
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() is QEvent.Type.ShortcutOverride
-            and _is_for_the_hand(event, is_busy=self.controller.is_busy)
-        ):
+        if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride and self.keys.wants(event):
             event.accept()
             return True
         # Qt would take Tab for moving the focus; Escape gives the focus back to the window.
@@ -182,20 +168,14 @@ class Viewport(PictureWidget):
         self.controller.hover(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.controller.is_busy and _is_typing(event):
-            _type(self.controller, event)
-        elif event.key() == Qt.Key.Key_Escape:
+        if event.key() == Qt.Key.Key_Escape:
             if not self._cancel():
                 self.clearFocus()
-        elif event.key() in _ARROWS and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            self._arrow(event)
-        else:
+        elif not self.keys.press(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        if event.key() in _ARROWS and not event.isAutoRepeat():
-            self.controller.end_nudge()
-        else:
+        if not self.keys.release(event):
             super().keyReleaseEvent(event)
 
     def _ask_or_cancel(self, report: PointerReport, at: QPoint) -> None:
@@ -218,12 +198,6 @@ class Viewport(PictureWidget):
         self.viewpoint.magnify_at((at.x(), at.y()), 1.0 + event.value())
         return True
 
-    def _arrow(self, event: QKeyEvent) -> None:
-        length = LONG_NUDGE_PX if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else NUDGE_PX
-        dx, dy = _ARROWS[Qt.Key(event.key())]
-        if not self.controller.nudge(dx * length, dy * length) and dx:
-            self.step_asked.emit(round(dx * length))
-
     def _show_cursor(self) -> None:
         over = self.controller.held or self.controller.handles.find(self.controller.hovered_id)
         if self._panned_from is not None:
@@ -235,24 +209,3 @@ class Viewport(PictureWidget):
         else:
             on_piece = Qt.CursorShape.SizeAllCursor if self.controller.pieces.hovered_id else Qt.CursorShape.ArrowCursor
             self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
-
-
-def _type(hand: HandleController, event: QKeyEvent) -> None:
-    if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-        hand.release()
-    elif event.key() == Qt.Key.Key_Backspace:
-        hand.type(hand.typed[:-1])
-    else:
-        hand.type(hand.typed + event.text())
-
-
-def _is_typing(event: QKeyEvent) -> bool:
-    return event.key() in _TYPING or (len(event.text()) == 1 and event.text() in LETTERS)
-
-
-def _is_for_the_hand(event: QKeyEvent, *, is_busy: bool) -> bool:
-    """Whether a key nudges, steps or types here, though it may lie on a command of the window."""
-    if is_busy:
-        return _is_typing(event)
-    others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
-    return event.key() in _ARROWS and not others
