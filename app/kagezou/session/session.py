@@ -188,6 +188,10 @@ class Session:
         """Work on a set piece instead of a layer and select properties."""
         self._show(replace(self._state, layer_id=None, selection=selection, piece_id=piece_id, others=frozenset()))
 
+    def select_properties(self, selection: tuple[Address, ...]) -> None:
+        """Select properties of what is worked on."""
+        self._show(replace(self._state, selection=selection))
+
     def select_keys(self, keys: Refs) -> None:
         """Select keys; those that are not there are left out."""
         self._show(replace(self._state, keys=keys))

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QGuiApplication
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import edits, properties
@@ -13,6 +13,7 @@ from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.invariants import check
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.clips.style_files import loads_style
+from kagezou.ui.panels.groups import Group
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.layer_model import Role
@@ -344,13 +345,13 @@ def test_a_changed_row_says_so_in_words_too(inspector: Inspector) -> None:
     assert row.label.toolTip().endswith("layers.Third.shadow.fade")
 
 
-def test_folded_sections_stay_folded_on_the_next_layer(inspector: Inspector, trio: OpenProject) -> None:
-    shape = next(each for each in inspector._layer_sections if each.title == "Shape")
-    shape.open(opened=False)
+def test_folded_sections_stay_folded_on_the_next_layer(qtbot: QtBot, inspector: Inspector, trio: OpenProject) -> None:
+    header = inspector.sections[Group.SHAPE].findChild(QToolButton, "section_header")
+    qtbot.mouseClick(header, Qt.MouseButton.LeftButton)
+    before = {group: each.is_open for group, each in inspector.sections.items()}
+    assert not before[Group.SHAPE]
     trio.bridge.session.select(trio.bridge.document.layers[0].id)
-    states = {each.title: each.is_open for each in inspector._layer_sections}
-    assert not states.pop("Shape")
-    assert all(states.values())
+    assert {group: each.is_open for group, each in inspector.sections.items()} == before
 
 
 def test_the_row_of_the_list_that_is_worked_on_stays_current(layers: LayerList, trio: OpenProject) -> None:
@@ -386,6 +387,9 @@ def test_a_part_of_a_figure_shows_what_is_its_own(inspector: Inspector, trio: Op
     below, _, top = session.document.layers
     session.select(top.id)
     session.edit("Join", edits.join_layer(session.document, top.id, below.id))
+    for section in inspector.sections.values():
+        section.open(opened=True)
+        section.more.setChecked(True)
     shown = [
         row.address.property.name
         for row in inspector.rows

@@ -123,7 +123,7 @@ def test_arrows_step_frames_with_keys_in_which_they_do_though_a_handle_is_select
     blender = next(each for each in bundled_key_sets() if "blender" in each.code)
     keyboard.use(replace(keyboard.shortcuts, key_set=blender))
     focus(viewport)
-    viewport.controller.selected_id = "ground.position"
+    viewport.controller.select("ground.position")
     before = bridge.document
     qtbot.keyClick(viewport, Qt.Key.Key_Right)
     assert (bridge.frame, bridge.document) == (2, before)
@@ -140,7 +140,7 @@ def test_tab_reaches_every_handle_and_arrows_nudge_it(qtbot: QtBot, walking: Mai
         qtbot.keyClick(viewport, Qt.Key.Key_Tab)
         reached.append(viewport.controller.selected_id)
     assert sorted(map(str, reached)) == sorted(ids)
-    viewport.controller.selected_id = "ground.position"
+    viewport.controller.select("ground.position")
     assert value_of(bridge.document, Address(properties.GROUND_POSITION), 1) == (120.0, 170.0)
     qtbot.keyClick(viewport, Qt.Key.Key_Right)
     qtbot.keyClick(viewport, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)

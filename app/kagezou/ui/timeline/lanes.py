@@ -89,17 +89,12 @@ class Lanes(QWidget):
 
     def event(self, event: QEvent) -> bool:
         # The window's commands on these keys are for the viewport; here they belong to the hand.
-        if (
-            event.type() is QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and (self._is_escape_of_drawings(event) or self._wants(event))
-        ):
-            event.accept()
-            return True
+        if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride:
+            own = self.controller.wants(event) and not lies_on_command(event, self)
+            if own or self._is_escape_of_drawings(event):
+                event.accept()
+                return True
         return super().event(event)
-
-    def _wants(self, event: QKeyEvent) -> bool:
-        return self.controller.wants(event) and not lies_on_command(event, self)
 
     def _is_escape_of_drawings(self, event: QKeyEvent) -> bool:
         return event.key() == Qt.Key.Key_Escape and (self.drawings.is_down or self.drawings.choice.layer_id is not None)

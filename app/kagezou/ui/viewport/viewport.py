@@ -1,6 +1,6 @@
 """The viewport: the picture, the handles over it, and the events that reach them."""
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QMenu
 
@@ -8,6 +8,7 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.tools.handle import Cursor
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.viewport.contact_touch import ContactTouch
 from kagezou.ui.viewport.foot_menu import open_foot_menu
 from kagezou.ui.viewport.hand_keys import HandKeys
 from kagezou.ui.viewport.handle_controller import HandleController
@@ -41,14 +42,18 @@ class Viewport(PictureWidget):
         The space bar: held, it turns a drag into panning.
     """
 
+    handle_menu_asked = Signal(object, QPoint)
+    """A right click on a :class:`Handle`, at a place of the screen."""
+
     def __init__(self, bridge: Bridge, cels: CelCache, meshes: MeshCache, space: SpaceBar) -> None:
         super().__init__(bridge, cels, meshes, Viewpoint())
         self._space = space
         self._panned_from: QPointF | None = None
         self._taps = PenTaps()
         self.foot_menu: QMenu | None = None
-        self.controller = HandleController(bridge, self.viewpoint, cels)
+        self.controller = HandleController(bridge, self.viewpoint)
         self.keys = HandKeys(self, self.controller)
+        self.contacts = ContactTouch(bridge, self.viewpoint, self.controller, cels)
         self.picking = Picking()
         self.overlay = Overlay(self, self.controller, self.viewpoint, self.picking)
         self.picking.changed.connect(self._show_cursor)
@@ -125,7 +130,7 @@ class Viewport(PictureWidget):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         pointing = event.button() is Qt.MouseButton.LeftButton and not self._space.is_held and not self.picking.is_on
-        if not (pointing and self.overlay.shows_handles and self.controller.add_point(report_of(event))):
+        if not (pointing and self.overlay.shows_handles and self.contacts.add(report_of(event))):
             self.mousePressEvent(event)
 
     def tabletEvent(self, event: QTabletEvent) -> None:
@@ -139,7 +144,7 @@ class Viewport(PictureWidget):
             case QEvent.Type.TabletPress if self.picking.is_on:
                 self._pick(report)
             case QEvent.Type.TabletPress:
-                if not (self._taps.is_second_tap(report, event.timestamp()) and self.controller.add_point(report)):
+                if not (self._taps.is_second_tap(report, event.timestamp()) and self.contacts.add(report)):
                     self.controller.press(report)
             case QEvent.Type.TabletMove if self._panned_from is not None:
                 way = event.position() - self._panned_from
@@ -179,10 +184,15 @@ class Viewport(PictureWidget):
             super().keyReleaseEvent(event)
 
     def _ask_or_cancel(self, report: PointerReport, at: QPoint) -> None:
-        """Open the menu of the foot under the pointer; elsewhere the right button cancels."""
-        foot = self.controller.foot_under(report) if self.overlay.shows_handles else None
-        self.foot_menu = None if foot is None else open_foot_menu(self.controller.contacts, foot, at, self)
-        if foot is None:
+        """Open the menu of the foot or handle under the pointer; elsewhere the right button cancels."""
+        can_ask = self.overlay.shows_handles and not self.controller.is_busy
+        foot = self.contacts.foot_under(report) if can_ask else None
+        handle = self.controller.under(report) if can_ask else None
+        self.foot_menu = None if foot is None else open_foot_menu(self.contacts.contacts, foot, at, self)
+        if foot is None and handle is not None and handle.addresses:
+            self.controller.select(handle.id)
+            self.handle_menu_asked.emit(handle, at)
+        elif foot is None:
             self._cancel()
 
     def _cancel(self) -> bool:

@@ -16,6 +16,7 @@ from kagezou.ui.window.drop_hint import DropHint, drop_words
 from kagezou.ui.window.panel_layout import TabKey
 from kagezou.ui.window.parts import make_parts
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
+from kagezou.ui.window.wiring.handles import connect_handles
 from kagezou.ui.window.wiring.match import connect_match
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
 from kagezou.ui.window.wiring.set_import import connect_set_import
@@ -75,6 +76,7 @@ class MainWindow(QMainWindow):
         self.show_title()
         self.docks.restore(settings)
         connect_frame(self.parts, self.docks.layout, self)
+        connect_handles(self.parts, self.docks.layout)
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()
 

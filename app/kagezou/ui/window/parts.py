@@ -10,6 +10,7 @@ from kagezou.ui.commands.keyboard import Keyboard
 from kagezou.ui.commands.search import CommandSearch
 from kagezou.ui.curves.panel import CurvesPanel
 from kagezou.ui.export.progress import Exporting
+from kagezou.ui.panels.folds import Folds
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.style_list import StyleList
@@ -179,7 +180,7 @@ def _panels(bridge: Bridge, clipboard: Clipboard, settings: Settings) -> Panels:
     return Panels(
         thumbnails,
         LayerList(bridge, clipboard, thumbnails),
-        Inspector(bridge, clipboard),
+        Inspector(bridge, clipboard, Folds(settings)),
         StyleList(bridge, settings),
     )
 

@@ -199,7 +199,5 @@ def _delete(parts: Parts) -> None:
         parts.panels.layers.remove_current()
     elif parts.time.timeline.lanes.hasFocus() and parts.time.timeline.drawings.are_chosen:
         parts.time.timeline.drawings.empty()
-    elif (
-        parts.viewport.hasFocus() or not parts.time.keys.delete()
-    ) and not parts.viewport.controller.delete_selected():
+    elif (parts.viewport.hasFocus() or not parts.time.keys.delete()) and not parts.viewport.contacts.remove_selected():
         remove_touched(parts)
