@@ -26,7 +26,7 @@ from kagezou.ui.project import loading
 from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.project.load import Load
 from kagezou.ui.project.loading import Loading
-from kagezou.ui.project.open_project import played_drawings
+from kagezou.ui.project.reading_ahead import played_drawings
 from kagezou.ui.viewport import reading
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import picture, write_garbage
