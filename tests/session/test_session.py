@@ -9,7 +9,8 @@ from kagezou.document.address import Address
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, OPACITY
 from kagezou.geometry.box import Box
-from kagezou.session.session import MAX_STEPS, Session, State
+from kagezou.session.session import MAX_STEPS, Session
+from kagezou.session.state import State
 
 CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0),))
 

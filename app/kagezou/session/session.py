@@ -5,41 +5,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 from kagezou.document.address import Address
-from kagezou.document.key_edits import Refs, present_keys
+from kagezou.document.key_edits import Refs
 from kagezou.document.model import Document
+from kagezou.errors import Problem
+from kagezou.session.state import State, same, within
 
 MAX_STEPS = 500
-
-
-@dataclass(frozen=True, slots=True)
-class State:
-    """What is seen and selected.
-
-    Parameters
-    ----------
-    document
-        The document now.
-    frame
-        The frame looked at, from 1.
-    layer_id
-        The layer worked on; None while a set piece is.
-    selection
-        Selected properties.
-    keys
-        Selected keys; every one of them is there.
-    piece_id
-        The set piece worked on.
-    others
-        The layers that are chosen beside ``layer_id`` and edited with it.
-    """
-
-    document: Document
-    frame: int = 1
-    layer_id: str | None = None
-    selection: tuple[Address, ...] = ()
-    keys: Refs = frozenset()
-    piece_id: str | None = None
-    others: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +21,22 @@ class _Step:
 
 
 Listener = Callable[[State, State], None]
+Admission = Callable[[Document, Document], None]
+"""Raises a Problem if the second document may not follow the first as a step."""
 
 
 class Session:
-    """One document being worked on. ``changed(before, after)`` is called after every change of state."""
+    """One document being worked on. ``changed(before, after)`` is called after every change of state.
 
-    def __init__(self, document: Document) -> None:
+    Parameters
+    ----------
+    document
+        The document, taken for saved.
+    admit
+        Asked before a step is taken for made; a Problem that it raises undoes the step and passes through.
+    """
+
+    def __init__(self, document: Document, admit: Admission = lambda _before, _after: None) -> None:
         layers = document.layers
         self._state = State(document, layer_id=layers[-1].id if layers else None)
         self._saved = document
@@ -65,6 +46,7 @@ class Session:
         self._listeners: list[Listener] = []
         self._steps_made = 0
         self._saved_at = 0
+        self._admit = admit
 
     @property
     def state(self) -> State:
@@ -204,19 +186,27 @@ class Session:
             self._gesture.commit()
 
     def _show(self, state: State) -> None:
-        before, self._state = self._state, _within(state)
-        if not _same(before, self._state):
+        before, self._state = self._state, within(state)
+        if not same(before, self._state):
             self._tell(before)
 
     def _tell(self, before: State) -> None:
         for listener in self._listeners:
             listener(before, self._state)
 
+    def _ask(self, before: State) -> None:
+        try:
+            self._admit(before.document, self._state.document)
+        except Problem:
+            self._show(before)
+            raise
+
     def _end(self, name: str, before: State, *, keep: bool) -> None:
         self._gesture = None
         if not keep:
             self._show(before)
         elif self._state.document is not before.document:
+            self._ask(before)
             self._done.append(_Step(name, before, self._state))
             del self._done[:-MAX_STEPS]
             self._steps_made += 1
@@ -257,30 +247,3 @@ class Gesture:
         if self._open:
             self._open = False
             self._session._end(self._name, self._before, keep=keep)  # noqa: SLF001 - its own session
-
-
-def _same(a: State, b: State) -> bool:
-    """Whether two states look alike; documents are compared by identity, which an edit always changes."""
-    return a.document is b.document and _looked_at(a) == _looked_at(b)
-
-
-def _looked_at(state: State) -> tuple[object, ...]:
-    return state.frame, state.layer_id, state.selection, state.keys, state.piece_id, state.others
-
-
-def _within(state: State) -> State:
-    """Return the state with its frame and selection kept to what the document has."""
-    document = state.document
-    ids, pieces = {layer.id for layer in document.layers}, {piece.id for piece in document.pieces}
-    piece_id = state.piece_id if state.piece_id in pieces else None
-    layer_id = state.layer_id if state.layer_id in ids else None
-    if piece_id is None and layer_id is None and document.layers:
-        layer_id = document.layers[-1].id
-    selection = tuple(
-        address
-        for address in state.selection
-        if address.layer_id in (None, *ids) and address.piece_id in (None, *pieces)
-    )
-    frame = min(max(state.frame, 1), document.canvas.length_frames)
-    others = frozenset() if layer_id is None else state.others & (ids - {layer_id})
-    return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id, others)

@@ -34,7 +34,7 @@ def parse(text: str, most_values: int = MOST_VALUES) -> object:
         than ``most_values`` lists, objects and commas.
     """
     # Each value takes far more memory than its text; commas within texts are counted as well, which is no matter.
-    if text.count(",") + text.count("[") + text.count("{") > most_values:
+    if value_count(text) > most_values:
         raise ProjectProblem(Message("it has more than {most} values", most=most_values))
     try:
         return json.loads(
@@ -54,6 +54,11 @@ def parse(text: str, most_values: int = MOST_VALUES) -> object:
         ) from error
     except RecursionError as error:
         raise ProjectProblem(Message("it is nested too deep")) from error
+
+
+def value_count(text: str) -> int:
+    """Return how many lists, objects and commas are in a text."""
+    return text.count(",") + text.count("[") + text.count("{")
 
 
 def _members(pairs: list[tuple[str, object]]) -> dict[str, object]:

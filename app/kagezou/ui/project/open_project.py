@@ -23,6 +23,7 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.project import file as project_file
 from kagezou.io.project.file_state import FileState, state_of
 from kagezou.io.project.recovery_file import RecoveredWork
+from kagezou.io.project.savable import Savable
 from kagezou.io.sets.cameras import cameras_of
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.io.sheets.reading import read_timesheet
@@ -54,7 +55,7 @@ class OpenProject(QObject):
         super().__init__()
         self.cels = CelCache()
         self.meshes = MeshCache()
-        self.bridge = Bridge(Session(blank_document()))
+        self.bridge = Bridge(_session(blank_document()))
         self._path: Path | None = None
         self._seen: FileState | None = None
 
@@ -80,7 +81,7 @@ class OpenProject(QObject):
 
     def clear(self) -> None:
         """Begin with nothing."""
-        self._put(Session(blank_document()), None)
+        self._put(_session(blank_document()), None)
 
     def new(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
         """Begin a project with characters; it has no file yet and counts as unsaved."""
@@ -95,14 +96,14 @@ class OpenProject(QObject):
     def open(self, path: Path) -> AnyLoad:
         """Open a project file."""
 
-        def read(progress: Progress) -> tuple[Document, FileState | None]:
+        def read(progress: Progress) -> tuple[Session, FileState | None]:
             progress(LoadPhase.FINDING, 0, 0)
             seen, document = state_of(path), project_file.load(path)
             _read_first(document, self.cels, self.meshes, progress)
-            return document, seen
+            return _session(document), seen
 
-        def put(found: tuple[Document, FileState | None]) -> None:
-            self._put(Session(found[0]), path, found[1])
+        def put(found: tuple[Session, FileState | None]) -> None:
+            self._put(found[0], path, found[1])
 
         return Load(path.name, read, put, replaces=True)
 
@@ -237,8 +238,13 @@ class OpenProject(QObject):
         self.path_changed.emit()
 
 
+def _session(document: Document) -> Session:
+    """Return a session in which nothing is done that could not be saved."""
+    return Session(document, Savable(document).admit)
+
+
 def _unsaved(step: str, document: Document) -> Session:
-    session = Session(blank_document())
+    session = _session(blank_document())
     session.edit(step, document)
     return session
 

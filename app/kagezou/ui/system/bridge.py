@@ -3,7 +3,8 @@
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.model import Document
-from kagezou.session.session import Session, State
+from kagezou.session.session import Session
+from kagezou.session.state import State
 
 
 class Bridge(QObject):
