@@ -23,6 +23,7 @@ from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.widgets.retiring import retire
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
@@ -118,10 +119,10 @@ class Inspector(QScrollArea):
         self._built_for = wanted
         for section in self._layer_sections:
             self._folded = self._folded - {section.title} if section.is_open else self._folded | {section.title}
-        for part in (*self._layer_sections, *([self.owner] if self.owner else [])):
+        old = (*self._layer_sections, *([self.owner] if self.owner else []))
+        for part in old:
             self._column.removeWidget(part)
-            part.hide()
-            part.deleteLater()
+        retire(old)
         layer_id = self._bridge.layer_id
         self._layer_sections = [] if layer_id is None else self._sections(Scope.LAYER, layer_id)
         self._show_several()

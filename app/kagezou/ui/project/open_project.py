@@ -30,6 +30,7 @@ from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts_writing import write_xdts
 from kagezou.message import Message
+from kagezou.scene.stances import forget_stances
 from kagezou.session.session import Session
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
 from kagezou.ui.project.load import AnyLoad, Load
@@ -234,6 +235,7 @@ class OpenProject(QObject):
 
     def _put(self, session: Session, path: Path | None, seen: FileState | None = None) -> None:
         self._path, self._seen = path, seen
+        forget_stances()
         self.bridge.open(session)
         self.path_changed.emit()
 
