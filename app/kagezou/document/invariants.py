@@ -13,6 +13,12 @@ from kagezou.message import Message
 
 def check(document: Document) -> None:
     """Raise ProjectProblem, naming the place, if the document is not sound."""
+    check_structure(document)
+    _check_tracks(document)
+
+
+def check_structure(document: Document) -> None:
+    """Raise ProjectProblem, naming the place, if the document is not sound but for single keys and values."""
     _check_canvas(document)
     ids = [layer.id for layer in document.layers]
     names = [layer.name for layer in document.layers]
@@ -31,7 +37,6 @@ def check(document: Document) -> None:
     _check_paper(document)
     _check_pieces(document)
     _check_links(document)
-    _check_tracks(document)
     _check_review(document)
 
 

@@ -58,7 +58,7 @@ def opacities(open_project: OpenProject) -> list[float]:
 
 def choose_all(open_project: OpenProject) -> None:
     first, *others = [layer.id for layer in reversed(open_project.bridge.document.layers)]
-    open_project.bridge.session.select_layers(first, frozenset(others))
+    open_project.bridge.session.select(first, others=frozenset(others))
 
 
 def field_of(inspector: Inspector, name: str) -> ScrubField:
@@ -99,7 +99,7 @@ def test_the_eye_stands_for_all_that_are_chosen_and_lets_none_go(
     qtbot: QtBot, layers: LayerList, trio: OpenProject
 ) -> None:
     ids = [layer.id for layer in trio.bridge.document.layers]
-    trio.bridge.session.select_layers(ids[2], frozenset({ids[1]}))
+    trio.bridge.session.select(ids[2], others=frozenset({ids[1]}))
 
     def click(row: int) -> list[bool]:
         place = layers.view.visualRect(layers.model.index(row))
@@ -317,7 +317,7 @@ def test_a_look_is_pasted_on_all_chosen_layers(
     assert style is not None
     assert style.name.en == "Third"
     lower = [layer.id for layer in session.document.layers[:2]]
-    session.select_layers(lower[0], frozenset(lower[1:]))
+    session.select(lower[0], others=frozenset(lower[1:]))
     noted: list[str] = []
     layers.looks.noted.connect(noted.append)
     layers.looks.paste()

@@ -60,7 +60,7 @@ def document_of(project: Reader, folder: Path) -> Document:
         brought_light=_brought_light(found["brought_light"]) if "brought_light" in found else None,
         timesheet=found["timesheet"].text(fields.MAX_SHEET_CHARACTERS) if "timesheet" in found else "",
     )
-    if _row_count(document) > fields.MAX_ROWS:
+    if row_count(document) > fields.MAX_ROWS:
         raise project.problem(Message("more than {most_rows} drawings, exposures and keys", most_rows=fields.MAX_ROWS))
     return document
 
@@ -70,7 +70,8 @@ def _record(reader: Reader, known: fields.Fields) -> dict[str, Reader]:
     return reader.record(required, [name for name, field in known.items() if field.optional])
 
 
-def _row_count(document: Document) -> int:
+def row_count(document: Document) -> int:
+    """Return how many drawings, exposures and keys a document has."""
     brought = document.brought_light
     set_aside = [] if brought is None else [brought.tracks, brought.before]
     owned = [

@@ -23,6 +23,7 @@ from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.widgets.retiring import retire
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
@@ -145,10 +146,10 @@ class Inspector(QScrollArea):
         """Take away what was about the layer or piece worked on before."""
         scene = {group: each for group, each in self.sections.items() if _is_of_scene(each)}
         gone = [each for each in self.sections.values() if not _is_of_scene(each)]
-        for part in (*gone, *([self.owner] if self.owner else [])):
+        old = (*gone, *([self.owner] if self.owner else []))
+        for part in old:
             self._column.removeWidget(part)
-            part.hide()
-            part.deleteLater()
+        retire(old)
         self.sections = scene
 
     def _fill(self, scope: Scope, ids: tuple[str | None, ...]) -> None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
+from kagezou.document.model import Document
 from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.clipboard import Clipboard
@@ -67,6 +68,7 @@ class MainWindow(QMainWindow):
     ) -> None:
         super().__init__()
         self._may_close_unasked = False
+        self._kept: Document | None = None
         self.parts = make_parts(self, open_project, settings, clipboard, make_demo)
         self.parts.welcome.offer_demo(offered=make_demo is not None)
         self.pages = QStackedWidget()
@@ -125,10 +127,15 @@ class MainWindow(QMainWindow):
         self._may_close_unasked = True
         self.close()
 
+    def close_without_question(self, kept: Document) -> None:
+        """Ask nothing when closed while the document is this one, which is kept where it is found again."""
+        self._kept = kept
+
     def closeEvent(self, event: QCloseEvent) -> None:
         self.parts.time.player.stop()
         self.parts.viewport.controller.cancel()
-        if not self._may_close_unasked and not self.parts.project.may_leave():
+        is_kept = self._kept is self.parts.bridge.document
+        if not self._may_close_unasked and not is_kept and not self.parts.project.may_leave():
             event.ignore()
             return
         self.parts.finish()
