@@ -1,6 +1,7 @@
 """Drawings of a layer or the background as footage: a gap-free copy, or the files where they lie."""
 
 import re
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import repeat
@@ -21,6 +22,10 @@ from kagezou.io.pixels.signatures import is_psd
 
 _NUMBERED: Final = re.compile(r"(.*?)([0-9]+)(\.[A-Za-z0-9]+)")
 _READ_BY_AFTER_EFFECTS: Final = frozenset({".png", ".tga", ".tif", ".tiff", ".exr"})
+
+
+Step = Callable[[], None]
+"""Called on the asking thread when a file is copied."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,11 +110,12 @@ def are_within(cels: Cels, folder: Path) -> bool:
     return any(drawing.path.parent.resolve() == real for drawing in cels.drawings)
 
 
-def copied(cels: Cels, name: str, folder: Path, copying: Copying) -> CelFootage | None:
+def copied(cels: Cels, name: str, folder: Path, copying: Copying, step: Step) -> CelFootage | None:
     """Copy drawings as ``NAME_0001.png`` and so on into ``folder``; None where none is ever seen.
 
     A PNG that can stay as it is is copied byte for byte. Others become PNG; where the sizes differ, which After
     Effects would stretch alike, all become as large as the canvas, or where they are moved as the largest if need be.
+    ``step`` is called after each; what it raises ends the copying.
 
     Raises
     ------
@@ -126,8 +132,12 @@ def copied(cels: Cels, name: str, folder: Path, copying: Copying) -> CelFootage 
     size = _size_of(infos, copying)
     digits = digits_for(len(indices))
     targets = [folder / f"{name}_{number:0{digits}d}.png" for number in range(1, len(indices) + 1)]
-    with ThreadPoolExecutor(copying.workers) as pool:
-        list(pool.map(_copy, drawings, infos, targets, repeat(size), repeat(copying)))
+    pool = ThreadPoolExecutor(copying.workers)
+    try:
+        for _ in pool.map(_copy, drawings, infos, targets, repeat(size), repeat(copying)):
+            step()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
     remove_beyond(folder, name, digits, len(indices))
     return CelFootage(targets[0], len(indices), {index: place for place, index in enumerate(indices)}, size)
 
@@ -142,12 +152,13 @@ def still_where_it_lies(cels: Cels, length: int) -> CelFootage | None:
     return CelFootage(path, 1, {index: 0}, (info.width_px, info.height_px))
 
 
-def copied_still(cels: Cels, target: Path, copying: Copying) -> CelFootage:
+def copied_still(cels: Cels, target: Path, copying: Copying, step: Step) -> CelFootage:
     """Copy the one picture that is seen of all to ``target``; raises as `copied`."""
     (index,) = exposed(cels, copying.canvas.length_frames)
     info = probe(cels.drawings[index].source)
     size = (info.width_px, info.height_px)
     _copy(cels.drawings[index], info, target, size, copying)
+    step()
     return CelFootage(target, 1, {index: 0}, size)
 
 
