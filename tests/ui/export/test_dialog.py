@@ -22,7 +22,7 @@ from pytestqt.qtbot import QtBot
 
 from kagezou.document import review
 from kagezou.document.edits import set_exposures
-from kagezou.errors import UsageProblem
+from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters import video_file
 from kagezou.export.exporters.exporter import ExportOutcome
@@ -32,6 +32,7 @@ from kagezou.export.exporters.table import exporter_of, sound
 from kagezou.export.presets import presets_in, rename_preset, save_preset
 from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.export.request import Cancelled, Progress
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.export.missing_part import MissingPartDialog
@@ -525,14 +526,32 @@ class TestResult:
         qtbot.mouseClick(stop, Qt.MouseButton.LeftButton)
         qtbot.waitUntil(lambda: len(walking.findChildren(ExportResult)) == 1)
         result = walking.findChildren(ExportResult)[0]
-        assert result.title.text() == "The export was stopped: 8 of 13 files are there, all whole."
-        assert result.counts == [("Shadow frames", "6"), ("Copies of the drawings", "2 of 6"), ("Script", "0 of 1")]
+        files = [path for path in place.folder.rglob("*") if path.is_file() and not path.name.startswith(".")]
+        assert result.title.text() == f"The export was stopped: {len(files)} of 13 files are there, all whole."
+        assert result.counts[0] == ("Shadow frames", "6")
+        assert result.counts[2] == ("Script", "0 of 1")
         assert "it goes on where it was" in result.steps[1]
         assert result.steps[2] == "The script is written last, when all it needs is there."
-        files = [path for path in place.folder.rglob("*") if path.is_file() and not path.name.startswith(".")]
-        assert len([path for path in files if "shadows" in path.parts]) == 6
         assert not list(place.folder.glob("*.jsx"))
         assert not list(place.folder.rglob("*.part*"))
+
+    def test_what_was_written_before_a_problem_is_said_to_be_whole(self, qtbot: QtBot, walking: MainWindow) -> None:
+        def failing(_open: OpenContext, progress: Progress, _cancelled: Cancelled) -> ExportOutcome:
+            progress(2, 6)
+            raise OutputProblem(Message("the disk refuses"))
+
+        walking.parts.exporting.start(failing)
+        qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
+        said = walking.parts.bar.text
+        assert said == "The disk refuses\nEvery file that was written before is whole and stays."
+        assert walking.findChild(ExportResult) is None
+
+        def failing_at_once(_open: OpenContext, _progress: Progress, _cancelled: Cancelled) -> ExportOutcome:
+            raise OutputProblem(Message("the disk refuses"))
+
+        walking.parts.exporting.start(failing_at_once)
+        qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
+        assert walking.parts.bar.text == "The disk refuses"
 
 
 class TestPlaces:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.document.model import Canvas, Cels, Drawing
+from kagezou.errors import Stopped
 from kagezou.export.names import digits_for
 from kagezou.geometry.box import centred_offset
 from kagezou.io.files.atomic import write_bytes
@@ -24,8 +25,8 @@ _NUMBERED: Final = re.compile(r"(.*?)([0-9]+)(\.[A-Za-z0-9]+)")
 _READ_BY_AFTER_EFFECTS: Final = frozenset({".png", ".tga", ".tif", ".tiff", ".exr"})
 
 
-Step = Callable[[], None]
-"""Called on the asking thread when a file is copied."""
+Step = Callable[[], bool]
+"""Called on the asking thread when a file is copied; returns whether to go on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,10 +116,11 @@ def copied(cels: Cels, name: str, folder: Path, copying: Copying, step: Step) ->
 
     A PNG that can stay as it is is copied byte for byte. Others become PNG; where the sizes differ, which After
     Effects would stretch alike, all become as large as the canvas, or where they are moved as the largest if need be.
-    ``step`` is called after each; what it raises ends the copying.
 
     Raises
     ------
+    Stopped
+        ``step`` said so; the copies that were in hand are finished and told to it too.
     InputProblem
         A drawing cannot be read.
     DiskFullProblem, OutputProblem
@@ -134,8 +136,8 @@ def copied(cels: Cels, name: str, folder: Path, copying: Copying, step: Step) ->
     targets = [folder / f"{name}_{number:0{digits}d}.png" for number in range(1, len(indices) + 1)]
     pool = ThreadPoolExecutor(copying.workers)
     try:
-        for _ in pool.map(_copy, drawings, infos, targets, repeat(size), repeat(copying)):
-            step()
+        work = zip(drawings, infos, targets, repeat(size), repeat(copying), strict=False)
+        _counted([pool.submit(_copy, *each) for each in work], step)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
     remove_beyond(folder, name, digits, len(indices))
@@ -158,7 +160,8 @@ def copied_still(cels: Cels, target: Path, copying: Copying, step: Step) -> CelF
     info = probe(cels.drawings[index].source)
     size = (info.width_px, info.height_px)
     _copy(cels.drawings[index], info, target, size, copying)
-    step()
+    if not step():
+        raise Stopped
     return CelFootage(target, 1, {index: 0}, size)
 
 
@@ -185,6 +188,22 @@ def _size_of(infos: list[ImageInfo], copying: Copying) -> tuple[int, int]:
         return canvas
     widths, heights = zip(canvas, *sizes, strict=True)
     return (max(widths), max(heights))
+
+
+def _counted(copies: list[Future[None]], step: Step) -> None:
+    """Wait for copies and tell each; Stopped where a step said so."""
+    is_stopped = False
+    for each in copies:
+        if each.cancelled():
+            continue
+        each.result()
+        if not step():
+            is_stopped = True
+            # Those under way cannot be cancelled any more, and are counted when they are done.
+            for rest in copies:
+                rest.cancel()
+    if is_stopped:
+        raise Stopped
 
 
 def _copy(drawing: Drawing, info: ImageInfo, target: Path, size: tuple[int, int], copying: Copying) -> None:

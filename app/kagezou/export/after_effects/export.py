@@ -224,12 +224,11 @@ class _ScriptRun:
         copied = {each.owner: each.copy(partial(self._copied_one, _kind_of_copies(each))) for each in self._copying}
         return {owner: footage for owner, footage in copied.items() if footage is not None}
 
-    def _copied_one(self, kind: Message) -> None:
-        """Take note of a copy."""
+    def _copied_one(self, kind: Message) -> bool:
+        """Take note of a copy; return whether to go on."""
         self._copied[kind] += 1
         self._tell(self._before + self._copied.total(), self._all)
-        if self._cancelled():
-            raise Stopped
+        return not self._cancelled()
 
     def _frames_of(self, rendering: Rendering) -> ExportRequest:
         request = self._request

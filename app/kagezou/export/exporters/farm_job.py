@@ -82,7 +82,7 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
             Message("AWS Deadline Cloud: deadline bundle submit {folder}", folder=shown(place.folder)),
             Message("Other farms: openjd run {template} --step Render", template=shown(place.folder / TEMPLATE)),
             Message(
-                "Save the project before you send the job: the farm renders the file, into {output}.",
+                "The farm renders the saved project, into {output}: save it before you send the job.",
                 output=output,
             ),
         )

@@ -1,6 +1,7 @@
 """The small dialog that shows how to add a part that this installation does not have."""
 
 import sys
+from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
@@ -8,6 +9,8 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QLineEdit, QPushButt
 
 from kagezou.export.exporters.exporter import Lack
 from kagezou.ui.system.words import translated
+
+MOST_WIDE_PX: Final = 900
 
 
 class MissingPartDialog(QDialog):
@@ -60,7 +63,8 @@ class MissingPartDialog(QDialog):
             column.addWidget(widget)
         column.addLayout(row)
         column.addLayout(buttons)
-        self.setMinimumWidth(64 * self.fontMetrics().horizontalAdvance("0"))
+        line = self.fontMetrics().horizontalAdvance(self.command.text()) + 3 * self.fontMetrics().height()
+        self.command.setMinimumWidth(min(line, MOST_WIDE_PX))
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(self.command.text())

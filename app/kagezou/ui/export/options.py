@@ -14,6 +14,8 @@ GAP_PX = 8
 """Between a label and its field."""
 
 _ROW_GAP_PX: Final = 6
+_ARROW_PX: Final = 36
+"""What a box has beside its words."""
 
 _ROWS: Final = {
     Option.ONLY_WORK_AREA: 1,
@@ -134,6 +136,7 @@ class ExportOptions(QWidget):
     def _keep_room(self) -> None:
         """Make every row as high as its highest widget, and the form as wide as its widest, shown or not."""
         widgets = [widget for widget, _ in self._shown_for]
+        self.depth_box.setMinimumContentsLength(6)
         for each in (*widgets, self.format_box):
             each.ensurePolished()
         high = max(each.sizeHint().height() for each in (*widgets, self.format_box)) + _ROW_GAP_PX
@@ -142,11 +145,11 @@ class ExportOptions(QWidget):
         self._form.setRowStretch(self._form.rowCount(), 1)
         self._form.setColumnStretch(1, 1)
         self._form.setColumnMinimumWidth(0, self._video_label.sizeHint().width())
-        words = self.fontMetrics().horizontalAdvance(max(self._format_words().values(), key=len))
-        self.setMinimumWidth(max(*(each.sizeHint().width() for each in widgets), words + 20 * GAP_PX))
+        words = max(map(self.fontMetrics().horizontalAdvance, self._format_words().values()))
+        beside = self._video_label.sizeHint().width() + self.depth_box.sizeHint().width() + 2 * GAP_PX
+        self.setMinimumWidth(max(*(each.sizeHint().width() for each in widgets), words + _ARROW_PX + beside))
         for box in (self.format_box, self.video_box):
             box.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.depth_box.setMinimumContentsLength(6)
         policy = self.depth_box.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
         self.depth_box.setSizePolicy(policy)

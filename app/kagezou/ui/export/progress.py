@@ -72,6 +72,7 @@ class Exporting(QWidget):
         surface = self._surface = OffscreenSurface()
         self._wants_stop.clear()
         self._progress.setRange(0, 0)
+        self._progress.reset()
         self._pace.clear()
         self._pace.append((monotonic(), 0))
         self._words.setText(self.tr("Preparing the export"))
@@ -106,7 +107,10 @@ class Exporting(QWidget):
             self._show_progress(*told)
 
     def _say_failed(self, problem: Problem) -> None:
-        self._bar.say(_KEY, translated(problem))
+        words = translated(problem)
+        if self._progress.value() > 0:
+            words += "\n" + self.tr("Every file that was written before is whole and stays.")
+        self._bar.say(_KEY, words)
 
     def _show_progress(self, finished: int, whole: int) -> None:
         self._progress.setRange(0, whole)
