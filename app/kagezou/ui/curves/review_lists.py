@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from kagezou.document.address import Address
 from kagezou.document.key_edits import KeyRef
-from kagezou.document.model import Note
+from kagezou.document.note import Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.review import add_note, change_note
 from kagezou.errors import UsageProblem
