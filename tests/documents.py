@@ -20,10 +20,10 @@ from kagezou.document.model import (
     Exposure,
     Layer,
     Marker,
-    Note,
     Piece,
     Tracks,
 )
+from kagezou.document.note import Note, NoteAnswer
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Kind
 from kagezou.geometry.box import Box
@@ -134,7 +134,8 @@ def notes(draw: st.DrawFn, layer_ids: list[str]) -> Note:
     layer_id = draw(st.sampled_from([None, *layer_ids]))
     name = draw(st.sampled_from(sorted(OF_DOCUMENT if layer_id is None else OF_LAYER)))
     words = draw(said.filter(lambda text: bool(text.strip())))
-    return Note(draw(st.integers(1, 1000)), name, words, layer_id, draw(said))
+    answers = draw(st.lists(st.builds(NoteAnswer, said.filter(bool), said), max_size=2))
+    return Note(draw(st.integers(1, 1000)), name, words, layer_id, draw(said), tuple(answers), draw(st.booleans()))
 
 
 @st.composite

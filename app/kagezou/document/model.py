@@ -8,6 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.track import Track
+from kagezou.document.note import Note
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vanishing import VanishingLines
 from kagezou.picture_source import OutlinedPicture, Paper, PicturePart, PictureSource
@@ -154,31 +155,6 @@ class Marker:
     frame: int
     comment: str = ""
     duration_frames: int = 0
-
-
-@dataclass(frozen=True, slots=True)
-class Note:
-    """What a lead says about one property on one frame.
-
-    Parameters
-    ----------
-    frame
-        From 1.
-    property
-        The property's name; for a layer's property the part after ``layers.NAME.``.
-    text
-        What is said; may have lines.
-    layer_id
-        Whose property it is; None for one of the scene.
-    author
-        Who says it, may be empty.
-    """
-
-    frame: int
-    property: str
-    text: str
-    layer_id: str | None = None
-    author: str = ""
 
 
 @dataclass(frozen=True, slots=True)

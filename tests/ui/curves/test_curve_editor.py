@@ -456,7 +456,7 @@ def test_flags_find_jumps_and_keys_between_drawings(editor: CurveEditor, keyed: 
     assert flags[1].amount == pytest.approx(350)
     keyed.bridge.session.edit("Jump", document)
     words = [editor.flags.list.item(row).text() for row in range(editor.flags.list.count())]
-    assert words == ["8   Opacity   key between two drawings", "31   Light position   jumps by 350 px"]
+    assert words == ["8   Walker · Opacity   key between two drawings", "31   Light position   jumps by 350 px"]
     editor.flags.list.itemClicked.emit(editor.flags.list.item(1))
     assert keyed.bridge.frame == 31
     assert keyed.bridge.session.state.keys == {KeyRef(LIGHT, 31)}

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
-from kagezou.document.review import MAX_TEXT_CHARACTERS
+from kagezou.document.review import MAX_ANSWERS, MAX_TEXT_CHARACTERS
 from kagezou.document.set_pieces import MAX_PIECES
 
 
@@ -134,4 +134,7 @@ NOTE: Final[Fields] = MappingProxyType({
     "property": Field("text", "The property's name."),
     "text": Field(f"text of at most {MAX_TEXT_CHARACTERS} characters", "What is said."),
     "author": Field("text", "Who says it, may be empty."),
+    "answers": Field("list of [author, text]", f"What was said to it, at most {MAX_ANSWERS}, the latest last.",
+                     optional=True),
+    "done": Field("true or false", "Whether it is ticked off.", optional=True),
 })  # fmt: skip

@@ -22,12 +22,14 @@ from kagezou.document.ease_edits import set_ease
 from kagezou.errors import Problem
 from kagezou.io.project.file import load
 from kagezou.tools.curves.picture import GraphKind
+from kagezou.ui.curves.annotating import Annotating
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_tree import CurveTree
+from kagezou.ui.curves.flag_list import FlagList
 from kagezou.ui.curves.graph import Graph
 from kagezou.ui.curves.key_table import KeyTable
+from kagezou.ui.curves.note_list import NoteList
 from kagezou.ui.curves.readout import readout
-from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
@@ -55,8 +57,9 @@ class CurveEditor(QWidget):
         self.tree = CurveTree(bridge, self.choice)
         self.graph = Graph(bridge, self.choice)
         self.table = KeyTable(bridge, self.choice, clipboard)
-        self.notes = NoteList(bridge, self.choice, lambda: self.table.address)
-        self.flags = FlagList(bridge, self.choice)
+        self.annotating = Annotating(bridge)
+        self.notes = NoteList(bridge, self.annotating, lambda: self.table.address)
+        self.flags = FlagList(bridge)
         self.key_menu = QMenu(self)
         self.kind_box = self._make_kind_box()
         self._read = QLabel()
@@ -127,6 +130,14 @@ class CurveEditor(QWidget):
         dialog.entered.connect(self._set_velocity)
         dialog.open()
 
+    def show_list(self, *, notes: bool) -> None:
+        """Bring the notes or the flags to the front."""
+        self._lists.setCurrentWidget(self.notes if notes else self.flags)
+
+    def show_for_review(self, *, on: bool) -> None:
+        """Give the graph the room of the list of curves."""
+        self.tree.setHidden(on)
+
     def _set_velocity(self, into: Ease, out: Ease) -> None:
         refs = self._bridge.session.state.keys
         self._bridge.session.edit(self.tr("Key velocity"), set_ease(self._bridge.document, refs, (into,), (out,)))
@@ -158,7 +169,7 @@ class CurveEditor(QWidget):
         column.addWidget(self._tools())
         column.addWidget(self.graph, 1)
         column.addWidget(self._read)
-        tabs = QTabWidget()
+        tabs = self._lists = QTabWidget()
         tabs.setDocumentMode(True)
         tabs.addTab(self.table, self.tr("Keys"))
         tabs.addTab(self.notes, self.tr("Notes"))

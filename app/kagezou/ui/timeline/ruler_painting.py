@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QPolygonF
 
 from kagezou.animation.timecode import Count, counted, frames_per_second
 from kagezou.document.model import Document, Marker
-from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, TEXT
+from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, TEXT, WARNING
 from kagezou.ui.timeline.time_scale import TimeScale
 
 STRIP_PX: Final = 7
@@ -74,6 +74,21 @@ def paint_marker(painter: QPainter, scale: TimeScale, marker: Marker, height_px:
     painter.setPen(BRIGHT)
     words = metrics.elidedText(marker.comment, Qt.TextElideMode.ElideRight, int(flag.width()) - 8)
     painter.drawText(flag.adjusted(5, 0, -3, 0), Qt.AlignmentFlag.AlignVCenter, words)
+
+
+def note_mark(frame: int, scale: TimeScale, height_px: int) -> QRectF:
+    """Return where the mark of the notes on a frame lies."""
+    return QRectF(scale.middle_of(frame) - 4, height_px - STRIP_PX - 12, 8, 8)
+
+
+def paint_note(painter: QPainter, mark: QRectF, *, is_done: bool) -> None:
+    """Paint the mark of notes: a diamond, hollow where all of them are ticked off."""
+    painter.setPen(QPen(WARNING, 1.2))
+    painter.setBrush(Qt.BrushStyle.NoBrush if is_done else WARNING)
+    middle = mark.center()
+    left, right = QPointF(mark.left(), middle.y()), QPointF(mark.right(), middle.y())
+    top, bottom = QPointF(middle.x(), mark.top()), QPointF(middle.x(), mark.bottom())
+    painter.drawPolygon(QPolygonF([left, top, right, bottom]))
 
 
 def paint_playhead(painter: QPainter, left: float, width: float, height_px: int, color: QColor) -> None:

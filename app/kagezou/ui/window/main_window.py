@@ -20,6 +20,7 @@ from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
 from kagezou.ui.window.wiring.handles import connect_handles
 from kagezou.ui.window.wiring.match import connect_match
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
+from kagezou.ui.window.wiring.review import connect_review
 from kagezou.ui.window.wiring.set_import import connect_set_import
 from kagezou.ui.window.wiring.sets import connect_set
 from kagezou.ui.window.wiring.time import (
@@ -55,6 +56,8 @@ class MainWindow(QMainWindow):
         The picture, or the first page.
     docks
         The panels at its sides.
+    review
+        What looks the cut through.
     """
 
     language_chosen = Signal(str)
@@ -79,6 +82,7 @@ class MainWindow(QMainWindow):
         self.docks.restore(settings)
         connect_frame(self.parts, self.docks.layout, self)
         connect_handles(self.parts, self.docks.layout)
+        self.review = connect_review(self, self.parts, self.docks.layout)
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()
 
@@ -184,6 +188,7 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(middle)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
+        column.addWidget(parts.review_bar)
         column.addWidget(self.pages, 1)
         column.addWidget(parts.time.transport)
         self.setCentralWidget(middle)

@@ -9,6 +9,7 @@ from kagezou.ui.commands.actions import Actions
 from kagezou.ui.commands.keyboard import Keyboard
 from kagezou.ui.commands.search import CommandSearch
 from kagezou.ui.curves.panel import CurvesPanel
+from kagezou.ui.curves.review_bar import ReviewBar
 from kagezou.ui.export.progress import Exporting
 from kagezou.ui.panels.folds import Folds
 from kagezou.ui.panels.inspector import Inspector
@@ -111,6 +112,7 @@ class Parts:
     sets: SetParts
     time: TimeParts
     curves: CurvesPanel
+    review_bar: ReviewBar
     feet: FeetFinder
 
     @property
@@ -169,6 +171,7 @@ def make_parts(
         sets=_set_parts(open_project, viewport, space, menus),
         feet=FeetFinder(bridge),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
+        review_bar=ReviewBar(),
         keyboard=Keyboard(window, actions, settings, bar),
         search=CommandSearch(window, actions),
         sheets=_sheets(viewport, bridge, lambda: not (player.is_playing or viewport.controller.is_busy)),
