@@ -55,9 +55,9 @@ def test_what_lies_behind_a_new_end_is_counted_and_kept() -> None:
     for frame in (3, 18, 24):
         document = set_key(document, Address(LIGHT_AZIMUTH), frame, 5)
     assert said(document, length_frames=12) == [
-        "2 keys lie behind the new end; they are kept and not reached",
-        "2 drawings are exposed behind the new end and not seen",
-        "1 markers and notes lie behind the new end",
+        "keys behind the new end, kept and not reached: 2",
+        "drawings exposed behind the new end, kept and not seen: 2",
+        "markers and notes behind the new end: 1",
     ]
     assert said(document, length_frames=36) == []
     shorter = with_settings(document, CutSettings(replace(document.canvas, length_frames=12), Slate()), Refit.STAY)
@@ -67,7 +67,7 @@ def test_what_lies_behind_a_new_end_is_counted_and_kept() -> None:
 def test_the_keys_of_a_linked_property_count_once() -> None:
     address = Address(OPACITY, "layer-1")
     document = link(set_key(set_key(cut(), address, 1, 0.5), address, 20, 0.2), address)
-    assert said(document, length_frames=15)[0].startswith("1 keys")
+    assert said(document, length_frames=15)[0].endswith("reached: 1")
 
 
 def test_another_rate_says_how_long_the_cut_lasts_then() -> None:
@@ -95,7 +95,7 @@ def test_another_size_says_what_it_does() -> None:
     assert said(cut(), Refit.STAY, width_px=100) == ["what lies beyond the smaller picture is kept and not seen"]
     assert said(Document(Canvas(200, 100)), Refit.SCALE, **size) == []
     far = set_constant(set_constant(cut(), Address(FOV), 30), Address(SIMPLIFY, "layer-1"), 400)
-    assert said(far, Refit.SCALE, width_px=400, height_px=200)[-1].startswith("1 lengths would leave their range")
+    assert said(far, Refit.SCALE, width_px=400, height_px=200)[-1].endswith("kept at its end: 1")
     assert "perspective" in said(far, Refit.STAY, **size)[-1]
 
 

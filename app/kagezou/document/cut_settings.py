@@ -88,7 +88,7 @@ def _on_size(document: Document, wanted: Canvas, refit: Refit, limited: int) -> 
     elif document.background is not None:
         yield Message("the picture of the background keeps its own size in px")
     if limited:
-        yield Message("{count} lengths would leave their range and are kept at its end", count=limited)
+        yield Message("lengths that would leave their range and are kept at its end: {count}", count=limited)
     if refit is Refit.STAY and _has_perspective(document):
         yield Message("the camera looks at the middle of the new picture: shadows in perspective change a little")
 
@@ -121,18 +121,18 @@ def _behind(document: Document, last: int) -> Iterator[Message]:
     """Yield what lies behind a new end."""
     keys = _keys_behind(document, last)
     if keys:
-        yield Message("{count} keys lie behind the new end; they are kept and not reached", count=keys)
+        yield Message("keys behind the new end, kept and not reached: {count}", count=keys)
     exposures = [
         exposure.frame > last and exposure.drawing is not None
         for layer in document.layers
         for exposure in layer.cels.exposures
     ]
     if any(exposures):
-        yield Message("{count} drawings are exposed behind the new end and not seen", count=sum(exposures))
+        yield Message("drawings exposed behind the new end, kept and not seen: {count}", count=sum(exposures))
     frames = (*(marker.frame for marker in document.markers), *(note.frame for note in document.notes))
     said = sum(frame > last for frame in frames)
     if said:
-        yield Message("{count} markers and notes lie behind the new end", count=said)
+        yield Message("markers and notes behind the new end: {count}", count=said)
 
 
 def _keys_behind(document: Document, last: int) -> int:

@@ -86,6 +86,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("background", translate("Commands", "Set &Background…")),
         Command("background_pictures", translate("Commands", "Set Background Sequence…")),
         Command("no_background", translate("Commands", "Remove Background")),
+        Command("cut_settings", translate("Commands", "&Cut Settings…"), ("Ctrl+K",)),
         Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),
         Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),
     )

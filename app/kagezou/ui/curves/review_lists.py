@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from kagezou.document.address import Address
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.key_edits import KeyRef
 from kagezou.document.model import Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
@@ -66,7 +67,8 @@ class NoteList(QWidget):
             prop = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
             layer = "" if note.layer_id is None else f"{self._bridge.document.layer(note.layer_id).name} · "
             author = f" — {note.author}" if note.author else ""
-            item = QListWidgetItem(f"{note.frame}   {layer}{translated(prop.label)}{author}\n{note.text}")
+            number = number_of(self._bridge.document.canvas, note.frame)
+            item = QListWidgetItem(f"{number}   {layer}{translated(prop.label)}{author}\n{note.text}")
             item.setData(_WHAT, note)
             self.list.addItem(item)
         for button in self._buttons:
@@ -79,9 +81,8 @@ class NoteList(QWidget):
             self.refused.emit(self.tr("A note is pinned to a keyed property, and nothing is keyed yet."))
             return
         frame = self._bridge.frame
-        title = (
-            self.tr("Note on frame %1, %2").replace("%1", str(frame)).replace("%2", translated(address.property.label))
-        )
+        number = str(number_of(self._bridge.document.canvas, frame))
+        title = self.tr("Note on frame %1, %2").replace("%1", number).replace("%2", translated(address.property.label))
         self._ask(title, "", lambda text: self.add(address, frame, text))
 
     def add(self, address: Address, frame: int, text: str) -> None:
@@ -160,7 +161,8 @@ class FlagList(QWidget):
         addresses = tuple(dict.fromkeys(curve.address for curve in self._choice.shown))
         self.list.clear()
         for flag in flags_of(self._bridge.document, addresses, self.limit.value()):
-            item = QListWidgetItem(f"{flag.frame}   {translated(flag.address.property.label)}   {self._words(flag)}")
+            number = number_of(self._bridge.document.canvas, flag.frame)
+            item = QListWidgetItem(f"{number}   {translated(flag.address.property.label)}   {self._words(flag)}")
             item.setData(_WHAT, flag)
             self.list.addItem(item)
         if not self.list.count():

@@ -8,6 +8,7 @@ from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from kagezou.animation.timecode import Count, sheet_text
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.model import Document, Marker
 from kagezou.document.review import move_marker, set_work_area
 from kagezou.picture_source import PictureSource
@@ -123,9 +124,9 @@ class Ruler(QWidget):
         place = event.position()
         frame = self._scale.frame_at(place.x())
         marker = self.marker_at(place)
-        rate = self._bridge.document.canvas.frame_rate
+        canvas = self._bridge.document.canvas
         said = f"\n{marker.comment}" if marker is not None and marker.comment else ""
-        self.setToolTip(f"{frame}  ({sheet_text(frame, rate)}){said}")
+        self.setToolTip(f"{number_of(canvas, frame)}  ({sheet_text(frame, canvas.frame_rate)}){said}")
         if not event.buttons() & Qt.MouseButton.LeftButton:
             ends = self.end_at(place) is not None and marker is None
             self.setCursor(Qt.CursorShape.SizeHorCursor if ends else Qt.CursorShape.PointingHandCursor)
@@ -177,7 +178,7 @@ class Ruler(QWidget):
         painter.fillRect(self.rect(), WELL)
         document, scale = self._bridge.document, self._scale
         paint_area(painter, scale, document, self.height())
-        paint_ticks(painter, scale, self.size(), document.canvas.frame_rate, self.count)
+        paint_ticks(painter, scale, self.size(), document.canvas, self.count)
         self._paint_ready(painter)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for marker in document.markers:

@@ -149,7 +149,8 @@ class Menus(QObject):
         file.addMenu(self.recent)
         self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures"])
         self._fill(file, ["import_set", "import_timesheet", "background", "background_pictures"])
-        self._fill(file, ["no_background", _SEPARATOR, "export", "export_timesheet", _SEPARATOR, "quit"])
+        self._fill(file, ["no_background", _SEPARATOR, "cut_settings", _SEPARATOR])
+        self._fill(file, ["export", "export_timesheet", _SEPARATOR, "quit"])
         self._menu(
             bar,
             self.tr("&Edit"),
