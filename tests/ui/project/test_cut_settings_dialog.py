@@ -17,7 +17,9 @@ from kagezou.document.refitting import Refit
 from kagezou.document.slate import Slate
 from kagezou.document.values import value_at
 from kagezou.ui.curves.frame_axis import FrameAxis
+from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.project.canvas_sizes import usual_sizes
+from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.project.cut_settings_dialog import CutSettingsDialog
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.time.transport import FrameField
@@ -161,6 +163,16 @@ def test_frames_are_typed_and_shown_by_their_numbers(qtbot: QtBot, filled: OpenP
     assert bridge.frame == 4
     assert field.text() == "104"
     assert FrameAxis(bridge).tickStrings([4.0, 0.0], 1, 1) == ["104  (0+04)", ""]
+
+
+def test_the_slate_names_what_is_made_of_the_cut(walking: MainWindow) -> None:
+    bridge = walking.parts.bridge
+    assert output_name(bridge.document, "walk") == "walk"
+    bridge.session.edit("slate", replace(bridge.document, slate=Slate("ep 3/4", "2", "12A")))
+    walking.parts.actions["export"].trigger()
+    (dialog,) = walking.findChildren(ExportDialog)
+    assert dialog.folder.text().endswith("ep 3_4_s2_c12A_export")
+    dialog.reject()
 
 
 def opened(qtbot: QtBot, window: MainWindow) -> CutSettingsDialog:

@@ -11,6 +11,7 @@ from kagezou.importing.understood import drawings_line
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.panels.style_use import put_on
+from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
@@ -172,11 +173,11 @@ def _export(parts: Parts) -> None:
     if parts.exporting.is_running:
         parts.exporting.say_running()
         return
-    settings, path, name = parts.settings, parts.open_project.path, parts.project.project_name
+    settings, path, document = parts.settings, parts.open_project.path, parts.bridge.document
+    name = output_name(document, parts.project.project_name)
     beside = Path.home() if path is None else path.parent
     folder = Path(settings.folder("export")) if settings.folder("export") else beside
     place = Place(folder / f"{name}_export", path, name)
-    document = parts.bridge.document
     remembered = loads_choices(settings.word("export_plan", ""))
     dialog = ExportDialog(document, remembered, place, settings.preset_folder, parts.viewport.window())
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
