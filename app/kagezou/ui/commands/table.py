@@ -105,6 +105,7 @@ def edit_commands() -> tuple[Command, ...]:
         Command("find_feet", translate("Commands", "Find &Feet")),
         Command("doubtful_next", translate("Commands", "Next Dou&btful Drawing"), ("Ctrl+Alt+.",)),
         Command("doubtful_previous", translate("Commands", "Previous Doubtful Drawing"), ("Ctrl+Alt+,",)),
+        Command("preferences", translate("Commands", "Pre&ferences…"), ("Ctrl+Alt+Shift+P",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )
 

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -28,10 +27,10 @@ from kagezou.document.slate import MAX_FIRST_FRAME, MAX_WORD_CHARACTERS, Slate
 from kagezou.errors import UsageProblem
 from kagezou.ui.project.canvas_sizes import SizeRow
 from kagezou.ui.system.words import translated
+from kagezou.ui.widgets.in_row import GAP_PX, in_row
 
 RATES: Final = ("23.976", "24", "25", "29.97", "30", "12", "12.5", "15", "50", "59.94", "60")
 _MOST_FRAMES: Final = 1_000_000
-_GAP_PX: Final = 8
 _SAID_LINES: Final = 9
 
 
@@ -175,16 +174,16 @@ class CutSettingsDialog(QDialog):
 
     def _lay_out(self) -> None:
         form = QFormLayout()
-        form.setHorizontalSpacing(2 * _GAP_PX)
-        form.setVerticalSpacing(_GAP_PX + 2)
+        form.setHorizontalSpacing(2 * GAP_PX)
+        form.setVerticalSpacing(GAP_PX + 2)
         form.addRow(self.tr("Name"), self.name)
-        form.addRow(self.tr("Scene"), _row(self.scene, QLabel(self.tr("Cut", "its number")), self.cut))
+        form.addRow(self.tr("Scene"), in_row(self.scene, QLabel(self.tr("Cut", "its number")), self.cut))
         form.addRow(self.tr("Picture size"), self.size_row)
-        form.addRow(self.tr("Drawings"), _row(*_refit_buttons(self.refits)))
-        form.addRow(self.tr("Frames a second"), _row(self.rate, None))
+        form.addRow(self.tr("Drawings"), in_row(*_refit_buttons(self.refits)))
+        form.addRow(self.tr("Frames a second"), in_row(self.rate, None))
         frames, seconds = QLabel(self.tr("frames")), QLabel(self.tr("seconds + frames"))
-        form.addRow(self.tr("Length"), _row(self.length, frames, self.seconds, seconds, None))
-        form.addRow(self.tr("First frame"), _row(self.first, self.last, None))
+        form.addRow(self.tr("Length"), in_row(self.length, frames, self.seconds, seconds, None))
+        form.addRow(self.tr("First frame"), in_row(self.first, self.last, None))
         letter = self.fontMetrics().horizontalAdvance("0")
         for field in (self.length, self.first, self.rate):
             field.setFixedWidth(14 * letter)
@@ -201,7 +200,7 @@ class CutSettingsDialog(QDialog):
         column.addLayout(form)
         column.addWidget(heading)
         column.addWidget(self._scrolled_says(), 1)
-        column.addWidget(_row(None, cancel, self.agree))
+        column.addWidget(in_row(None, cancel, self.agree))
         self.resize(72 * letter, self.sizeHint().height())
         self._name_fields()
 
@@ -265,17 +264,3 @@ def _refit_words(refit: Refit) -> tuple[str, str]:
                 translate("CutSettingsDialog", "Scale with It"),
                 translate("CutSettingsDialog", "Drawings, light, set and all lengths are scaled alike."),
             )
-
-
-def _row(*parts: QWidget | None) -> QWidget:
-    """Return widgets in a row; None is room."""
-    holder = QWidget()
-    row = QHBoxLayout(holder)
-    row.setContentsMargins(0, 0, 0, 0)
-    row.setSpacing(_GAP_PX)
-    for part in parts:
-        if part is None:
-            row.addStretch(1)
-        else:
-            row.addWidget(part)
-    return holder

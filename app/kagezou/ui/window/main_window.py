@@ -18,6 +18,7 @@ from kagezou.ui.window.parts import make_parts
 from kagezou.ui.window.wiring.cut import connect_cut
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
 from kagezou.ui.window.wiring.match import connect_match
+from kagezou.ui.window.wiring.preferences import connect_preferences
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
 from kagezou.ui.window.wiring.set_import import connect_set_import
 from kagezou.ui.window.wiring.sets import connect_set
@@ -187,6 +188,7 @@ class MainWindow(QMainWindow):
         connect_project(parts, self)
         connect_set(parts, self)
         connect_cut(parts)
+        connect_preferences(parts, self)
         connect_view(parts, self)
         connect_views(parts)
         connect_resolution(parts)

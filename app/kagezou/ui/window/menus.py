@@ -156,7 +156,7 @@ class Menus(QObject):
             self.tr("&Edit"),
             [
                 *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
-                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts"),
+                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts", "preferences"),
             ],
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
