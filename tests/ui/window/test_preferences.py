@@ -87,7 +87,7 @@ def test_the_surroundings_change_under_the_dialog(
 ) -> None:
     viewpoint = plain.parts.viewport.viewpoint
     assert viewpoint.surround == QColor("#484848")
-    choose(qtbot, dialog.surround, surrounds()["Light"])
+    choose(qtbot, dialog.surround, surrounds()["Light grey"])
     assert viewpoint.surround == QColor("#9a9a9a")
     qtbot.mouseClick(dialog.swatch, LEFT)
     (picker,) = dialog.findChildren(QColorDialog)

@@ -176,10 +176,10 @@ class CutSettingsDialog(QDialog):
         form = QFormLayout()
         form.setHorizontalSpacing(2 * GAP_PX)
         form.setVerticalSpacing(GAP_PX + 2)
-        form.addRow(self.tr("Name"), self.name)
+        form.addRow(self.tr("Title"), self.name)
         form.addRow(self.tr("Scene"), in_row(self.scene, QLabel(self.tr("Cut", "its number")), self.cut))
         form.addRow(self.tr("Picture size"), self.size_row)
-        form.addRow(self.tr("Drawings"), in_row(*_refit_buttons(self.refits)))
+        form.addRow(self.tr("What is on it"), in_row(*_refit_buttons(self.refits)))
         form.addRow(self.tr("Frames a second"), in_row(self.rate, None))
         frames, seconds = QLabel(self.tr("frames")), QLabel(self.tr("seconds + frames"))
         form.addRow(self.tr("Length"), in_row(self.length, frames, self.seconds, seconds, None))
@@ -216,7 +216,7 @@ class CutSettingsDialog(QDialog):
     def _name_fields(self) -> None:
         """Say aloud what stands beside each field."""
         for field, words in (
-            (self.name, self.tr("Name")),
+            (self.name, self.tr("Title")),
             (self.scene, self.tr("Scene")),
             (self.cut, self.tr("Cut", "its number")),
             (self.rate, self.tr("Frames a second")),

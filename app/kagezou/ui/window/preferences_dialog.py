@@ -217,9 +217,9 @@ def surrounds() -> dict[str, str]:
     """Return the greys to choose from by their names; neutral, so that no colour is judged beside another."""
     translate = QCoreApplication.translate
     return {
-        translate("PreferencesDialog", "Dark"): "#1e1e1e",
-        translate("PreferencesDialog", "Middle"): "#484848",
-        translate("PreferencesDialog", "Light"): "#9a9a9a",
+        translate("PreferencesDialog", "Dark grey"): "#1e1e1e",
+        translate("PreferencesDialog", "Middle grey"): "#484848",
+        translate("PreferencesDialog", "Light grey"): "#9a9a9a",
         translate("PreferencesDialog", "White"): "#f0f0f0",
     }
 
