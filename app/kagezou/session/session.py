@@ -5,41 +5,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 from kagezou.document.address import Address
-from kagezou.document.key_edits import Refs, present_keys
+from kagezou.document.key_edits import Refs
 from kagezou.document.model import Document
+from kagezou.session.state import State, are_alike, within_document
 
 MAX_STEPS = 500
-
-
-@dataclass(frozen=True, slots=True)
-class State:
-    """What is seen and selected.
-
-    Parameters
-    ----------
-    document
-        The document now.
-    frame
-        The frame looked at, from 1.
-    layer_id
-        The layer worked on; None while a set piece is.
-    selection
-        Selected properties.
-    keys
-        Selected keys; every one of them is there.
-    piece_id
-        The set piece worked on.
-    others
-        The layers that are chosen beside ``layer_id`` and edited with it.
-    """
-
-    document: Document
-    frame: int = 1
-    layer_id: str | None = None
-    selection: tuple[Address, ...] = ()
-    keys: Refs = frozenset()
-    piece_id: str | None = None
-    others: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,10 +20,14 @@ class _Step:
 
 
 Listener = Callable[[State, State], None]
+Refusal = Callable[[], None]
 
 
 class Session:
-    """One document being worked on. ``changed(before, after)`` is called after every change of state."""
+    """One document being worked on. ``changed(before, after)`` is called after every change of state.
+
+    While it is locked, nothing that a person does changes the document: whoever tries is refused, and it is told.
+    """
 
     def __init__(self, document: Document) -> None:
         layers = document.layers
@@ -63,6 +37,8 @@ class Session:
         self._undone: list[_Step] = []
         self._gesture: Gesture | None = None
         self._listeners: list[Listener] = []
+        self._refusals: list[Refusal] = []
+        self._is_locked = False
         self._steps_made = 0
         self._saved_at = 0
 
@@ -87,6 +63,11 @@ class Session:
         return self._gesture is not None
 
     @property
+    def is_locked(self) -> bool:
+        """Whether the document can only be looked at."""
+        return self._is_locked
+
+    @property
     def steps_made(self) -> int:
         """How many steps were made since the session began, those taken back included."""
         return self._steps_made
@@ -109,6 +90,15 @@ class Session:
     def listen(self, listener: Listener) -> None:
         """Call ``listener(before, after)`` after every change of state."""
         self._listeners.append(listener)
+
+    def listen_to_refusals(self, listener: Refusal) -> None:
+        """Call ``listener()`` whenever an edit is refused because the session is locked."""
+        self._refusals.append(listener)
+
+    def lock(self, *, locked: bool) -> None:
+        """Let the document only be looked at, or be worked on again; what is under way ends as it is."""
+        self._finish_gesture()
+        self._is_locked = locked
 
     def mark_saved(self) -> None:
         """Say that the document now is on disk."""
@@ -138,9 +128,14 @@ class Session:
         gesture.commit()
 
     def begin(self, name: str) -> "Gesture":
-        """Begin a gesture that lives longer than a block, such as a drag; end it by commit or cancel."""
+        """Begin a gesture that lives longer than a block, such as a drag; end it by commit or cancel.
+
+        In a locked session it shows nothing and becomes no step.
+        """
         if self._gesture is not None:
             self._gesture.commit()
+        if self._refuses():
+            return Gesture(self, name, self._state, is_open=False)
         self._gesture = Gesture(self, name, self._state)
         return self._gesture
 
@@ -165,18 +160,16 @@ class Session:
     def undo(self) -> None:
         """Take the last step back; shows the frame and selection it was made with."""
         self._finish_gesture()
-        if self._done:
-            step = self._done.pop()
-            self._undone.append(step)
-            self._show(step.before)
+        if self._done and not self._refuses():
+            self._undone.append(self._done.pop())
+            self._show(self._undone[-1].before)
 
     def redo(self) -> None:
         """Bring the last undone step back."""
         self._finish_gesture()
-        if self._undone:
-            step = self._undone.pop()
-            self._done.append(step)
-            self._show(step.after)
+        if self._undone and not self._refuses():
+            self._done.append(self._undone.pop())
+            self._show(self._done[-1].after)
 
     def go_to(self, frame: int) -> None:
         """Look at a frame, kept within the cut."""
@@ -199,13 +192,19 @@ class Session:
         """Select keys; those that are not there are left out."""
         self._show(replace(self._state, keys=keys))
 
+    def _refuses(self) -> bool:
+        if self._is_locked:
+            for listener in self._refusals:
+                listener()
+        return self._is_locked
+
     def _finish_gesture(self) -> None:
         if self._gesture is not None:
             self._gesture.commit()
 
     def _show(self, state: State) -> None:
-        before, self._state = self._state, _within(state)
-        if not _same(before, self._state):
+        before, self._state = self._state, within_document(state)
+        if not are_alike(before, self._state):
             self._tell(before)
 
     def _tell(self, before: State) -> None:
@@ -227,11 +226,11 @@ class Session:
 class Gesture:
     """A run of documents shown one after the other that becomes one step of history."""
 
-    def __init__(self, session: Session, name: str, before: State) -> None:
+    def __init__(self, session: Session, name: str, before: State, *, is_open: bool = True) -> None:
         self._session = session
         self._name = name
         self._before = before
-        self._open = True
+        self._open = is_open
 
     @property
     def start(self) -> Document:
@@ -257,30 +256,3 @@ class Gesture:
         if self._open:
             self._open = False
             self._session._end(self._name, self._before, keep=keep)  # noqa: SLF001 - its own session
-
-
-def _same(a: State, b: State) -> bool:
-    """Whether two states look alike; documents are compared by identity, which an edit always changes."""
-    return a.document is b.document and _looked_at(a) == _looked_at(b)
-
-
-def _looked_at(state: State) -> tuple[object, ...]:
-    return state.frame, state.layer_id, state.selection, state.keys, state.piece_id, state.others
-
-
-def _within(state: State) -> State:
-    """Return the state with its frame and selection kept to what the document has."""
-    document = state.document
-    ids, pieces = {layer.id for layer in document.layers}, {piece.id for piece in document.pieces}
-    piece_id = state.piece_id if state.piece_id in pieces else None
-    layer_id = state.layer_id if state.layer_id in ids else None
-    if piece_id is None and layer_id is None and document.layers:
-        layer_id = document.layers[-1].id
-    selection = tuple(
-        address
-        for address in state.selection
-        if address.layer_id in (None, *ids) and address.piece_id in (None, *pieces)
-    )
-    frame = min(max(state.frame, 1), document.canvas.length_frames)
-    others = frozenset() if layer_id is None else state.others & (ids - {layer_id})
-    return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id, others)

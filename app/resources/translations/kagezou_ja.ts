@@ -400,6 +400,10 @@
         <translation>背景にカメラを合わせる(&amp;M)</translation>
     </message>
     <message>
+        <source>Look Onl&amp;y</source>
+        <translation>閲覧のみ(&amp;Y)</translation>
+    </message>
+    <message>
         <source>O&amp;nion Skin</source>
         <translation>オニオンスキン (&amp;N)</translation>
     </message>
@@ -638,8 +642,16 @@
         <translation>まだキーがありません。再生ヘッドを動かし、プロパティの左のひし形をクリックしてください。</translation>
     </message>
     <message>
+        <source>There is no snapshot to exchange with yet.</source>
+        <translation>入れ替えるスナップショットがまだありません。</translation>
+    </message>
+    <message>
         <source>Swap with snapshot</source>
         <translation>スナップショットと入れ替え</translation>
+    </message>
+    <message>
+        <source>No keys are selected.</source>
+        <translation type="unfinished">キーが選択されていません。</translation>
     </message>
     <message>
         <source>Key velocity</source>
@@ -656,6 +668,10 @@
     <message>
         <source>Flags</source>
         <translation>注意点</translation>
+    </message>
+    <message>
+        <source>Look only: nothing can be changed here, nor anywhere in the window</source>
+        <translation>閲覧のみ: ここでもウィンドウのどこでも変更できません</translation>
     </message>
     <message>
         <source>Value</source>
@@ -726,12 +742,12 @@
         <translation>保存した別のバージョンと比較</translation>
     </message>
     <message>
-        <source>Look only: nothing can be changed here</source>
-        <translation>閲覧のみ: ここでは変更できません</translation>
-    </message>
-    <message>
         <source>Look Only</source>
         <translation>閲覧のみ</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with yet: take a snapshot, or choose a saved version.</source>
+        <translation>比べるものがまだありません。スナップショットを撮るか、保存した版を選んでください。</translation>
     </message>
     <message>
         <source>Compare With</source>
@@ -2048,6 +2064,13 @@ Drop a folder of cels here.</source>
     <message>
         <source>Reading drawings of %1</source>
         <translation>%1の絵を読み込んでいます</translation>
+    </message>
+</context>
+<context>
+    <name>Lock</name>
+    <message>
+        <source>Look Only is on, so nothing is changed; it is in the View menu.</source>
+        <translation>「閲覧のみ」がオンなので、何も変わりません（［表示］メニューで切り替えます）。</translation>
     </message>
 </context>
 <context>
@@ -5179,6 +5202,13 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>OverflowRow</name>
+    <message>
+        <source>More tools</source>
+        <translation>その他のツール</translation>
+    </message>
+</context>
+<context>
     <name>PieceName</name>
     <message>
         <source>Set piece: %1</source>
@@ -5782,6 +5812,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Preview resolution; exports are always full</source>
         <translation>プレビューの解像度。書き出しは常にフルです</translation>
+    </message>
+    <message>
+        <source>Look Only</source>
+        <translation>閲覧のみ</translation>
     </message>
     <message>
         <source>Looking for feet: %1 of %2</source>

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
@@ -67,9 +67,18 @@ class KeyTable(QTableWidget):
                 for column, text in enumerate(self._shown(row, address)):
                     self.setItem(number, column, _cell(text, fixed=column in _FIXED_COLUMNS))
 
+    def event(self, event: QEvent) -> bool:
+        # The window has commands on these keys too; here they are about the table's rows.
+        if event.type() is QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and _is_own(event):
+            event.accept()
+            return True
+        return super().event(event)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Copy):
             self.copy()
+        elif event.matches(QKeySequence.StandardKey.SelectAll):
+            self.selectAll()
         elif event.matches(QKeySequence.StandardKey.Paste):
             self.paste()
         else:
@@ -83,7 +92,7 @@ class KeyTable(QTableWidget):
     def paste(self) -> None:
         """Set keys from lines with tabs on the clipboard."""
         address = self.address
-        if address is not None and not self._choice.is_locked:
+        if address is not None:
             text = self._clipboard.text()
             self._edit(self.tr("Paste keys"), lambda: pasted(self._bridge.document, address, text))
 
@@ -129,6 +138,11 @@ class KeyTable(QTableWidget):
         rows = {index.row() for index in self.selectedIndexes()}
         if len(rows) == 1 and self.hasFocus():
             self._bridge.session.go_to(self._rows[rows.pop()].frame)
+
+
+def _is_own(event: QKeyEvent) -> bool:
+    keys = QKeySequence.StandardKey
+    return any(event.matches(key) for key in (keys.Copy, keys.Paste, keys.SelectAll))
 
 
 def _cell(text: str, *, fixed: bool) -> QTableWidgetItem:

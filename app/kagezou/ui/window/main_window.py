@@ -30,7 +30,7 @@ from kagezou.ui.window.wiring.time import (
     connect_playback,
     connect_timeline,
 )
-from kagezou.ui.window.wiring.view import connect_resolution, connect_sheets, connect_views
+from kagezou.ui.window.wiring.view import connect_lock, connect_resolution, connect_sheets, connect_views
 
 
 class MainWindow(QMainWindow):
@@ -192,6 +192,7 @@ class MainWindow(QMainWindow):
         connect_view(parts, self)
         connect_views(parts)
         connect_resolution(parts)
+        connect_lock(parts)
         connect_sheets(parts)
         connect_match(parts)
         connect_transform(parts)

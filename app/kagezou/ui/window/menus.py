@@ -186,7 +186,7 @@ class Menus(QObject):
         self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
         self.view.addMenu(self.resolutions)
-        self._fill(self.view, ["handles", "match_camera", "settle_set", "onion_skin"])
+        self._fill(self.view, ["handles", "look_only", "match_camera", "settle_set", "onion_skin"])
         self.view.addMenu(self.onion)
         self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self._fill(self.view, ["snapshot_wipe"])

@@ -41,9 +41,12 @@ class Status(QStatusBar):
         self._device = QLabel()
         self._work = QLabel()
         self._work.hide()
+        self._lock = QLabel(self.tr("Look Only"))
+        self._lock.setObjectName("look_only")
+        self._lock.hide()
         self.setSizeGripEnabled(False)
         self.addWidget(self._hint, 1)
-        for widget in (self._work, extra, self._height, *self.labels):
+        for widget in (self._lock, self._work, extra, self._height, *self.labels):
             self.addPermanentWidget(widget)
         bridge.document_changed.connect(self._show_document)
         bridge.selection_changed.connect(self._show_document)
@@ -60,6 +63,10 @@ class Status(QStatusBar):
         for place, count in counts.items():
             words = words.replace(place, str(count))
         self._work.setText(words)
+
+    def show_locked(self, *, locked: bool) -> None:
+        """Say that nothing can be changed."""
+        self._lock.setVisible(locked)
 
     @property
     def labels(self) -> tuple[QLabel | QToolButton, ...]:

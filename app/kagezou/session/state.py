@@ -1,0 +1,65 @@
+"""What is seen and selected in a session, as a value."""
+
+from dataclasses import dataclass
+
+from kagezou.document.address import Address
+from kagezou.document.key_edits import Refs, present_keys
+from kagezou.document.model import Document
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """What is seen and selected.
+
+    Parameters
+    ----------
+    document
+        The document now.
+    frame
+        The frame looked at, from 1.
+    layer_id
+        The layer worked on; None while a set piece is.
+    selection
+        Selected properties.
+    keys
+        Selected keys; every one of them is there.
+    piece_id
+        The set piece worked on.
+    others
+        The layers that are chosen beside ``layer_id`` and edited with it.
+    """
+
+    document: Document
+    frame: int = 1
+    layer_id: str | None = None
+    selection: tuple[Address, ...] = ()
+    keys: Refs = frozenset()
+    piece_id: str | None = None
+    others: frozenset[str] = frozenset()
+
+
+def are_alike(a: State, b: State) -> bool:
+    """Whether two states look alike; documents are compared by identity, which an edit always changes."""
+    return a.document is b.document and _looked_at(a) == _looked_at(b)
+
+
+def _looked_at(state: State) -> tuple[object, ...]:
+    return state.frame, state.layer_id, state.selection, state.keys, state.piece_id, state.others
+
+
+def within_document(state: State) -> State:
+    """Return the state with its frame and selection kept to what the document has."""
+    document = state.document
+    ids, pieces = {layer.id for layer in document.layers}, {piece.id for piece in document.pieces}
+    piece_id = state.piece_id if state.piece_id in pieces else None
+    layer_id = state.layer_id if state.layer_id in ids else None
+    if piece_id is None and layer_id is None and document.layers:
+        layer_id = document.layers[-1].id
+    selection = tuple(
+        address
+        for address in state.selection
+        if address.layer_id in (None, *ids) and address.piece_id in (None, *pieces)
+    )
+    frame = min(max(state.frame, 1), document.canvas.length_frames)
+    others = frozenset() if layer_id is None else state.others & (ids - {layer_id})
+    return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id, others)
