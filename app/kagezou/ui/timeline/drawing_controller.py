@@ -5,6 +5,7 @@ from PySide6.QtGui import QMouseEvent
 
 from kagezou.animation.timecode import sheet_text
 from kagezou.document.exposure_edits import Exposures, with_exposures
+from kagezou.document.frame_numbers import number_of
 from kagezou.session.session import Gesture
 from kagezou.tools.timeline.drawing_drag import BarPart, DrawingDrag, DrawingGrip, dragging_drawings, grip_on
 from kagezou.tools.timeline.lane_pointer import LanePointer
@@ -124,11 +125,13 @@ class DrawingController(QObject):
         start = max(cels.exposures[bar.index].frame, 1)
         end = self._scale.length + 1 if bar.is_last else cels.exposures[bar.index + 1].frame
         name = self.tr("empty") if bar.drawing is None else cels.drawings[bar.drawing].name
-        words = self.tr("%1: frames %2 to %3, held %4").replace("%1", name).replace("%2", str(start))
+        words = self.tr("%1: frames %2 to %3, held %4").replace("%1", name)
+        canvas = self._bridge.document.canvas
+        words = words.replace("%2", str(number_of(canvas, start)))
         hint = self.tr(
             "Drag an end to hold it longer or shorter (Shift: what follows moves along), the middle to move it"
         )
-        return words.replace("%3", str(end - 1)).replace("%4", str(end - start)) + f"\n{hint}"
+        return words.replace("%3", str(number_of(canvas, end - 1))).replace("%4", str(end - start)) + f"\n{hint}"
 
     def _go_on(self, grip: DrawingGrip, event: QMouseEvent) -> None:
         if self._gesture is None or self._drag is None:
@@ -150,7 +153,8 @@ class DrawingController(QObject):
         if grip.part is BarPart.END:
             held = max(frame - max(grip.exposures[grip.index].frame, 1), 1)
             return self.tr("held %1").replace("%1", f"{held}  ({frame - before:+d})")
-        return f"{frame}  ({frame - before:+d})   {sheet_text(frame, self._bridge.document.canvas.frame_rate)}"
+        canvas = self._bridge.document.canvas
+        return f"{number_of(canvas, frame)}  ({frame - before:+d})   {sheet_text(frame, canvas.frame_rate)}"
 
     def _let_go(self) -> None:
         if self._drag is not None:

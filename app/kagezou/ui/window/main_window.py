@@ -16,9 +16,11 @@ from kagezou.ui.window.docks import Docks
 from kagezou.ui.window.drop_hint import DropHint, drop_words
 from kagezou.ui.window.panel_layout import TabKey
 from kagezou.ui.window.parts import make_parts
+from kagezou.ui.window.wiring.cut import connect_cut
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
 from kagezou.ui.window.wiring.handles import connect_handles
 from kagezou.ui.window.wiring.match import connect_match
+from kagezou.ui.window.wiring.preferences import connect_preferences
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
 from kagezou.ui.window.wiring.review import connect_review
 from kagezou.ui.window.wiring.set_import import connect_set_import
@@ -192,7 +194,7 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages, 1)
         column.addWidget(parts.time.transport)
         self.setCentralWidget(middle)
-        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.sets.bar))
+        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.canvas_offer, parts.sets.bar))
         self.drop_hint = DropHint(middle)
         self.addToolBar(parts.menus.tool_bar())
         self.setStatusBar(parts.status)
@@ -202,6 +204,8 @@ class MainWindow(QMainWindow):
         parts = self.parts
         connect_project(parts, self)
         connect_set(parts, self)
+        connect_cut(parts)
+        connect_preferences(parts, self)
         connect_view(parts, self)
         connect_views(parts)
         connect_resolution(parts)

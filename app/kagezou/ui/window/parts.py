@@ -16,6 +16,7 @@ from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.style_list import StyleList
 from kagezou.ui.project.actions import ProjectActions
+from kagezou.ui.project.canvas_offer import CanvasOffer
 from kagezou.ui.project.demo import DemoOpener, MakeDemo
 from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.feet_finder import FeetFinder
@@ -102,6 +103,7 @@ class Parts:
     bar: MessageBar
     space: SpaceBar
     status: Status
+    canvas_offer: CanvasOffer
     exporting: Exporting
     project: ProjectActions
     demo: DemoOpener | None
@@ -168,6 +170,7 @@ def make_parts(
         panels=panels,
         time=time,
         status=status,
+        canvas_offer=CanvasOffer(bridge),
         sets=_set_parts(open_project, viewport, space, menus),
         feet=FeetFinder(bridge),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
