@@ -13,6 +13,7 @@ from kagezou.tools.timeline.key_drag import KeyDrag, KeyGrip, dragging_keys
 from kagezou.tools.timeline.lane_pointer import LanePointer
 from kagezou.tools.timeline.snapping import snap_frames
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.words import translated
 from kagezou.ui.timeline.key_finder import HIT_PX, KeyFinder
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.time_scale import TimeScale
@@ -190,6 +191,8 @@ class KeyController(QObject):
         canvas = self._gesture.start.canvas
         seconds = sheet_text(frame, canvas.frame_rate)
         self.said = f"{number_of(canvas, frame)}  ({frame - grip.frame:+d})   {seconds}"
+        if shown.note is not None:
+            self.said += f"   {translated(shown.note)}"
 
     def _pointer(self, place: QPointF, *, catches: bool = True) -> LanePointer:
         return LanePointer(place.x(), self._scale.cell_px, catches=catches)
