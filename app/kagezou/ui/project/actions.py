@@ -47,6 +47,8 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
+    done = Signal(str)
+    """What was asked for is done, in words that nobody needs to answer."""
     set_read = Signal(Path, object)
     """A set was read from a file, with its cameras, a tuple of SetCamera."""
 
@@ -201,7 +203,7 @@ class ProjectActions(QObject):
         saved = self._try(lambda: self._open_project.save(path))
         if saved and self._open_project.path:
             self._remember(self._open_project.path)
-            self._bar.say("saved", self.tr("Saved %1").replace("%1", self._open_project.path.name), Severity.NOTE)
+            self.done.emit(self.tr("Saved %1").replace("%1", self._open_project.path.name))
         return saved
 
     def _remember(self, path: Path) -> None:

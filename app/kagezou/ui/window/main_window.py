@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 from kagezou.document.model import Document
 from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.alt_key import AltKey
 from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.bars import TopBars
@@ -85,6 +86,7 @@ class MainWindow(QMainWindow):
         connect_frame(self.parts, self.docks.layout, self)
         connect_handles(self.parts, self.docks.layout)
         self.review = connect_review(self, self.parts, self.docks.layout)
+        self.alt_key = AltKey(self)
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()
 
@@ -195,6 +197,7 @@ class MainWindow(QMainWindow):
         column.addWidget(parts.time.transport)
         self.setCentralWidget(middle)
         self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.canvas_offer, parts.sets.bar))
+        parts.viewport.controller.changed.connect(lambda: self.top_bars.step_aside(parts.viewport.controller.is_busy))
         self.drop_hint = DropHint(middle)
         self.addToolBar(parts.menus.tool_bar())
         self.setStatusBar(parts.status)

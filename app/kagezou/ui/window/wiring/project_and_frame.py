@@ -57,6 +57,7 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
     parts.exporting.ended.connect(lambda outcome: _show_result(parts, outcome))
     _connect_welcome(parts)
     parts.panels.layers.add_asked.connect(project.import_folder)
+    project.done.connect(parts.status.say)
     project.recent_changed.connect(lambda: _show_recent(parts))
     parts.open_project.path_changed.connect(verbs.show_title)
     bridge.saved_changed.connect(verbs.show_title)
