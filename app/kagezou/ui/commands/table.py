@@ -165,7 +165,7 @@ def view_commands() -> tuple[Command, ...]:
         Command("settle_set", translate("Commands", "Camera and Size of the 3-D Set")),
         Command("match_camera", translate("Commands", "Match Ca&mera to Picture"), ("Ctrl+Alt+M",), checkable=True),
         Command("review", translate("Commands", "&Review"), ("Ctrl+Alt+Shift+R",), checkable=True),
-        Command("look_only", translate("Commands", "Look Onl&y"), ("Ctrl+Alt+Shift+L",), checkable=True),
+        Command("look_only", translate("Commands", "Look Only"), ("Ctrl+Alt+Shift+L",), checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
         Command("field_guide", translate("Commands", "Field &Guide"), ("Ctrl+'", "Ctrl+Shift+G"), checkable=True),

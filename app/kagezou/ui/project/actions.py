@@ -163,11 +163,6 @@ class ProjectActions(QObject):
         if path := self.dialogs.timesheet():
             self.time_by(path)
 
-    def import_set(self) -> None:
-        """Ask for a set from a 3-D program."""
-        if path := self.dialogs.set_file():
-            self.bring([path])
-
     def export_timesheet(self) -> None:
         """Ask where to write the timesheet."""
         name = output_name(self._open_project.bridge.document, self.project_name)

@@ -149,7 +149,6 @@ def make_parts(
     player = Player(bridge)
     viewport = Viewport(bridge, open_project.cels, open_project.meshes, space)
     panels = _panels(bridge, clipboard, settings)
-    time = _time_parts(open_project, clipboard, player, actions)
     exporting = Exporting(bar)
     # Before the menus: made later, its labels come after the first layout, and the first picture is drawn twice.
     status = Status(bridge, exporting)
@@ -168,7 +167,7 @@ def make_parts(
         welcome=Welcome(settings.picture_folder),
         viewport=viewport,
         panels=panels,
-        time=time,
+        time=_time_parts(open_project, clipboard, player, actions),
         status=status,
         canvas_offer=CanvasOffer(bridge),
         sets=_set_parts(open_project, viewport, space, menus),

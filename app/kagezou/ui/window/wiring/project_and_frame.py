@@ -37,7 +37,7 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
         "save_increment": project.save_increment,
         "import": project.import_folder,
         "import_pictures": project.import_pictures,
-        "import_set": project.import_set,
+        "import_set": lambda: project.bring(filter(None, [project.dialogs.set_file()])),
         "import_timesheet": project.import_timesheet,
         "export_timesheet": project.export_timesheet,
         "background": lambda: project.put_background(project.dialogs.background()),
