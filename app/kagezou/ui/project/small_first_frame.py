@@ -12,6 +12,7 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Steps, probe
 from kagezou.io.images.smaller_cels import SmallerCels
 from kagezou.picture_source import PictureSource
+from kagezou.render.coverage_cache import Budgets
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
@@ -22,6 +23,8 @@ MOST_BYTES: Final = 96 << 20
 """A drawing of more bytes, once decoded, is not read only to be shown small."""
 _MOST_MESH_BYTES: Final = 32 << 20
 _CACHE_BYTES: Final = 128 << 20
+_ONE_PICTURE: Final = Budgets(shadows=16 << 20, mattes=64 << 20)
+"""Nothing is drawn a second time."""
 
 
 def first_frame(document: Document) -> Steps | None:
@@ -39,7 +42,8 @@ def first_frame(document: Document) -> Steps | None:
     divisor, across, down = fineness(document.canvas)
     larger = roomier(document, across, down)
     cels = SmallerCels(CelCache(_CACHE_BYTES), larger.canvas.box, divisor)
-    renderer = Renderer(CelCache(_CACHE_BYTES) if divisor == 1 else cels, divisor=divisor)
+    source = CelCache(_CACHE_BYTES) if divisor == 1 else cels
+    renderer = Renderer(source, divisor=divisor, budgets=_ONE_PICTURE)
     try:
         renderer.draw_picture(evaluate(scaled(larger, divisor), 1), Backdrop.WHITE)
         return renderer.read_picture()
