@@ -218,3 +218,17 @@ def test_one_handle_of_one_component_alone_or_joined_with_its_other_side(documen
     assert key.ease_in == (Ease(2.0), EASY, EASY)
     assert key.ease_out == (ease, EASY, EASY)
     assert ease_edits.set_handle(keyed, KeyRef(LIGHT, 5), 0, ease, before=True, joined=False) is keyed
+
+
+def test_linear_keys_are_linear_on_both_sides(document: Document, opacity: Address) -> None:
+    eased = ease_edits.set_ease(document, chosen(opacity, 1, 5, 9), (EASY,), (EASY,))
+    straight = ease_edits.set_interpolation(eased, chosen(opacity, 5), LINEAR)
+    first, middle, last = track_of(straight, opacity).keys
+    assert (first.interpolation, middle.interpolation) == (BEZIER, LINEAR)
+    assert first.ease_out == (EASY,)
+    speed = ease_edits.chord_speeds(first, middle)[0]
+    assert middle.ease_in == (Ease(speed, 1 / 6),)
+    assert last.ease_in == (EASY,)
+    # The first key has nothing before it, and a held segment stays held.
+    held = ease_edits.set_interpolation(eased, chosen(opacity, 1), HOLD)
+    assert track_of(ease_edits.set_interpolation(held, chosen(opacity, 5), LINEAR), opacity).keys[1].ease_in == (EASY,)

@@ -6,7 +6,8 @@ import pytest
 
 from kagezou.document import edits, review
 from kagezou.document.address import Address
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Marker, Note
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Marker
+from kagezou.document.note import Note, NoteAnswer
 from kagezou.document.properties import OPACITY
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
@@ -64,3 +65,34 @@ def test_notes_are_pinned_changed_and_go_with_their_layer(document: Document) ->
         review.add_note(document, address, 7, "  ")
     with pytest.raises(UsageProblem):
         review.change_note(noted, note, "x" * 4001)
+
+
+def test_notes_are_answered_and_ticked_off(document: Document) -> None:
+    address = Address(OPACITY, document.layers[0].id)
+    noted = review.add_note(review.add_note(document, address, 7, "Lighter"), address, 9, "Longer")
+    first, second = noted.notes
+    answered = review.answer_note(noted, first, "0.6?", "Kim")
+    told = Note(7, "shadow.opacity", "Lighter", address.layer_id, answers=(NoteAnswer("0.6?", "Kim"),))
+    assert answered.notes == (told, second)
+    again = review.answer_note(answered, answered.notes[0], "Yes")
+    assert [each.text for each in again.notes[0].answers] == ["0.6?", "Yes"]
+    ticked = review.tick_note(again, again.notes[0], done=True)
+    assert [each.is_done for each in ticked.notes] == [True, False]
+    assert review.tick_note(ticked, ticked.notes[0], done=True) is ticked
+    assert review.tick_note(ticked, ticked.notes[0], done=False).notes == again.notes
+    assert review.change_note(ticked, ticked.notes[0], "Darker").notes[0].answers == ticked.notes[0].answers
+
+
+@pytest.mark.parametrize("text", ["", " \n", "x" * 4001])
+def test_an_answer_needs_words_and_not_too_many(document: Document, text: str) -> None:
+    noted = review.add_note(document, Address(OPACITY, document.layers[0].id), 7, "Lighter")
+    with pytest.raises(UsageProblem):
+        review.answer_note(noted, noted.notes[0], text)
+
+
+def test_a_note_has_so_many_answers(document: Document) -> None:
+    noted = review.add_note(document, Address(OPACITY, document.layers[0].id), 7, "Lighter")
+    for number in range(review.MAX_ANSWERS):
+        noted = review.answer_note(noted, noted.notes[0], str(number))
+    with pytest.raises(UsageProblem, match="at most 200"):
+        review.answer_note(noted, noted.notes[0], "one more")

@@ -9,7 +9,8 @@ from kagezou.document.address import Address
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, OPACITY
 from kagezou.geometry.box import Box
-from kagezou.session.session import MAX_STEPS, Session
+from kagezou.session.history import MAX_STEPS
+from kagezou.session.session import Session
 from kagezou.session.state import State
 
 CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0),))
@@ -202,14 +203,46 @@ def test_what_was_found_out_is_as_true_of_every_earlier_state(session: Session, 
         return edits.rename_layer(each, "layer-1", "found")
 
     session.mark_saved()
-    steps = session.steps_made
+    steps = session.history.made
     session.amend(renamed)
     assert session.document.layers[0].name == "found"
     assert not session.is_saved
-    assert (session.steps_made, session.undo_name) == (steps, "Field of view")
+    assert (session.history.made, session.undo_name) == (steps, "Field of view")
     session.redo()
     assert session.document == renamed(fov(document, 30.0))
     session.undo()
     session.undo()
     assert session.document == renamed(document)
     assert session.undo_name is None
+
+
+def test_a_locked_session_refuses_every_edit_and_says_so(session: Session) -> None:
+    session.edit("First", fov(session.document, 20.0))
+    before = session.state
+    refused: list[bool] = []
+    session.listen_to_refusals(lambda: refused.append(session.is_locked))
+    session.lock(locked=True)
+    session.edit("Second", fov(session.document, 25.0))
+    gesture = session.begin("Drag")
+    gesture.show(fov(session.document, 30.0))
+    gesture.commit()
+    session.undo()
+    session.redo()
+    assert session.state == before
+    # There is nothing to bring back, so that nothing is refused either.
+    assert refused == [True] * 3
+    session.go_to(2)
+    assert session.state.frame == 2
+    session.lock(locked=False)
+    session.undo()
+    assert session.document is not before.document
+
+
+def test_locking_ends_what_is_under_way(session: Session) -> None:
+    gesture = session.begin("Drag")
+    dragged = fov(session.document, 31.0)
+    gesture.show(dragged)
+    session.lock(locked=True)
+    assert session.document is dragged
+    gesture.show(fov(session.document, 32.0))
+    assert (session.document, session.is_in_gesture) == (dragged, False)

@@ -29,6 +29,7 @@ VERBS: Final = {
     "video": "write the finished picture, or one shadow with alpha, as a video",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",
     "timesheet": "write when which drawing is exposed, as XDTS",
+    "notes": "list what people said about the cut, as text or a table",
     "farm": "write a job bundle for a render farm",
     "sheet": "draw a contact sheet of characters, their shadows step by step",
     "bench": "measure how fast this machine draws and exports",

@@ -5,6 +5,7 @@ import os
 import shutil
 import sys
 import time
+from collections import deque
 from collections.abc import Mapping, Sequence
 from typing import Final, TextIO
 
@@ -12,6 +13,8 @@ from kagezou.message import Message
 
 PROGRAM: Final = "kagezou"
 _REDRAW_S: Final = 0.1
+_PACE_STEPS: Final = 24
+"""The rate is that of so many steps: what was there before, and is only looked through, costs almost no time."""
 _BAR: Final = 24
 
 Json = str | int | float | bool | None | Sequence["Json"] | Mapping[str, "Json"]
@@ -80,7 +83,7 @@ class ProgressLine:
         self._stream = stream or sys.stderr
         self._is_shown = is_watched(self._stream)
         self._started = time.monotonic()
-        self._first: int | None = None
+        self._pace: deque[tuple[float, int]] = deque(maxlen=_PACE_STEPS)
         self._drawn_at = 0.0
         self._length = 0
 
@@ -95,12 +98,14 @@ class ProgressLine:
     def update(self, done: int, total: int) -> None:
         """Show that ``done`` of ``total`` frames are finished; drawn at most ten times a second."""
         now = time.monotonic()
-        if self._first is None:
-            self._first = done - 1  # what was there before the first finished one took no time of ours
+        if not self._pace:
+            self._pace.append((self._started, done - 1))
+        began, before = self._pace[0]
+        self._pace.append((now, done))
         if not self._is_shown or (now - self._drawn_at < _REDRAW_S and done < total):
             return
         self._drawn_at = now
-        text = progress_text(self._doing, done, total, done - self._first, now - self._started)
+        text = progress_text(self._doing, done, total, done - before, now - began)
         text = text[: max(shutil.get_terminal_size().columns - 1, 1)]
         self._stream.write("\r" + text.ljust(self._length))
         self._stream.flush()

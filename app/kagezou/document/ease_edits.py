@@ -1,11 +1,10 @@
 """Edits of how curves go through keys: interpolation, eases, and single handles."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, components_of
-from kagezou.document.address import Address, track_of
+from kagezou.document.address import track_of
 from kagezou.document.edits import set_track
 from kagezou.document.key_edits import KeyRef, Refs, frames_by_address
 from kagezou.document.model import Document
@@ -14,18 +13,24 @@ Eases = tuple[Ease, ...] | None
 """One ease a component; one alone stands for all; None leaves what is there."""
 
 
+_LINEAR_INFLUENCE = 1 / 6
+"""How far the straight side of a key reaches into a segment that is eased at its other end, as After Effects has it."""
+
+
 def set_interpolation(document: Document, refs: Refs, interpolation: Interpolation) -> Document:
-    """Let values go on from these keys in one way; switches and choices are only ever held."""
+    """Let values go on from these keys in one way; switches and choices are only ever held.
 
-    def changed(address: Address, key: Key) -> Key:
-        if address.property.holds_only or key.interpolation is interpolation:
-            return key
-        eases = key.ease_out
-        if interpolation is Interpolation.BEZIER and not eases:
-            eases = (EASY,) * len(components_of(key.value) or ())
-        return replace(key, interpolation=interpolation, ease_out=eases)
-
-    return _changed(document, refs, changed)
+    A key that is made linear is linear on both sides: where an eased segment reaches it, it is reached straight.
+    """
+    for address, frames in frames_by_address(refs).items():
+        if address.property.holds_only:
+            continue
+        track = track_of(document, address)
+        keys = [_going_on(key, interpolation) if key.frame in frames else key for key in track.keys]
+        if interpolation is Interpolation.LINEAR:
+            keys = [_reached_straight(keys, index) if key.frame in frames else key for index, key in enumerate(keys)]
+        document = set_track(document, address, replace(track, keys=tuple(keys)))
+    return document
 
 
 def set_ease(document: Document, refs: Refs, ease_in: Eases, ease_out: Eases) -> Document:
@@ -88,6 +93,22 @@ def chord_speeds(key: Key, follower: Key) -> tuple[float, ...]:
     return tuple((b - a) / span for a, b in zip(start, end, strict=True))
 
 
+def _going_on(key: Key, interpolation: Interpolation) -> Key:
+    if key.interpolation is interpolation:
+        return key
+    eases = key.ease_out
+    if interpolation is Interpolation.BEZIER and not eases:
+        eases = (EASY,) * len(components_of(key.value) or ())
+    return replace(key, interpolation=interpolation, ease_out=eases)
+
+
+def _reached_straight(keys: list[Key], index: int) -> Key:
+    if index == 0 or keys[index - 1].interpolation is not Interpolation.BEZIER:
+        return keys[index]
+    speeds = chord_speeds(keys[index - 1], keys[index])
+    return replace(keys[index], ease_in=tuple(Ease(speed, _LINEAR_INFLUENCE) for speed in speeds))
+
+
 def _as_bezier(key: Key, follower: Key) -> tuple[Key, Key]:
     """Return two neighbours with a bezier between them; one that was linear keeps its shape."""
     if key.interpolation is Interpolation.BEZIER:
@@ -102,11 +123,3 @@ def _each(eases: tuple[Ease, ...], count: int) -> tuple[Ease, ...]:
 
 def _padded(eases: tuple[Ease, ...], count: int) -> tuple[Ease, ...]:
     return eases + (EASY,) * (count - len(eases))
-
-
-def _changed(document: Document, refs: Refs, change: Callable[[Address, Key], Key]) -> Document:
-    for address, frames in frames_by_address(refs).items():
-        track = track_of(document, address)
-        keys = tuple(change(address, key) if key.frame in frames else key for key in track.keys)
-        document = set_track(document, address, replace(track, keys=keys))
-    return document

@@ -3,11 +3,13 @@
 from dataclasses import replace
 
 from kagezou.document.address import Address
-from kagezou.document.model import Document, Marker, Note
+from kagezou.document.model import Document, Marker
+from kagezou.document.note import Note, NoteAnswer
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 MAX_TEXT_CHARACTERS = 4000
+MAX_ANSWERS = 200
 
 
 def set_work_area(document: Document, first: int | None, last: int | None) -> Document:
@@ -77,7 +79,31 @@ def change_note(document: Document, note: Note, text: str) -> Document:
     _check_text(text)
     if not text.strip():
         return replace(document, notes=tuple(each for each in document.notes if each != note))
-    notes = tuple(replace(each, text=text) if each == note else each for each in document.notes)
+    return _exchanged(document, note, replace(note, text=text))
+
+
+def answer_note(document: Document, note: Note, text: str, author: str = "") -> Document:
+    """Say something to a note, after what was said before.
+
+    Raises
+    ------
+    UsageProblem
+        If it says nothing or too much, or there are too many answers.
+    """
+    if not text.strip() or len(note.answers) >= MAX_ANSWERS:
+        raise UsageProblem(Message("an answer needs words, and a note has at most {most} answers", most=MAX_ANSWERS))
+    _check_text(text)
+    return _exchanged(document, note, replace(note, answers=(*note.answers, NoteAnswer(text, author))))
+
+
+def tick_note(document: Document, note: Note, *, done: bool) -> Document:
+    """Tick a note off, or take the tick away."""
+    return _exchanged(document, note, replace(note, is_done=done))
+
+
+def _exchanged(document: Document, note: Note, other: Note) -> Document:
+    """Return the document with another note in the place of one."""
+    notes = tuple(other if each == note else each for each in document.notes)
     return document if notes == document.notes else replace(document, notes=notes)
 
 

@@ -1,7 +1,8 @@
 """Exporting frames: from a document and a request to whole files and a summary."""
 
 import time
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -10,14 +11,16 @@ from typing import Final
 from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, prepare_folders
 from kagezou.export.contents import Content
+from kagezou.export.file_kinds import FileCount, added_up, kind_of
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.painter import Painter
 from kagezou.export.pipeline import Draw, Outcome, PipelineSteps, flow, window_for
-from kagezou.export.planning import FrameJob, Plan, planned
+from kagezou.export.planning import FrameJob, OutputFile, Plan, planned
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
 from kagezou.export.writing import write_all
 from kagezou.io.files.atomic import sweep_stale
 from kagezou.io.images.cel_cache import CelCache
+from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 from kagezou.render.renderer import Renderer
 from kagezou.scene.heavy_sets import heavy_words
@@ -52,7 +55,7 @@ def export_frames(
     for folder in plan.folders:
         sweep_stale(folder)
     run = _Run(plan, request, Ledger(request.folder), progress)
-    jobs = run.outstanding()
+    jobs = run.outstanding(cancelled)
     if jobs:
         _make(run, jobs, document, open_context, cancelled)
     return run.summary(time.monotonic() - started)
@@ -121,16 +124,19 @@ class _Run:
     drawn: int = 0
     failures: list[Failure] = field(default_factory=list)
     fingerprints: dict[Content, str] = field(default_factory=dict)
+    there: Counter[Message] = field(default_factory=Counter)
 
-    def outstanding(self) -> list[FrameJob]:
-        """Return the jobs with the files that are still to be made."""
+    def outstanding(self, cancelled: Cancelled) -> list[FrameJob]:
+        """Return the jobs with the files that are still to be made; none where that was stopped."""
         jobs: list[FrameJob] = []
         for job in self.plan.jobs:
+            if cancelled():
+                return []
             made_of = self.fingerprints[job.content] = fingerprint(job, self.request)
             targets = job.targets
             if self.request.skip_existing:
                 targets = tuple(target for target in targets if not self.ledger.holds(target.path, made_of))
-                self.trusted += len(job.targets) - len(targets)
+                self._trust([target for target in job.targets if target not in targets])
             if targets:
                 jobs.append(job.only(targets))
         return jobs
@@ -147,6 +153,16 @@ class _Run:
             self.ledger.add(target.path, self.fingerprints[job.content], outcome.written or "")
         self.drawn += 1
         self.written += len(job.targets)
+        self._count(job.targets)
+
+    def _trust(self, targets: Sequence[OutputFile]) -> None:
+        """Take in files that are whole already."""
+        if targets:
+            self.trusted += len(targets)
+            self._count(targets)
+
+    def _count(self, targets: Iterable[OutputFile]) -> None:
+        self.there.update(kind_of(target.sequence.subject) for target in targets)
         self.progress(self.trusted + self.written, self.plan.files)
 
     def summary(self, seconds: float) -> Summary:
@@ -163,4 +179,11 @@ class _Run:
             names=self.plan.names,
             seconds=seconds,
             notes=self.plan.notes,
+            counts=self._counts(),
         )
+
+    def _counts(self) -> tuple[FileCount, ...]:
+        """Return how many files of each kind there are, in the order of the sequences."""
+        kinds = dict.fromkeys(kind_of(each.subject) for each in self.plan.sequences)
+        asked = Counter(kind_of(target.sequence.subject) for job in self.plan.jobs for target in job.targets)
+        return added_up(FileCount(kind, self.there[kind], asked[kind]) for kind in kinds)

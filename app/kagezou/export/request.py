@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.errors import UsageProblem
+from kagezou.export.file_kinds import FileCount
 from kagezou.message import Message
 
 SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
@@ -165,6 +166,8 @@ class Summary:
         How long it took.
     notes
         What the user should know, one sentence each.
+    counts
+        The files by what they are.
     """
 
     files: int
@@ -177,6 +180,7 @@ class Summary:
     names: dict[str, str]
     seconds: float
     notes: tuple[Message, ...] = ()
+    counts: tuple[FileCount, ...] = ()
 
     @property
     def is_whole(self) -> bool:
@@ -185,7 +189,10 @@ class Summary:
 
 
 Progress = Callable[[int, int], None]
-"""Called with the files finished so far and all files to be made, on the thread that asked for the export."""
+"""Called with the steps done so far and all there are, on the thread that asked for the export.
+
+A step is a file: made, copied, or found to be whole already. Nothing is left to do when all are done.
+"""
 
 Cancelled = Callable[[], bool]
 """Asked between pictures whether to stop."""

@@ -63,7 +63,7 @@ class VideoSummary:
 def export_video(
     document: Document, request: VideoRequest, open_context: OpenContext, progress: Progress, cancelled: Cancelled
 ) -> VideoSummary:
-    """Write a video; it is whole or not there.
+    """Write a video; it is whole or not there. Its last step is that it was read back and is in its place.
 
     Raises
     ------
@@ -87,6 +87,7 @@ def export_video(
     with suppress(Stopped):
         replace_by(path, lambda temp: film.write(temp, open_context, progress, cancelled))
         is_whole = True
+        progress(length + 1, length + 1)
     return VideoSummary(path, length, is_whole, time.monotonic() - started)
 
 
@@ -150,7 +151,7 @@ class _Film:
                 for _ in outcome.job.targets:
                     video.add(outcome.written)
                 done += len(outcome.job.targets)
-                progress(done, length)
+                progress(done, length + 1)
             if done < length:
                 raise Stopped
         if frames_in(temp) != length:

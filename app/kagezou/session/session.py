@@ -2,31 +2,29 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import Final
 
 from kagezou.document.address import Address
 from kagezou.document.key_edits import Refs
 from kagezou.document.model import Document
 from kagezou.errors import Problem
+from kagezou.session.history import History, Step
 from kagezou.session.state import State, same, within
 
-MAX_STEPS = 500
-
-
-@dataclass(frozen=True, slots=True)
-class _Step:
-    name: str
-    before: State
-    after: State
-
+Ids = frozenset[str]
+NOBODY: Final[Ids] = frozenset()
 
 Listener = Callable[[State, State], None]
+Refusal = Callable[[], None]
 Admission = Callable[[Document, Document], None]
 """Raises a Problem if the second document may not follow the first as a step."""
 
 
 class Session:
     """One document being worked on. ``changed(before, after)`` is called after every change of state.
+
+    While it is locked, nothing that a person does changes the document: whoever tries is refused, and it is told.
 
     Parameters
     ----------
@@ -40,12 +38,11 @@ class Session:
         layers = document.layers
         self._state = State(document, layer_id=layers[-1].id if layers else None)
         self._saved = document
-        self._done: list[_Step] = []
-        self._undone: list[_Step] = []
+        self._history = History()
         self._gesture: Gesture | None = None
         self._listeners: list[Listener] = []
-        self._steps_made = 0
-        self._saved_at = 0
+        self._refusals: list[Refusal] = []
+        self._is_locked = False
         self._admit = admit
 
     @property
@@ -69,32 +66,42 @@ class Session:
         return self._gesture is not None
 
     @property
-    def steps_made(self) -> int:
-        """How many steps were made since the session began, those taken back included."""
-        return self._steps_made
+    def is_locked(self) -> bool:
+        """Whether the document can only be looked at."""
+        return self._is_locked
 
     @property
-    def steps_since_saved(self) -> int:
-        """How many steps were made since the document was last saved."""
-        return self._steps_made - self._saved_at
+    def history(self) -> History:
+        """The steps made so far."""
+        return self._history
 
     @property
     def undo_name(self) -> str | None:
         """The name of the step that undo would take back."""
-        return self._done[-1].name if self._done else None
+        return self._history.undo_name
 
     @property
     def redo_name(self) -> str | None:
         """The name of the step that redo would bring back."""
-        return self._undone[-1].name if self._undone else None
+        return self._history.redo_name
 
     def listen(self, listener: Listener) -> None:
         """Call ``listener(before, after)`` after every change of state."""
         self._listeners.append(listener)
 
+    def listen_to_refusals(self, listener: Refusal) -> None:
+        """Call ``listener()`` whenever an edit is refused because the session is locked."""
+        self._refusals.append(listener)
+
+    def lock(self, *, locked: bool) -> None:
+        """Let the document only be looked at, or be worked on again; what is under way ends as it is."""
+        self._finish_gesture()
+        self._is_locked = locked
+
     def mark_saved(self) -> None:
         """Say that the document now is on disk."""
-        self._saved, self._saved_at = self._state.document, self._steps_made
+        self._saved = self._state.document
+        self._history.mark_saved()
         self._tell(self._state)
 
     def edit(self, name: str, document: Document) -> None:
@@ -120,9 +127,14 @@ class Session:
         gesture.commit()
 
     def begin(self, name: str) -> "Gesture":
-        """Begin a gesture that lives longer than a block, such as a drag; end it by commit or cancel."""
+        """Begin a gesture that lives longer than a block, such as a drag; end it by commit or cancel.
+
+        In a locked session it shows nothing and becomes no step.
+        """
         if self._gesture is not None:
             self._gesture.commit()
+        if self._refuses():
+            return Gesture(self, name, self._state, is_open=False)
         self._gesture = Gesture(self, name, self._state)
         return self._gesture
 
@@ -140,46 +152,46 @@ class Session:
                 known[key] = change(state.document)
             return replace(state, document=known[key])
 
-        for steps in (self._done, self._undone):
-            steps[:] = [replace(each, before=amended(each.before), after=amended(each.after)) for each in steps]
+        self._history.amend(amended)
         self._show(amended(self._state))
 
     def undo(self) -> None:
         """Take the last step back; shows the frame and selection it was made with."""
         self._finish_gesture()
-        if self._done:
-            step = self._done.pop()
-            self._undone.append(step)
-            self._show(step.before)
+        if self.undo_name is not None and not self._refuses():
+            self._show(self._history.back())
 
     def redo(self) -> None:
         """Bring the last undone step back."""
         self._finish_gesture()
-        if self._undone:
-            step = self._undone.pop()
-            self._done.append(step)
-            self._show(step.after)
+        if self.redo_name is not None and not self._refuses():
+            self._show(self._history.forth())
 
     def go_to(self, frame: int) -> None:
         """Look at a frame, kept within the cut."""
         length = self.document.canvas.length_frames
         self._show(replace(self._state, frame=min(max(frame, 1), length)))
 
-    def select(self, layer_id: str | None, selection: tuple[Address, ...] = ()) -> None:
-        """Work on a layer and select properties."""
-        self._show(replace(self._state, layer_id=layer_id, selection=selection, piece_id=None, others=frozenset()))
-
-    def select_layers(self, layer_id: str, others: frozenset[str]) -> None:
-        """Work on a layer, and edit others with it."""
-        self._show(replace(self._state, layer_id=layer_id, selection=(), piece_id=None, others=others))
+    def select(self, layer_id: str | None, selection: tuple[Address, ...] = (), others: Ids = NOBODY) -> None:
+        """Work on a layer, edit others with it, and select properties."""
+        self._show(replace(self._state, layer_id=layer_id, selection=selection, piece_id=None, others=others))
 
     def select_piece(self, piece_id: str, selection: tuple[Address, ...] = ()) -> None:
         """Work on a set piece instead of a layer and select properties."""
         self._show(replace(self._state, layer_id=None, selection=selection, piece_id=piece_id, others=frozenset()))
 
+    def select_properties(self, selection: tuple[Address, ...]) -> None:
+        """Select properties of what is worked on."""
+        self._show(replace(self._state, selection=selection))
+
     def select_keys(self, keys: Refs) -> None:
         """Select keys; those that are not there are left out."""
         self._show(replace(self._state, keys=keys))
+
+    def _refuses(self) -> bool:
+        for listener in self._refusals if self._is_locked else ():
+            listener()
+        return self._is_locked
 
     def _finish_gesture(self) -> None:
         if self._gesture is not None:
@@ -207,21 +219,18 @@ class Session:
             self._show(before)
         elif self._state.document is not before.document:
             self._ask(before)
-            self._done.append(_Step(name, before, self._state))
-            del self._done[:-MAX_STEPS]
-            self._steps_made += 1
-            self._undone.clear()
+            self._history.add(Step(name, before, self._state))
             self._tell(self._state)
 
 
 class Gesture:
     """A run of documents shown one after the other that becomes one step of history."""
 
-    def __init__(self, session: Session, name: str, before: State) -> None:
+    def __init__(self, session: Session, name: str, before: State, *, is_open: bool = True) -> None:
         self._session = session
         self._name = name
         self._before = before
-        self._open = True
+        self._open = is_open
 
     @property
     def start(self) -> Document:

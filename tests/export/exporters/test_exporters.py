@@ -72,7 +72,9 @@ def test_an_exporter_that_lacks_a_part_is_none() -> None:
         pass
 
     with pytest.raises(TypeError, match="abstract"):
-        Unfinished(key="new", label=Message("New"), verb="new", options=frozenset())  # type: ignore[abstract]
+        Unfinished(  # type: ignore[abstract]
+            key="new", label=Message("New"), purpose=Message("new"), icon="export", verb="new", options=frozenset()
+        )
     assert issubclass(NumberedFrames, Exporter)
 
 
@@ -131,7 +133,7 @@ def test_a_video_that_cannot_be_written_here_says_what_is_missing(monkeypatch: p
     monkeypatch.setattr("kagezou.export.exporters.video_file.is_there", lambda: False)
     lacking = VIDEO_FILE.lacks()
     assert lacking is not None
-    assert "kagezou[video]" in str(lacking)
+    assert lacking.extra == "video"
 
 
 def test_the_preview_names_all_pictures_of_a_background(document: Document, place: Place) -> None:

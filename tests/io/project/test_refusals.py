@@ -252,6 +252,10 @@ def test_what_is_said_wrongly_about_a_cut_is_refused(key: str, value: object, se
         ({"layer": "gone"}, "$.notes[0].layer: there is no such layer"),
         ({"layer": None}, "$.notes[0].property: 'tilt' is not one of "),
         ({"text": ""}, "$.notes[0].text: '' is not a text of 1 to 4000 characters"),
+        ({"done": 1}, "$.notes[0].done: 1 is not true or false"),
+        ({"answers": [["Kim"]]}, "$.notes[0].answers[0]: it has 1 items, not 2"),
+        ({"answers": [["Kim", ""]]}, "$.notes[0].answers[0][1]: '' is not a text of 1 to 4000 characters"),
+        ({"answers": [["", "a"]] * 201}, "$.notes[0].answers: it has 201 items"),
     ],
 )
 def test_a_note_about_nothing_is_refused(change: dict[str, object], sentence: str) -> None:

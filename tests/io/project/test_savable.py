@@ -12,7 +12,8 @@ from hypothesis import given
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document import properties
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece, Tracks
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Piece, Tracks
+from kagezou.document.note import Note
 from kagezou.errors import ProjectProblem
 from kagezou.geometry.box import Box
 from kagezou.io.files.json_text import parse

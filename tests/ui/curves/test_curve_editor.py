@@ -1,5 +1,6 @@
 """The curve editor under the hand of an animator and the eyes of a lead."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -7,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu, QToolButton
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog, QMenu, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.animation.ease import EASY, Ease
@@ -21,13 +22,14 @@ from kagezou.errors import UsageProblem
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.project.file import save
 from kagezou.tools.curves.curve_list import curves_of, same_in
-from kagezou.tools.curves.picture import CurvePicture, GraphKind, differing_frames
+from kagezou.tools.curves.picture import CurvePicture, differing_frames
 from kagezou.ui.curves.curve_editor import CurveEditor
 from kagezou.ui.curves.flags import FlagKind, flags_of
 from kagezou.ui.curves.key_rows import HEADINGS, parse_row, pasted, rows_of, text_of, with_cell
 from kagezou.ui.curves.panel import CurvesPanel
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.widgets.overflow_row import OverflowRow
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import OwnClipboard, move
 
@@ -173,7 +175,7 @@ def test_a_handle_is_dragged_joined_or_alone(editor: CurveEditor, keyed: OpenPro
 
 
 def test_speeds_are_drawn_and_dragged(editor: CurveEditor, keyed: OpenProject) -> None:
-    editor.choice.set(kind=GraphKind.SPEED)
+    QTest.keyClick(editor.kind_box, Qt.Key.Key_Down)
     editor.choice.show(tuple(curve for curve in editor.choice.all if curve.address != DECLINATION), shown=False)
     editor.graph.fit_all()
     QApplication.processEvents()
@@ -196,7 +198,7 @@ def test_hidden_isolated_and_normalised_curves(editor: CurveEditor, keyed: OpenP
     editor.choice.set(isolates=True)
     assert {picture.curve.address for picture in editor.graph.pictures} == {DECLINATION}
     editor.choice.set(isolates=False)
-    editor.normalise_button.click()
+    editor.normalise.trigger()
     QApplication.processEvents()
     values = picture_of(editor, LIGHT).line.values
     assert (values.min(), values.max()) == (-1, 1)
@@ -205,6 +207,7 @@ def test_hidden_isolated_and_normalised_curves(editor: CurveEditor, keyed: OpenP
 
 
 def test_every_switch_switches(editor: CurveEditor) -> None:
+    editor.take_snapshot()
     for button in editor.findChildren(QToolButton):
         if button.isCheckable() and button.text():
             before = button.isChecked()
@@ -258,13 +261,74 @@ def test_the_readout_says_value_speed_and_way(editor: CurveEditor) -> None:
 
 
 def test_looking_only_changes_nothing(editor: CurveEditor, keyed: OpenProject) -> None:
-    editor.choice.set(is_locked=True)
+    editor.look_only.trigger()
     before = keyed.bridge.document
+    refused: list[None] = []
+    keyed.bridge.edit_refused.connect(lambda: refused.append(None))
     drag(editor, point(editor, 15, 100), point(editor, 19, 180))
     QTest.mouseClick(editor.graph.viewport(), LEFT, Qt.KeyboardModifier.ControlModifier, point(editor, 22, 900))
-    editor.ask_velocity()
-    editor.table.paste()
+    keyed.bridge.session.undo()
+    keyed.bridge.session.redo()
+    editor._set_velocity(EASY, EASY)
+    editor.swap_snapshot()
     assert keyed.bridge.document is before
+    assert len(refused) == 4
+    editor.look_only.trigger()
+    drag(editor, point(editor, 15, 100), point(editor, 19, 180))
+    assert keyed.bridge.document is not before
+
+
+def test_tools_without_room_are_in_the_menu_and_work_there(editor: CurveEditor, qtbot: QtBot) -> None:
+    row = editor.findChild(OverflowRow)
+    assert isinstance(row, OverflowRow)
+    assert row.left_over == ()
+    assert row.more.isHidden()
+    row.setMaximumWidth(200)
+    qtbot.waitUntil(lambda: len(row.left_over) > 3)
+    assert row.more.isVisible()
+    menu = row.more.menu()
+    assert menu.actions() == list(row.left_over)
+    editor.compare.trigger()
+    assert editor.compare in menu.actions()
+    assert editor.choice.shows_snapshot
+    assert row.sizeHint().height() <= row.height()
+
+
+def test_comparing_with_nothing_says_so(editor: CurveEditor) -> None:
+    refused: list[str] = []
+    editor.refused.connect(refused.append)
+    editor.compare.trigger()
+    editor.swap_snapshot()
+    editor.ask_velocity()
+    assert [sentence.split(":")[0] for sentence in refused] == [
+        "There is nothing to compare with yet",
+        "There is no snapshot to exchange with yet.",
+        "No keys are selected.",
+    ]
+
+
+def test_the_tables_own_keys_are_not_swallowed_by_the_window(
+    qtbot: QtBot,
+    open_project: OpenProject,
+    cels: Path,
+    window: MainWindow,
+    focus: Callable[[QWidget], None],
+    clipboard: OwnClipboard,
+) -> None:
+    open_project.bring((CharacterSource("Walker", cels),)).at_once()
+    session = window.parts.bridge.session
+    document = edits.set_canvas(session.document, Canvas(240, 200, length_frames=48))
+    for frame, x in ((5, 0.0), (15, 100.0)):
+        document = edits.set_key(document, LIGHT, frame, (x, -200.0, 900.0))
+    session.edit("Key", document)
+    window.docks.layout.show("curves")
+    table = window.parts.curves.made().table
+    qtbot.waitUntil(lambda: table.rowCount() == 6)
+    focus(table)
+    QTest.keyClick(table, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClick(table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert clipboard.text().splitlines()[0] == "\t".join(HEADINGS)
+    assert len(clipboard.text().splitlines()) == 7
 
 
 def test_exact_velocities_are_typed(qtbot: QtBot, editor: CurveEditor, keyed: OpenProject) -> None:
@@ -300,10 +364,14 @@ def test_the_table_shows_and_takes_keys(editor: CurveEditor, keyed: OpenProject)
     wrong = table.item(0, 2)
     assert wrong is not None
     wrong.setText("steep")
-    assert refused == ["'steep' is not a value"]
+    assert refused == ["'steep' is not a number; type 12.5, *2, /3, +10, -=10 or 50%"]
+    doubled = table.item(0, 2)
+    assert doubled is not None
+    doubled.setText("*2")
+    assert value_of(keyed.bridge.document, DECLINATION, 12) == 85
     kept = table.item(0, 2)
     assert kept is not None
-    assert kept.text() == "42.5"
+    assert kept.text() == "85"
 
 
 def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: OpenProject, clipboard: OwnClipboard) -> None:
@@ -388,7 +456,7 @@ def test_flags_find_jumps_and_keys_between_drawings(editor: CurveEditor, keyed: 
     assert flags[1].amount == pytest.approx(350)
     keyed.bridge.session.edit("Jump", document)
     words = [editor.flags.list.item(row).text() for row in range(editor.flags.list.count())]
-    assert words == ["8   Opacity   key between two drawings", "31   Light position   jumps by 350 px"]
+    assert words == ["8   Walker · Opacity   key between two drawings", "31   Light position   jumps by 350 px"]
     editor.flags.list.itemClicked.emit(editor.flags.list.item(1))
     assert keyed.bridge.frame == 31
     assert keyed.bridge.session.state.keys == {KeyRef(LIGHT, 31)}

@@ -141,7 +141,7 @@ def test_escape_takes_the_drag_back(editor: CurveEditor, open_project: OpenProje
 def test_in_the_normalised_view_the_curve_follows_the_hand_and_fits_anew_afterwards(
     editor: CurveEditor, open_project: OpenProject
 ) -> None:
-    editor.normalise_button.click()
+    editor.normalise.trigger()
     QApplication.processEvents()
     pull(editor, BoxGrip(0, 1), 0, -1, let_go=False)
     assert max(mark.ordinate for mark in editor.graph.pictures[0].keys) == pytest.approx(0, abs=0.05)
@@ -156,7 +156,7 @@ def test_two_properties_are_scaled_each_in_its_own_units(editor: CurveEditor, op
         document = edits.set_key(document, DECLINATION, frame, value)
     session.edit("Key", document)
     session.select_keys(session.state.keys | {KeyRef(DECLINATION, 10), KeyRef(DECLINATION, 30)})
-    editor.normalise_button.click()
+    editor.normalise.trigger()
     QApplication.processEvents()
     pull(editor, BoxGrip(1, 1), -10, -1)
     assert [value for _, value in keys(open_project)] == pytest.approx([0, 10, 5], abs=0.3)
@@ -175,7 +175,7 @@ def test_layers_that_are_chosen_together_have_their_curves_and_linked_ones_once(
     for address in of_layers:
         document = edits.set_key(document, address, 5, 0.5)
     session.edit("Layers", link(document, of_layers[1]))
-    session.select_layers("layer-1", frozenset({"layer-2"}))
+    session.select("layer-1", others=frozenset({"layer-2"}))
     shown = [(each.curve.address.property, each.curve.address.layer_id) for each in editor.graph.pictures]
     assert shown[1:] == [(SIMPLIFY, "layer-1"), (OPACITY, "layer-1"), (OPACITY, "layer-2")]
 
@@ -190,7 +190,8 @@ def test_there_is_no_frame_for_one_key_for_speeds_and_when_only_looking(
     shown.append(editor.graph.key_box is not None)
     editor.choice.set(kind=GraphKind.SPEED)
     shown.append(editor.graph.key_box is not None)
-    editor.choice.set(kind=GraphKind.VALUE, is_locked=True)
+    editor.choice.set(kind=GraphKind.VALUE)
+    editor.look_only.trigger()
     shown.append(editor.graph.key_box is not None)
     assert shown == [False, True, False, False]
 

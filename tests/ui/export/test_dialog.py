@@ -2,23 +2,45 @@
 
 import json
 from pathlib import Path
+from threading import Event
 
 import pytest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QRadioButton
+from PySide6.QtCore import QPoint, QRect, QStandardPaths, Qt, QUrl
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QComboBox,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import review
 from kagezou.document.edits import set_exposures
-from kagezou.errors import UsageProblem
+from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters import video_file
+from kagezou.export.exporters.exporter import ExportOutcome
 from kagezou.export.exporters.hand_off import HAND_OFF
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
-from kagezou.export.exporters.table import sound
+from kagezou.export.exporters.table import exporter_of, sound
 from kagezou.export.presets import presets_in, rename_preset, save_preset
 from kagezou.export.remembered import dumps_choices, loads_choices
+from kagezou.export.request import Cancelled, Progress
+from kagezou.message import Message
+from kagezou.render.gpu.context import OpenContext
 from kagezou.ui.export.dialog import ExportDialog
+from kagezou.ui.export.missing_part import MissingPartDialog
+from kagezou.ui.export.places import MOST, place_for, remember_place
+from kagezou.ui.export.result import ExportResult
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.language import Language
+from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
 
 
@@ -50,7 +72,11 @@ def pick(box: QComboBox, value: object) -> None:
 
 
 def choose(dialog: ExportDialog, words: str) -> None:
-    next(button for button in dialog.findChildren(QRadioButton) if button.text() == words).click()
+    """Choose a kind from the list with the pointer."""
+    targets = dialog.targets
+    item = next(item for row in range(targets.count()) if (item := targets.item(row)).text() == words)
+    place = targets.visualItemRect(item).center()
+    QTest.mouseClick(targets.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
 
 
 def tick(dialog: ExportDialog, words: str) -> None:
@@ -151,22 +177,78 @@ def test_a_video_shows_the_picture_or_a_shadow(dialog: ExportDialog) -> None:
     assert dialog.choices.format == "mov"
 
 
-def test_what_cannot_be_chosen_says_why(
-    qtbot: QtBot, filled: OpenProject, place: Place, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(video_file, "is_there", lambda: False)
-    choices = ExportChoices("video", format="mov", video_layer="Walker", only_work_area=True)
-    made = ExportDialog(filled.bridge.document, choices, place, place.folder)
+def test_what_cannot_be_chosen_says_why(qtbot: QtBot, filled: OpenProject, place: Place) -> None:
+    made = ExportDialog(filled.bridge.document, ExportChoices(only_work_area=True), place, place.folder)
     qtbot.addWidget(made)
     made.show()
-    assert made.choices.kind == "layers"
-    video = next(button for button in made.findChildren(QRadioButton) if button.text() == "Video")
-    assert not video.isEnabled()
-    assert any("pip install 'kagezou[video]'" in label.text() for label in made.findChildren(QLabel))
     area = next(box for box in made.findChildren(QCheckBox) if "work area" in box.text())
     assert area.text() == "Only the work area (the cut has none)"
     assert (area.isEnabled(), area.isChecked()) == (False, False)
     assert made.presets.remove_button.toolTip() == "Choose one of your presets first."
+
+
+def test_a_missing_part_is_offered_where_it_is_wanted_and_taken_at_once(
+    dialog: ExportDialog, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(video_file, "is_there", lambda: False)
+    dialog.refresh()
+    shown = " ".join(label.text() for label in dialog.findChildren(QLabel) if label.isVisible())
+    assert "pip" not in shown
+    assert not dialog.how.isVisible(), "who wants no video is not asked"
+    choose(dialog, "Video")
+    assert dialog.says.text() == "Writing videos needs a part that is not installed"
+    assert not dialog.go.isEnabled()
+    dialog.how.click()
+    (how,) = dialog.findChildren(MissingPartDialog)
+    assert how.command.text().endswith("-m pip install 'kagezou[video]'")
+    how.copy.click()
+    assert QGuiApplication.clipboard().text() == how.command.text()
+    monkeypatch.setattr(video_file, "is_there", lambda: True)
+    how.accept()
+    assert dialog.says.text() == ""
+    assert dialog.go.isEnabled()
+    assert not dialog.how.isVisible()
+
+
+def places(dialog: ExportDialog) -> dict[str, QRect]:
+    """Return where in the dialog every widget that is seen stands; words that follow the choice are left out."""
+    seen = {}
+    for widget in dialog.findChildren(QWidget):
+        if widget.isVisible() and not isinstance(widget.parent(), QComboBox):
+            words = widget.text() if isinstance(widget, QCheckBox | QPushButton) else ""
+            seen[f"{type(widget).__name__} {words} {id(widget)}"] = QRect(
+                widget.mapTo(dialog, QPoint(0, 0)), widget.size()
+            )
+    return seen
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_nothing_moves_and_all_of_it_fits_a_small_screen(
+    english: Language, language: str, qtbot: QtBot, filled: OpenProject, place: Place
+) -> None:
+    english.speak(language)
+    made = ExportDialog(filled.bridge.document, ExportChoices(), place, place.folder)
+    qtbot.addWidget(made)
+    made.show()
+    size = made.size()
+    before: dict[str, QRect] = {}
+    for row in range(made.targets.count()):
+        made.targets.setCurrentRow(row)
+        QApplication.processEvents()
+        now = places(made)
+        moved = [name for name, where in now.items() if before.get(name, where) != where]
+        assert not moved, [(name, before[name], now[name]) for name in moved]
+        assert made.size() == size
+        before |= now
+        for box in made.findChildren(QCheckBox):
+            if box.isVisible():
+                assert box.width() >= box.sizeHint().width(), box.text()
+        for label in made.findChildren(QLabel):
+            if label.isVisible() and not label.wordWrap():
+                assert label.width() >= label.sizeHint().width(), label.text()
+    assert made.width() <= 1280
+    assert made.height() <= 680
+    assert not made.targets.verticalScrollBar().isVisible()
 
 
 class TestPresets:
@@ -186,9 +268,7 @@ class TestPresets:
         assert dialog.choices == ExportChoices("after effects", mattes=("core",), copies=False)
         core = next(box for box in dialog.findChildren(QCheckBox) if "near the feet" in box.text())
         assert core.isChecked()
-        assert next(
-            button for button in dialog.findChildren(QRadioButton) if button.text() == "After Effects"
-        ).isChecked()
+        assert dialog.targets.currentItem().text() == "After Effects"
         row.rename("to AE")
         assert row.box.currentText() == "to AE"
         assert len(list(place.folder.with_name("presets").iterdir())) == 2
@@ -309,7 +389,6 @@ def test_the_window_exports_each_kind_beside_itself(
 ) -> None:
     walking.parts.open_project.save(tmp_path / "walk.kage")
     walking.parts.settings.set_word("export_plan", dumps_choices(ExportChoices(kind)))
-    walking.parts.settings.remember_folder("export", tmp_path)
     walking.parts.actions["export"].trigger()
     dialog = walking.findChild(ExportDialog)
     assert dialog is not None
@@ -317,12 +396,18 @@ def test_the_window_exports_each_kind_beside_itself(
     dialog.go.click()
     qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     assert (tmp_path / "walk_export" / made).exists()
-    assert "Exported" in walking.parts.bar.text
+    result = walking.findChild(ExportResult)
+    assert result is not None
+    assert result.title.text() == "The export is complete."
     assert json.loads(walking.parts.settings.word("export_plan", ""))["kind"] == kind
     assert not list((tmp_path / "walk_export").rglob("*.part*"))
 
 
 def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot: QtBot, place: Place) -> None:
+    def notes_shown() -> list[str]:
+        qtbot.waitUntil(lambda: len(walking.findChildren(ExportResult)) == 1)
+        return walking.findChildren(ExportResult)[0].notes
+
     choices = ExportChoices("after effects", copies=False)
     shown = walking.parts.open_project.bridge.document.layers[0].cels.drawings
     middle = shown[2].path
@@ -333,8 +418,175 @@ def test_what_a_hand_off_had_to_do_otherwise_is_told(walking: MainWindow, qtbot:
     walking.parts.open_project.bridge.session.edit("Expose", set_exposures(document, layer.id, kept))
     walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
     qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
-    assert walking.parts.bar.text == "The drawings of 'walker' are not a sequence without gaps, so they were copied"
+    assert notes_shown() == ["The drawings of 'walker' are not a sequence without gaps, so they were copied"]
     middle.with_name("aside.png").rename(middle)
     walking.parts.exporting.start(HAND_OFF.work(walking.parts.open_project.bridge.document, choices, place))
     qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
-    assert "Exported" in walking.parts.bar.text
+    assert notes_shown() == []
+
+
+class TestResult:
+    def exported(self, qtbot: QtBot, window: MainWindow, place: Place, choices: ExportChoices) -> ExportResult:
+        document = window.parts.open_project.bridge.document
+        window.parts.exporting.start(exporter_of(choices).work(document, choices, place))
+        qtbot.waitUntil(lambda: not window.parts.exporting.is_running)
+        qtbot.waitUntil(lambda: len(window.findChildren(ExportResult)) == 1)
+        return window.findChildren(ExportResult)[0]
+
+    @pytest.mark.parametrize(
+        ("choices", "counts", "step"),
+        [
+            (
+                ExportChoices(composite=True, receivers=True),
+                [("Shadow frames", "6"), ("Mattes", "6"), ("Composites", "6")],
+                "Import each folder as one sequence of 24 frames a second, with straight (unmatted) alpha.",
+            ),
+            (
+                ExportChoices("layered", format="psd"),
+                [("Layered frames", "6")],
+                "Each file is one frame; Photoshop and Clip Studio Paint open it with its layers.",
+            ),
+            (
+                ExportChoices("after effects", mattes=("core",)),
+                [("Shadow frames", "6"), ("Mattes", "6"), ("Copies of the drawings", "6"), ("Script", "1")],
+                "In After Effects: File > Scripts > Run Script File…, and choose walk.jsx.",
+            ),
+            (
+                ExportChoices("video", format="mp4"),
+                [("Video", "1")],
+                "It plays in any player and browser: look at it, or send it round.",
+            ),
+        ],
+    )
+    def test_it_says_what_there_is_and_what_to_do_next(
+        self,
+        qtbot: QtBot,
+        walking: MainWindow,
+        place: Place,
+        choices: ExportChoices,
+        counts: list[tuple[str, str]],
+        step: str,
+    ) -> None:
+        result = self.exported(qtbot, walking, place, choices)
+        assert result.counts == counts
+        assert result.steps[0] == step
+        assert len(result.steps) in (2, 3)
+        assert result.path.text().startswith(str(place.folder))
+        files = [path for path in place.folder.rglob("*") if path.is_file() and not path.name.startswith(".")]
+        assert len(files) == sum(int(count) for _, count in counts)
+
+    def test_it_is_shown_and_copied(
+        self, qtbot: QtBot, walking: MainWindow, place: Place, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        opened: list[str] = []
+
+        def open_url(url: QUrl) -> bool:
+            opened.append(url.toLocalFile())
+            return len(opened) < 2
+
+        monkeypatch.setattr("kagezou.ui.system.desktop.QDesktopServices.openUrl", open_url)
+        result = self.exported(qtbot, walking, place, ExportChoices())
+        qtbot.mouseClick(result.copy_button, Qt.MouseButton.LeftButton)
+        assert QGuiApplication.clipboard().text() == str(place.folder)
+        qtbot.mouseClick(result.show_button, Qt.MouseButton.LeftButton)
+        assert opened == [str(place.folder)]
+        assert not result.says.isVisible()
+        qtbot.mouseClick(result.show_button, Qt.MouseButton.LeftButton)
+        assert "No program of this desktop opens folders" in result.says.text()
+
+    def test_a_second_export_takes_its_place_and_says_what_was_there(
+        self, qtbot: QtBot, walking: MainWindow, place: Place
+    ) -> None:
+        self.exported(qtbot, walking, place, ExportChoices())
+        result = self.exported(qtbot, walking, place, ExportChoices())
+        words = " ".join(label.text() for label in result.findChildren(QLabel))
+        assert "left as they were: 6" in words
+
+    def test_a_stopped_export_says_what_is_there_and_how_to_go_on(
+        self, qtbot: QtBot, walking: MainWindow, place: Place
+    ) -> None:
+        choices = ExportChoices("after effects")
+        document = walking.parts.open_project.bridge.document
+        work = HAND_OFF.work(document, choices, place)
+
+        def slow(open_context: OpenContext, progress: Progress, cancelled: Cancelled) -> ExportOutcome:
+            def note(finished: int, whole: int) -> None:
+                progress(finished, whole)
+                while finished == 8 and not cancelled():
+                    Event().wait(0.01)
+
+            return work(open_context, note, cancelled)
+
+        exporting = walking.parts.exporting
+        exporting.start(slow)
+        bar, stop = exporting.findChild(QProgressBar), exporting.findChild(QToolButton)
+        assert bar is not None
+        assert stop is not None
+        qtbot.waitUntil(lambda: (bar.value(), bar.maximum()) == (8, 13))
+        qtbot.mouseClick(stop, Qt.MouseButton.LeftButton)
+        qtbot.waitUntil(lambda: len(walking.findChildren(ExportResult)) == 1)
+        result = walking.findChildren(ExportResult)[0]
+        files = [path for path in place.folder.rglob("*") if path.is_file() and not path.name.startswith(".")]
+        assert result.title.text() == f"The export was stopped: {len(files)} of 13 files are there, all whole."
+        assert result.counts[0] == ("Shadow frames", "6")
+        assert result.counts[2] == ("Script", "0 of 1")
+        assert "it goes on where it was" in result.steps[1]
+        assert result.steps[2] == "The script is written last, when all it needs is there."
+        assert not list(place.folder.glob("*.jsx"))
+        assert not list(place.folder.rglob("*.part*"))
+
+    def test_what_was_written_before_a_problem_is_said_to_be_whole(self, qtbot: QtBot, walking: MainWindow) -> None:
+        def failing(_open: OpenContext, progress: Progress, _cancelled: Cancelled) -> ExportOutcome:
+            progress(2, 6)
+            raise OutputProblem(Message("the disk refuses"))
+
+        walking.parts.exporting.start(failing)
+        qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
+        said = walking.parts.bar.text
+        assert said == "The disk refuses\nEvery file that was written before is whole and stays."
+        assert walking.findChild(ExportResult) is None
+
+        def failing_at_once(_open: OpenContext, _progress: Progress, _cancelled: Cancelled) -> ExportOutcome:
+            raise OutputProblem(Message("the disk refuses"))
+
+        walking.parts.exporting.start(failing_at_once)
+        qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
+        assert walking.parts.bar.text == "The disk refuses"
+
+
+class TestPlaces:
+    def test_an_export_goes_beside_its_project(self, settings: Settings, tmp_path: Path) -> None:
+        project = tmp_path / "cut012.kage"
+        assert place_for(settings, project, "cut012").folder == tmp_path / "cut012_export"
+
+    def test_another_folder_is_remembered_for_its_project_alone(self, settings: Settings, tmp_path: Path) -> None:
+        first, second = tmp_path / "a.kage", tmp_path / "b.kage"
+        remember_place(settings, Place(tmp_path / "elsewhere", first, "a"))
+        assert place_for(settings, first, "a").folder == tmp_path / "elsewhere"
+        assert place_for(settings, second, "b").folder == tmp_path / "b_export"
+        remember_place(settings, Place(tmp_path / "a_export", first, "a"))
+        assert place_for(settings, first, "a").folder == tmp_path / "a_export"
+
+    def test_a_disk_that_is_gone_is_not_proposed(self, settings: Settings, tmp_path: Path) -> None:
+        project = tmp_path / "a.kage"
+        remember_place(settings, Place(tmp_path / "stick" / "out", project, "a"))
+        assert place_for(settings, project, "a").folder == tmp_path / "a_export"
+
+    def test_an_unsaved_project_goes_to_the_documents_and_that_is_said(
+        self, qtbot: QtBot, filled: OpenProject, settings: Settings, tmp_path: Path
+    ) -> None:
+        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+        place = place_for(settings, None, "Untitled")
+        assert place.folder == Path(documents) / "Untitled_export"
+        remember_place(settings, place)
+        made = ExportDialog(filled.bridge.document, ExportChoices(), place, tmp_path)
+        qtbot.addWidget(made)
+        assert "not saved yet" in made.place_note.text()
+
+    def test_what_is_remembered_is_bounded_and_may_be_spoilt(self, settings: Settings, tmp_path: Path) -> None:
+        for number in range(MOST + 5):
+            remember_place(settings, Place(tmp_path / "x", tmp_path / f"{number}.kage", str(number)))
+        assert place_for(settings, tmp_path / "0.kage", "0").folder == tmp_path / "0_export"
+        assert place_for(settings, tmp_path / f"{MOST}.kage", "n").folder == tmp_path / "x"
+        settings.set_word("export_folders", "{")
+        assert place_for(settings, tmp_path / f"{MOST}.kage", "n").folder == tmp_path / "n_export"

@@ -18,6 +18,7 @@ from kagezou.io.project import file as project_file
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.application import Application
 from kagezou.ui.export.dialog import ExportDialog
+from kagezou.ui.export.result import ExportResult
 from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.viewport import frame_painter, picture_widget
@@ -232,7 +233,9 @@ def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tm
     qtbot.waitUntil(lambda: not walking.parts.exporting.is_running)
     files = sorted((tmp_path / "out" / "walker_shadow").glob("*.png"))
     assert [file.name for file in files] == [f"walker_shadow_{frame:04d}.png" for frame in range(1, 7)]
-    assert "Exported 6 files" in walking.parts.bar.text
+    result = walking.findChild(ExportResult)
+    assert result is not None
+    assert result.title.text() == "The export is complete."
 
 
 def test_an_export_that_cannot_be_made_is_said(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:

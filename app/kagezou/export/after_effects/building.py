@@ -9,7 +9,8 @@ from pathlib import Path
 from kagezou.document import properties
 from kagezou.document.address import Address, track_of
 from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
-from kagezou.document.model import Document, Layer, Note
+from kagezou.document.model import Document, Layer
+from kagezou.document.note import Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
 from kagezou.document.values import value_at
 from kagezou.export.after_effects import comp as ae
@@ -239,7 +240,10 @@ def _markers(document: Document) -> tuple[ae.CompMarker, ...]:
 
 def _said(note: Note) -> str:
     prop = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
-    return f"{note.author}{': ' if note.author else ''}{prop.label}: {note.text}"
+    tick = "✓ " if note.is_done else ""
+    said = f"{tick}{note.author}{': ' if note.author else ''}{prop.label}: {note.text}"
+    answers = (f"> {each.author}{': ' if each.author else ''}{each.text}" for each in note.answers)
+    return "\n".join((said, *answers))
 
 
 def _marker(frame: int, comment: str, rate: Fraction, duration_frames: int = 0) -> ae.CompMarker:

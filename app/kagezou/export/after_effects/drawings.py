@@ -1,7 +1,8 @@
 """Drawings of a layer or the background as footage: a gap-free copy, or the files where they lie."""
 
 import re
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.document.model import Canvas, Cels, Drawing
+from kagezou.errors import Stopped
 from kagezou.export.names import digits_for
 from kagezou.geometry.box import centred_offset
 from kagezou.io.files.atomic import write_bytes
@@ -21,6 +23,10 @@ from kagezou.io.pixels.signatures import is_psd
 
 _NUMBERED: Final = re.compile(r"(.*?)([0-9]+)(\.[A-Za-z0-9]+)")
 _READ_BY_AFTER_EFFECTS: Final = frozenset({".png", ".tga", ".tif", ".tiff", ".exr"})
+
+
+Step = Callable[[], bool]
+"""Called on the asking thread when a file is copied; returns whether to go on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +111,7 @@ def are_within(cels: Cels, folder: Path) -> bool:
     return any(drawing.path.parent.resolve() == real for drawing in cels.drawings)
 
 
-def copied(cels: Cels, name: str, folder: Path, copying: Copying) -> CelFootage | None:
+def copied(cels: Cels, name: str, folder: Path, copying: Copying, step: Step) -> CelFootage | None:
     """Copy drawings as ``NAME_0001.png`` and so on into ``folder``; None where none is ever seen.
 
     A PNG that can stay as it is is copied byte for byte. Others become PNG; where the sizes differ, which After
@@ -113,6 +119,8 @@ def copied(cels: Cels, name: str, folder: Path, copying: Copying) -> CelFootage 
 
     Raises
     ------
+    Stopped
+        ``step`` said so; the copies that were in hand are finished and told to it too.
     InputProblem
         A drawing cannot be read.
     DiskFullProblem, OutputProblem
@@ -126,8 +134,12 @@ def copied(cels: Cels, name: str, folder: Path, copying: Copying) -> CelFootage 
     size = _size_of(infos, copying)
     digits = digits_for(len(indices))
     targets = [folder / f"{name}_{number:0{digits}d}.png" for number in range(1, len(indices) + 1)]
-    with ThreadPoolExecutor(copying.workers) as pool:
-        list(pool.map(_copy, drawings, infos, targets, repeat(size), repeat(copying)))
+    pool = ThreadPoolExecutor(copying.workers)
+    try:
+        work = zip(drawings, infos, targets, repeat(size), repeat(copying), strict=False)
+        _counted([pool.submit(_copy, *each) for each in work], step)
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
     remove_beyond(folder, name, digits, len(indices))
     return CelFootage(targets[0], len(indices), {index: place for place, index in enumerate(indices)}, size)
 
@@ -142,12 +154,14 @@ def still_where_it_lies(cels: Cels, length: int) -> CelFootage | None:
     return CelFootage(path, 1, {index: 0}, (info.width_px, info.height_px))
 
 
-def copied_still(cels: Cels, target: Path, copying: Copying) -> CelFootage:
+def copied_still(cels: Cels, target: Path, copying: Copying, step: Step) -> CelFootage:
     """Copy the one picture that is seen of all to ``target``; raises as `copied`."""
     (index,) = exposed(cels, copying.canvas.length_frames)
     info = probe(cels.drawings[index].source)
     size = (info.width_px, info.height_px)
     _copy(cels.drawings[index], info, target, size, copying)
+    if not step():
+        raise Stopped
     return CelFootage(target, 1, {index: 0}, size)
 
 
@@ -174,6 +188,22 @@ def _size_of(infos: list[ImageInfo], copying: Copying) -> tuple[int, int]:
         return canvas
     widths, heights = zip(canvas, *sizes, strict=True)
     return (max(widths), max(heights))
+
+
+def _counted(copies: list[Future[None]], step: Step) -> None:
+    """Wait for copies and tell each; Stopped where a step said so."""
+    is_stopped = False
+    for each in copies:
+        if each.cancelled():
+            continue
+        each.result()
+        if not step():
+            is_stopped = True
+            # Those under way cannot be cancelled any more, and are counted when they are done.
+            for rest in copies:
+                rest.cancel()
+    if is_stopped:
+        raise Stopped
 
 
 def _copy(drawing: Drawing, info: ImageInfo, target: Path, size: tuple[int, int], copying: Copying) -> None:

@@ -1,19 +1,24 @@
 """Exporting to After Effects: everything into one folder, the script last."""
 
 import time
+from collections import Counter
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.errors import UsageProblem
+from kagezou.errors import Stopped, UsageProblem
 from kagezou.export.after_effects.building import RenderedFootage, Written, hand_off
-from kagezou.export.after_effects.drawings import remove_beyond
+from kagezou.export.after_effects.drawings import CelFootage, remove_beyond
 from kagezou.export.after_effects.mattes import MATTES
 from kagezou.export.after_effects.renderings import Rendering, renderings_of
 from kagezou.export.after_effects.script import script_of
-from kagezou.export.after_effects.shown_drawings import BACKGROUND, footage_of, shown_in
+from kagezou.export.after_effects.shown_drawings import BACKGROUND, Shown, notes_on_copies, shown_in, staying_in
 from kagezou.export.after_effects.transforms import notes_on_transforms
+from kagezou.export.checks import check_sources
+from kagezou.export.file_kinds import BACKGROUNDS, DRAWINGS, MATTE_FRAMES, SCRIPT, FileCount, added_up
 from kagezou.export.frames import export_frames
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
@@ -88,12 +93,15 @@ class HandedOff:
         What came of the sequences of shadows and mattes.
     notes
         What the user should know, one sentence each.
+    counts
+        The files by what they are: frames, copies and the script.
     """
 
     script: Path | None
     exports: tuple[Summary, ...]
     notes: tuple[Message, ...]
     seconds: float
+    counts: tuple[FileCount, ...]
 
 
 def export_to_after_effects(
@@ -112,24 +120,14 @@ def export_to_after_effects(
     """
     started = time.monotonic()
     _check(document)
-    request = replace(request, folder=request.folder.absolute())
-    run = _ScriptRun(document, request, progress, cancelled)
-    drawings = shown_in(document, request.folder, request.workers)
-    for each in drawings:
-        each.check_place()
-    summaries = [run.export(each, open_context) for each in run.renderings]
-    if any(summary.cancelled for summary in summaries):
-        return HandedOff(None, tuple(summaries), (), time.monotonic() - started)
-    united = cut_groups(document, of_one_color=True)
-    cels, notes = footage_of(drawings, copies=request.copies)
-    notes = (*united.notes(), *notes, *notes_on_transforms(document))
-    lit, groups = "lit" in request.mattes, united.of_several()
-    background = cels.pop(BACKGROUND, None)
-    written = Written(request.folder, run.footage, cels, background, lit, groups)
-    file = safe_names([request.name])[request.name] + ".jsx"
-    text = script_of(hand_off(document, request.name, file, written))
-    write_bytes(request.folder / file, text.encode("ascii"))
-    return HandedOff(request.folder / file, tuple(summaries), notes, time.monotonic() - started)
+    run = _ScriptRun(document, replace(request, folder=request.folder.absolute()), progress, cancelled)
+    summaries = tuple(run.export(each, open_context) for each in run.renderings)
+    script: Path | None = None
+    notes: tuple[Message, ...] = ()
+    if not any(summary.cancelled for summary in summaries):
+        with suppress(Stopped):
+            script, notes = run.finish()
+    return HandedOff(script, summaries, notes, time.monotonic() - started, run.counts(summaries, script))
 
 
 def _check(document: Document) -> None:
@@ -162,7 +160,17 @@ class _ScriptRun:
         self._before = 0
         self.renderings = renderings_of(document, request.mattes)
         self._versions = {each: each.version(document) for each in self.renderings}
-        self._all = sum(planned(version, self._frames_of(each)).files for each, version in self._versions.items())
+        plans = [planned(version, self._frames_of(each)) for each, version in self._versions.items()]
+        self._drawings = shown_in(document, request.folder, request.workers)
+        for drawings in self._drawings:
+            drawings.check_place()
+        for plan in plans:
+            check_sources(plan.jobs)
+        self._staying = staying_in(self._drawings, copies=request.copies)
+        self._copying = tuple(each for each in self._drawings if each.owner not in self._staying)
+        self._copied: Counter[Message] = Counter()
+        # The script is a step of its own, the last.
+        self._all = sum(plan.files for plan in plans) + sum(each.count for each in self._copying) + 1
         self.footage: dict[tuple[Rendering, str], RenderedFootage] = {}
 
     def export(self, rendering: Rendering, open_context: OpenContext) -> Summary:
@@ -178,6 +186,49 @@ class _ScriptRun:
         if not summary.cancelled:
             self._note_footage(rendering)
         return summary
+
+    def finish(self) -> tuple[Path, tuple[Message, ...]]:
+        """Copy what is to be copied and write the script; return it, and what is to be said.
+
+        Raises
+        ------
+        Stopped
+            That was asked for meanwhile; there is no script then.
+        """
+        document, request = self._document, self._request
+        cels = self._staying | self._copies()
+        united = cut_groups(document, of_one_color=True)
+        background = cels.pop(BACKGROUND, None)
+        lit = "lit" in request.mattes
+        written = Written(request.folder, self.footage, cels, background, lit, united.of_several())
+        file = safe_names([request.name])[request.name] + ".jsx"
+        text = script_of(hand_off(document, request.name, file, written))
+        write_bytes(request.folder / file, text.encode("ascii"))
+        self._tell(self._all, self._all)
+        copied = notes_on_copies(self._drawings, self._staying, copies=request.copies)
+        return request.folder / file, (*united.notes(), *copied, *notes_on_transforms(document))
+
+    def counts(self, summaries: tuple[Summary, ...], script: Path | None) -> tuple[FileCount, ...]:
+        """Return how many files of each kind there are and should be."""
+        drawn = [
+            replace(count, kind=MATTE_FRAMES) if rendering.is_matte else count
+            for rendering, summary in zip(self.renderings, summaries, strict=True)
+            for count in summary.counts
+        ]
+        copies = [FileCount(_kind_of_copies(each), 0, each.count) for each in self._copying]
+        copied = [FileCount(kind, count, 0) for kind, count in self._copied.items()]
+        return added_up((*drawn, *copies, *copied, FileCount(SCRIPT, int(script is not None), 1)))
+
+    def _copies(self) -> dict[str, CelFootage]:
+        """Copy what cannot be taken from where it lies; raises Stopped between two files."""
+        copied = {each.owner: each.copy(partial(self._copied_one, _kind_of_copies(each))) for each in self._copying}
+        return {owner: footage for owner, footage in copied.items() if footage is not None}
+
+    def _copied_one(self, kind: Message) -> bool:
+        """Take note of a copy; return whether to go on."""
+        self._copied[kind] += 1
+        self._tell(self._before + self._copied.total(), self._all)
+        return not self._cancelled()
 
     def _frames_of(self, rendering: Rendering) -> ExportRequest:
         request = self._request
@@ -200,3 +251,7 @@ class _ScriptRun:
             count = document.canvas.length_frames if pictures is None else max(pictures) + 1
             remove_beyond(sequence.folder, sequence.label, sequence.digits, count)
             self.footage[rendering, sequence.subject.owner] = RenderedFootage(sequence.file(1), count, pictures)
+
+
+def _kind_of_copies(drawings: Shown) -> Message:
+    return BACKGROUNDS if drawings.owner == BACKGROUND else DRAWINGS

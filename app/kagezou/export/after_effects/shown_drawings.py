@@ -1,6 +1,6 @@
 """What of a document is shown as it was drawn, the characters' cels and the background, and its footage."""
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -10,6 +10,7 @@ from kagezou.errors import OutputProblem
 from kagezou.export.after_effects.drawings import (
     CelFootage,
     Copying,
+    Step,
     are_within,
     copied,
     copied_still,
@@ -67,12 +68,17 @@ class Shown:
             return still_where_it_lies(self.cels, self.length)
         return referenced(self.cels, self.length, white_is_clear=self.copying.white_is_clear)
 
-    def copy(self) -> CelFootage | None:
+    @property
+    def count(self) -> int:
+        """How many of them are seen, each of which would become a copy."""
+        return len(exposed(self.cels, self.length))
+
+    def copy(self, step: Step) -> CelFootage | None:
         """Copy them; None where none is ever seen."""
         folder = _made(self.folder)
         if self.is_still:
-            return copied_still(self.cels, folder / f"{BACKGROUND}.png", self.copying)
-        return copied(self.cels, folder.name, folder, self.copying)
+            return copied_still(self.cels, folder / f"{BACKGROUND}.png", self.copying, step)
+        return copied(self.cels, folder.name, folder, self.copying, step)
 
     def check_place(self) -> None:
         """Raise OutputProblem where copies would take the place of the drawings they are made of."""
@@ -137,28 +143,26 @@ def shown_in(document: Document, folder: Path, workers: int = 2) -> tuple[Shown,
     return (*layers, Shown(BACKGROUND, BACKGROUND, document.behind, folder / BACKGROUND, copying))
 
 
-def footage_of(drawings: Iterable[Shown], *, copies: bool) -> tuple[dict[str, CelFootage], tuple[Message, ...]]:
-    """Copy drawings, or find them where they lie; return their footage by owner, and what is to be said about it.
+def staying_in(drawings: Iterable[Shown], *, copies: bool) -> dict[str, CelFootage]:
+    """Return, by owner, the footage of what need not be copied because it can be taken from where it lies.
 
     Raises
     ------
     InputProblem
         A drawing cannot be read.
-    DiskFullProblem, OutputProblem
-        A copy cannot be written.
     """
-    found: dict[str, CelFootage] = {}
-    notes: list[Message] = []
-    for each in drawings:
-        stays = not copies or (are_within(each.cels, each.folder) and not each.is_still)
-        footage = each.where_they_lie() if stays else None
-        if footage is None:
-            note = each.note_of_copies() if stays else None
-            notes += [] if note is None else [note]
-            footage = each.copy()
-        if footage is not None:
-            found[each.owner] = footage
-    return found, tuple(notes)
+    found = {each.owner: each.where_they_lie() for each in drawings if _should_stay(each, copies=copies)}
+    return {owner: footage for owner, footage in found.items() if footage is not None}
+
+
+def notes_on_copies(drawings: Iterable[Shown], staying: Container[str], *, copies: bool) -> tuple[Message, ...]:
+    """Return what is to be said about drawings that are not in ``staying`` though they should be."""
+    unwilling = (each for each in drawings if each.owner not in staying and _should_stay(each, copies=copies))
+    return tuple(note for each in unwilling if (note := each.note_of_copies()) is not None)
+
+
+def _should_stay(drawings: Shown, *, copies: bool) -> bool:
+    return not copies or (are_within(drawings.cels, drawings.folder) and not drawings.is_still)
 
 
 def _made(folder: Path) -> Path:

@@ -2,13 +2,14 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import Generic, TypeVar
 
 from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.file_kinds import FileCount
 from kagezou.export.request import Cancelled, Progress
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
@@ -33,14 +34,56 @@ class Option(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class ExportOutcome:
-    """What came of it: files asked for and new, whether it was stopped, the first problem, where to look, and notes."""
+    """What came of an export.
 
-    files: int
+    Parameters
+    ----------
+    counts
+        The files by what they are.
+    written
+        How many of them are new.
+    cancelled
+        Whether it was stopped.
+    problem
+        The first thing that went wrong.
+    where
+        The folder, or the one file that is to be looked for.
+    notes
+        What the user should know, one sentence each.
+    next_steps
+        What to do with it in the program that it is for.
+    """
+
+    counts: tuple[FileCount, ...]
     written: int
     cancelled: bool
     problem: Message | None
     where: Path
     notes: tuple[Message, ...] = ()
+    next_steps: tuple[Message, ...] = ()
+
+    @property
+    def files(self) -> int:
+        """How many files were asked for."""
+        return sum(each.files for each in self.counts)
+
+    @property
+    def there(self) -> int:
+        """How many of them are there, whole."""
+        return sum(each.there for each in self.counts)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all of them are."""
+        return self.there == self.files
+
+
+@dataclass(frozen=True, slots=True)
+class Lack:
+    """What a machine lacks for an exporter: in words without a full stop, and as an extra of the program."""
+
+    says: Message
+    extra: str
 
 
 Work = Callable[[OpenContext, Progress, Cancelled], ExportOutcome]
@@ -62,6 +105,10 @@ class Exporter(ABC, Generic[Request, Made]):
         What it is remembered by in settings and presets.
     label
         What the window calls it.
+    purpose
+        What it is for, in a few words.
+    icon
+        The name of its icon.
     verb
         The command of the command line that makes it.
     options
@@ -70,11 +117,13 @@ class Exporter(ABC, Generic[Request, Made]):
 
     key: str
     label: Message
+    purpose: Message
+    icon: str
     verb: str
     options: frozenset[Option]
 
     @abstractmethod
-    def lacks(self) -> Message | None:
+    def lacks(self) -> Lack | None:
         """Return what this machine lacks for it; None where it can be made."""
 
     @abstractmethod
@@ -122,11 +171,31 @@ class Exporter(ABC, Generic[Request, Made]):
     def outcome(self, made: Made, place: Place) -> ExportOutcome:
         """Return what came of it, as every kind of export tells it."""
 
+    @abstractmethod
+    def next_steps(self, document: Document, choices: ExportChoices, place: Place) -> tuple[Message, ...]:
+        """Return what to do with it in the program that it is for, in two or three short sentences."""
+
+    def steps_after(
+        self, came: ExportOutcome, document: Document, choices: ExportChoices, place: Place
+    ) -> tuple[Message, ...]:
+        """Return what to do next: with what was made, or for the rest to be made."""
+        if came.is_whole:
+            return self.next_steps(document, choices, place)
+        if Option.SKIP_EXISTING not in self.options:
+            return (Message("It is there as a whole or not at all: export again to make it."),)
+        return (
+            Message("Every file that is there is whole and stays."),
+            Message(
+                "Export again with “Leave frames alone that would come out the same” ticked: it goes on where it was."
+            ),
+        )
+
     def work(self, document: Document, choices: ExportChoices, place: Place) -> Work:
         """Return what carries the choices out."""
 
         def work(open_context: OpenContext, progress: Progress, cancelled: Cancelled) -> ExportOutcome:
             request = self.request(document, choices, place)
-            return self.outcome(self.export(document, request, open_context, progress, cancelled), place)
+            came = self.outcome(self.export(document, request, open_context, progress, cancelled), place)
+            return replace(came, next_steps=self.steps_after(came, document, choices, place))
 
         return work

@@ -10,8 +10,10 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import frames_request, sequence_lines
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, write_bundle
+from kagezou.export.file_kinds import JOB_FILES, FileCount
 from kagezou.export.request import LAYERED_SUFFIXES, SUFFIXES, Cancelled, Progress
 from kagezou.export.selection import chosen_frames
+from kagezou.io.files.faults import shown
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
@@ -60,20 +62,37 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
         document: Document,
         request: BundleRequest,
         _open_context: OpenContext,
-        _progress: Progress,
+        progress: Progress,
         _cancelled: Cancelled,
     ) -> tuple[Path, ...]:
         """Write the bundle; nothing is drawn here."""
-        return write_bundle(document, request.job, request.folder)
+        made = write_bundle(document, request.job, request.folder)
+        progress(len(made), len(made))
+        return made
 
     def outcome(self, made: tuple[Path, ...], place: Place) -> ExportOutcome:
         """Return what came of it; the folder is the one to look in."""
-        return ExportOutcome(len(made), len(made), cancelled=False, problem=None, where=place.folder)
+        counts = (FileCount(JOB_FILES, len(made), len(made)),)
+        return ExportOutcome(counts, len(made), cancelled=False, problem=None, where=place.folder)
+
+    def next_steps(self, document: Document, choices: ExportChoices, place: Place) -> tuple[Message, ...]:
+        """Return how the job is sent, and where its frames go."""
+        output = shown(self.request(document, choices, place).job.export.folder)
+        return (
+            Message("AWS Deadline Cloud: deadline bundle submit {folder}", folder=shown(place.folder)),
+            Message("Other farms: openjd run {template} --step Render", template=shown(place.folder / TEMPLATE)),
+            Message(
+                "The farm renders the saved project, into {output}: save it before you send the job.",
+                output=output,
+            ),
+        )
 
 
 FARM_JOB: Final = FarmJob(
     key="farm",
     label=Message("Render farm job"),
+    purpose=Message("frames made by other machines"),
+    icon="target-farm",
     verb="farm",
     options=frozenset(
         (

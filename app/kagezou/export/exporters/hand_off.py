@@ -11,7 +11,7 @@ from kagezou.export.after_effects.mattes import at_full_opacity
 from kagezou.export.after_effects.renderings import SHADOWS, matte_renderings
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
-from kagezou.export.exporters.numbered_frames import outcome_of, workers
+from kagezou.export.exporters.numbered_frames import workers
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
 from kagezou.export.request import Cancelled, ExportRequest, Progress
@@ -38,8 +38,7 @@ class HandOffExporter(Exporter[HandOffRequest, HandedOff]):
 
     def preview(self, document: Document, choices: ExportChoices, place: Place) -> tuple[str, ...]:
         """Return the script, the folders of shadows and mattes, and what is copied."""
-        script = f"{safe_names([place.name])[place.name]}.jsx"
-        return (script, *_rendered(document, choices, place), *_copied(document, choices))
+        return (_script(place), *_rendered(document, choices, place), *_copied(document, choices))
 
     def request(self, _document: Document, choices: ExportChoices, place: Place) -> HandOffRequest:
         """Return what is to be handed off."""
@@ -68,7 +67,36 @@ class HandOffExporter(Exporter[HandOffRequest, HandedOff]):
 
     def outcome(self, made: HandedOff, place: Place) -> ExportOutcome:
         """Return what came of it; the script is what to look for."""
-        return outcome_of(made.exports, made.script or place.folder, made.notes)
+        written = sum(each.written for each in made.exports)
+        copied = sum(each.there for each in made.counts) - sum(each.written + each.trusted for each in made.exports)
+        return ExportOutcome(
+            counts=made.counts,
+            written=written + copied,
+            cancelled=made.script is None,
+            problem=None,
+            where=made.script or place.folder,
+            notes=made.notes,
+        )
+
+    def next_steps(self, _document: Document, _choices: ExportChoices, place: Place) -> tuple[Message, ...]:
+        """Return how the script is run, and what it does."""
+        return (
+            Message("In After Effects: File > Scripts > Run Script File…, and choose {script}.", script=_script(place)),
+            Message("It builds the composition: frame rate, alpha, order, Multiply and opacity are set."),
+            Message("After the next export run it again: it brings the composition up to date and keeps your changes."),
+        )
+
+    def steps_after(
+        self, came: ExportOutcome, document: Document, choices: ExportChoices, place: Place
+    ) -> tuple[Message, ...]:
+        """Return what to do next; of a stopped hand-off also why there is no script."""
+        steps = super().steps_after(came, document, choices, place)
+        return steps if came.is_whole else (*steps, Message("The script is written last, when all it needs is there."))
+
+
+def _script(place: Place) -> str:
+    """Return the name of the script."""
+    return f"{safe_names([place.name])[place.name]}.jsx"
 
 
 def _rendered(document: Document, choices: ExportChoices, place: Place) -> Iterator[str]:
@@ -100,6 +128,8 @@ def _copied(document: Document, choices: ExportChoices) -> Iterator[str]:
 HAND_OFF: Final = HandOffExporter(
     key="after effects",
     label=Message("After Effects"),
+    purpose=Message("a script that builds the whole composition"),
+    icon="target-script",
     verb="export-ae",
     options=frozenset((Option.DEPTH, Option.PER_DRAWING, Option.COPIES, Option.MATTES, Option.SKIP_EXISTING)),
 )

@@ -41,10 +41,29 @@ class LayeredFrames(NumberedFrames):
         """Return what the frames are asked for with."""
         return frames_request(document, choices, place.folder, is_layered=True)
 
+    def next_steps(self, _document: Document, choices: ExportChoices, _place: Place) -> tuple[Message, ...]:
+        """Return what opens the files, and what of their layers is kept."""
+        if choices.format == "exr":
+            return (
+                Message("Each file is one frame with a part for each layer, linear and with premultiplied alpha."),
+                Message("Nuke, Natron and Blender read the parts as layers."),
+                Message("The blend mode of each stands in its attribute kagezou:blend; shadows are usually Multiply."),
+            )
+        return (
+            Message("Each file is one frame; Photoshop and Clip Studio Paint open it with its layers."),
+            Message("Opacity and blend mode of every layer are kept: nothing has to be set."),
+            Message(
+                "In After Effects: File > Import > File…; one file as “Composition” has the layers, "
+                "a “Photoshop Sequence” is the finished picture."
+            ),
+        )
+
 
 LAYERED_FRAMES: Final = LayeredFrames(
     key="layered",
     label=Message("Layered frames"),
+    purpose=Message("one PSD or EXR a frame with all layers, to paint on"),
+    icon="target-layered",
     verb="render",
     options=frozenset((Option.DEPTH, Option.ONLY_WORK_AREA, Option.SKIP_EXISTING)),
 )

@@ -10,7 +10,6 @@ from kagezou.export.frames import export_frames
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import sequences_of
-from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
 
@@ -35,7 +34,14 @@ class NumberedFrames(Exporter[ExportRequest, Summary]):
 
     def outcome(self, made: Summary, place: Place) -> ExportOutcome:
         """Return what came of it; the folder is the one to look in."""
-        return outcome_of((made,), place.folder, made.notes)
+        return ExportOutcome(
+            counts=made.counts,
+            written=made.written,
+            cancelled=made.cancelled,
+            problem=made.failures[0].message if made.failures else None,
+            where=place.folder,
+            notes=made.notes,
+        )
 
 
 def frames_request(document: Document, choices: ExportChoices, folder: Path, *, is_layered: bool) -> ExportRequest:
@@ -79,16 +85,3 @@ def sequence_lines(document: Document, request: ExportRequest) -> tuple[str, ...
     """Return a line for each sequence of a request: its folder, and how many files it gets of which suffix."""
     length = len(chosen_frames(document, request))
     return tuple(f"{each.label}/  {length} × {each.suffix}" for each in sequences_of(document, request))
-
-
-def outcome_of(summaries: tuple[Summary, ...], where: Path, notes: tuple[Message, ...] = ()) -> ExportOutcome:
-    """Return what came of exports of frames."""
-    failures = [failure.message for summary in summaries for failure in summary.failures]
-    return ExportOutcome(
-        files=sum(summary.files for summary in summaries),
-        written=sum(summary.written for summary in summaries),
-        cancelled=any(summary.cancelled for summary in summaries),
-        problem=failures[0] if failures else None,
-        where=where,
-        notes=notes,
-    )

@@ -5,6 +5,7 @@ from typing import Final
 from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Option
+from kagezou.export.exporters.importing_steps import after_effects_step, laying_step, sequence_step
 from kagezou.export.exporters.numbered_frames import NumberedFrames, frames_request, sequence_lines
 from kagezou.export.request import SUFFIXES, ExportRequest
 from kagezou.message import Message
@@ -31,10 +32,17 @@ class ShadowLayers(NumberedFrames):
         """Return what the frames are asked for with."""
         return frames_request(document, choices, place.folder, is_layered=False)
 
+    def next_steps(self, document: Document, choices: ExportChoices, _place: Place) -> tuple[Message, ...]:
+        """Return how sequences are imported and laid."""
+        form = choices.format
+        return sequence_step(document, form), laying_step(document), after_effects_step(form)
+
 
 SHADOW_LAYERS: Final = ShadowLayers(
     key="layers",
     label=Message("Shadow layers"),
+    purpose=Message("numbered frames for any compositing program"),
+    icon="target-frames",
     verb="render",
     options=frozenset(
         (

@@ -4,8 +4,10 @@ from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices, Place
-from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option, Work
+from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Lack, Option, Work
+from kagezou.export.exporters.importing_steps import laying_step, rate_words
 from kagezou.export.exporters.numbered_frames import frames_chosen, workers
+from kagezou.export.file_kinds import VIDEO, FileCount
 from kagezou.export.names import safe_names
 from kagezou.export.request import Cancelled, Progress
 from kagezou.export.video import VideoRequest, VideoSummary, export_video, video_jobs
@@ -20,11 +22,11 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
 
     __slots__ = ()
 
-    def lacks(self) -> Message | None:
+    def lacks(self) -> Lack | None:
         """Return what is to be installed where videos cannot be written."""
         if is_there():
             return None
-        return Message("Video needs PyAV: pip install 'kagezou[video]'")
+        return Lack(Message("writing videos needs a part that is not installed"), "video")
 
     def formats(self, _choices: ExportChoices) -> tuple[str, ...]:
         """Return every kind of video."""
@@ -61,7 +63,22 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
 
     def outcome(self, made: VideoSummary, _place: Place) -> ExportOutcome:
         """Return what came of it; the file is what to look at."""
-        return ExportOutcome(1, int(made.is_whole), cancelled=not made.is_whole, problem=None, where=made.path)
+        there = int(made.is_whole)
+        counts = (FileCount(VIDEO, there, 1),)
+        where = made.path if made.is_whole else made.path.parent
+        return ExportOutcome(counts, there, cancelled=not made.is_whole, problem=None, where=where)
+
+    def next_steps(self, document: Document, choices: ExportChoices, _place: Place) -> tuple[Message, ...]:
+        """Return what the video is good for."""
+        if choices.format == "mp4":
+            return (
+                Message("It plays in any player and browser: look at it, or send it round."),
+                Message("H.264 has no alpha; for compositing, export shadow layers or a MOV."),
+            )
+        importing = Message(
+            "Import it as footage of {rate} frames a second, with straight (unmatted) alpha.", rate=rate_words(document)
+        )
+        return (importing, laying_step(document)) if choices.video_layer else (importing,)
 
     def work(self, document: Document, choices: ExportChoices, place: Place) -> Work:
         """Return what carries the choices out; the folder is made, as it is for frames."""
@@ -80,6 +97,8 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
 VIDEO_FILE: Final = VideoFile(
     key="video",
     label=Message("Video"),
+    purpose=Message("a file to look at, or one with alpha"),
+    icon="target-video",
     verb="video",
     options=frozenset((Option.VIDEO_LAYER, Option.ONLY_WORK_AREA)),
 )

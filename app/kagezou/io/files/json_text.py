@@ -162,6 +162,12 @@ class Reader:
             raise self.refused(Message("a number from {low:g} to {high:g}", low=low, high=high))
         return float(self.value)
 
+    def switch(self) -> bool:
+        """Return true or false."""
+        if not isinstance(self.value, bool):
+            raise self.refused(Message("true or false"))
+        return self.value
+
     def text(self, most: int, least: int = 1) -> str:
         """Return a text of ``least`` to ``most`` characters."""
         if not isinstance(self.value, str) or not least <= len(self.value) <= most:

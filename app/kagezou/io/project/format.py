@@ -11,7 +11,8 @@ from typing import Final
 from kagezou.animation.ease import EASY
 from kagezou.animation.track import Interpolation, Key, Track
 from kagezou.document.edits import still
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Note, Piece
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Marker, Piece
+from kagezou.document.note import Note, NoteAnswer
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Kind, Usual
 from kagezou.geometry.box import Box
@@ -70,6 +71,7 @@ _PROPERTIES: Final = MappingProxyType({
 _OBJECTS: Final = MappingProxyType({
     "The project": fields.PROJECT,
     "`canvas`": fields.CANVAS,
+    "`slate`": fields.SLATE,
     "`brought_light`": fields.BROUGHT_LIGHT,
     "A layer": fields.LAYER,
     "A set piece": fields.PIECE,
@@ -131,7 +133,9 @@ def _example_text() -> str:
         tracks=MappingProxyType({"light.position": Track(moving[0].value, moving)}),
         work_area=(1, 12),
         markers=(Marker(7, "step"),),
-        notes=(Note(7, "shadow.opacity", "Lighter here", layer.id, "Sato"),),
+        notes=(
+            Note(7, "shadow.opacity", "Lighter here", layer.id, "Sato", (NoteAnswer("0.6?", "Kim"),), is_done=True),
+        ),
         pieces=(
             Piece("piece-1", "wall", MappingProxyType({"position": Track((320.0, 250.0)), "width": Track(900.0)})),
         ),

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final
 
-from kagezou.document.model import Document, Marker, Note
+from kagezou.document.model import Document, Marker
+from kagezou.document.note import Note, NoteAnswer
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
-from kagezou.document.review import MAX_TEXT_CHARACTERS
+from kagezou.document.review import MAX_ANSWERS, MAX_TEXT_CHARACTERS
 from kagezou.io.files.json_text import JsonRow, Reader
 from kagezou.io.project import fields as fields
 from kagezou.io.project.versions import Tree
@@ -52,13 +53,18 @@ def read_review(found: Mapping[str, Reader], layer_ids: Set[str]) -> Review:
 
 
 def _note_row(note: Note) -> JsonRow:
-    return JsonRow({
+    row: Tree = {
         "frame": note.frame,
         "layer": note.layer_id,
         "property": note.property,
         "text": note.text,
         "author": note.author,
-    })  # fmt: skip
+    }
+    if note.answers:
+        row["answers"] = [[each.author, each.text] for each in note.answers]
+    if note.is_done:
+        row["done"] = True
+    return JsonRow(row)
 
 
 def _work_area(reader: Reader) -> tuple[int, int]:
@@ -84,7 +90,8 @@ def _markers(reader: Reader) -> tuple[Marker, ...]:
 
 
 def _note(reader: Reader, layer_ids: Set[str]) -> Note:
-    found = reader.record(list(fields.NOTE))
+    optional = [name for name, field in fields.NOTE.items() if field.optional]
+    found = reader.record([name for name in fields.NOTE if name not in optional], optional)
     layer = None if found["layer"].value is None else found["layer"].text(fields.MAX_NAME_CHARACTERS)
     if layer is not None and layer not in layer_ids:
         raise found["layer"].problem(Message("there is no such layer"))
@@ -94,4 +101,11 @@ def _note(reader: Reader, layer_ids: Set[str]) -> Note:
         text=found["text"].text(MAX_TEXT_CHARACTERS),
         layer_id=layer,
         author=found["author"].text(fields.MAX_NAME_CHARACTERS, least=0),
+        answers=tuple(map(_answer, found["answers"].items(MAX_ANSWERS))) if "answers" in found else (),
+        is_done=found["done"].switch() if "done" in found else False,
     )
+
+
+def _answer(reader: Reader) -> NoteAnswer:
+    author, text = reader.items(2, least=2)
+    return NoteAnswer(text.text(MAX_TEXT_CHARACTERS), author.text(fields.MAX_NAME_CHARACTERS, least=0))

@@ -26,6 +26,7 @@ class Actions:
         self.commands = all_commands(self.groups)
         self._answers: dict[str, list[tuple[QWidget | None, Answer]]] = {}
         self._actions = {command.name: _action(command, owner) for command in self.commands}
+        self._guards: dict[str, tuple[Callable[[], bool], Answer]] = {}
         self._keys: dict[str, tuple[str, ...]] = {}
         self.set_keys({command.name: command.keys for command in self.commands})
 
@@ -49,6 +50,10 @@ class Actions:
         self._actions[name].toggled.connect(do)
         self._actions[name].setVisible(True)
 
+    def guard(self, name: str, may: Callable[[], bool], refuse: Answer) -> None:
+        """Say when a command may be done, and what is done instead when it may not."""
+        self._guards[name] = (may, refuse)
+
     def is_answered(self, name: str) -> bool:
         """Whether someone said what the command does."""
         return self._actions[name].isVisible()
@@ -71,6 +76,11 @@ class Actions:
         action.setToolTip(f"{words}  ({keys})" if keys else words)
 
     def _answer(self, name: str) -> None:
+        if name in self._guards:
+            may, refuse = self._guards[name]
+            if not may():
+                refuse()
+                return
         focused = QApplication.focusWidget()
         for within, do in self._answers[name]:
             if within is None or (focused is not None and (within is focused or within.isAncestorOf(focused))):

@@ -86,7 +86,9 @@ def file_commands() -> tuple[Command, ...]:
         Command("background", translate("Commands", "Set &Background…")),
         Command("background_pictures", translate("Commands", "Set Background Sequence…")),
         Command("no_background", translate("Commands", "Remove Background")),
+        Command("cut_settings", translate("Commands", "&Cut Settings…"), ("Ctrl+K",)),
         Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),
+        Command("export_notes", translate("Commands", "Export N&otes…")),
         Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),
     )
 
@@ -104,6 +106,7 @@ def edit_commands() -> tuple[Command, ...]:
         Command("find_feet", translate("Commands", "Find &Feet")),
         Command("doubtful_next", translate("Commands", "Next Dou&btful Drawing"), ("Ctrl+Alt+.",)),
         Command("doubtful_previous", translate("Commands", "Previous Doubtful Drawing"), ("Ctrl+Alt+,",)),
+        Command("preferences", translate("Commands", "Pre&ferences…"), ("Ctrl+Alt+Shift+P",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )
 
@@ -161,6 +164,8 @@ def view_commands() -> tuple[Command, ...]:
         Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
         Command("settle_set", translate("Commands", "Camera and Size of the 3-D Set")),
         Command("match_camera", translate("Commands", "Match Ca&mera to Picture"), ("Ctrl+Alt+M",), checkable=True),
+        Command("review", translate("Commands", "&Review"), ("Ctrl+Alt+Shift+R",), checkable=True),
+        Command("look_only", translate("Commands", "Look Onl&y"), ("Ctrl+Alt+Shift+L",), checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
         Command("field_guide", translate("Commands", "Field &Guide"), ("Ctrl+'", "Ctrl+Shift+G"), checkable=True),
@@ -206,6 +211,9 @@ def playback_commands() -> tuple[Command, ...]:
         Command("work_first", translate("Commands", "First Frame of the Work Area"), ("Shift+Home",)),
         Command("work_last", translate("Commands", "Last Frame of the Work Area"), ("Shift+End",)),
         Command("marker", translate("Commands", "Add or Name &Marker"), ("M", "Num+*")),
+        Command("remark_previous", translate("Commands", "Previous Note or Flag"), ("Alt+Shift+PgUp",)),
+        Command("remark_next", translate("Commands", "Next Note or Flag"), ("Alt+Shift+PgDown",)),
+        Command("remark_tick", translate("Commands", "Tick Note Off"), ("Ctrl+Alt+Return",)),
         Command("marker_previous", translate("Commands", "Previous Marker"), ("Alt+PgUp",)),
         Command("marker_next", translate("Commands", "Next Marker"), ("Alt+PgDown",)),
     )

@@ -26,10 +26,15 @@ class Choice(QObject):
         self.kind = GraphKind.VALUE
         self.normalises = False
         self.isolates = False
-        self.is_locked = False
         self.snapshot: Document | None = None
-        self.shows_snapshot = True
+        self.shows_snapshot = False
         bridge.session_replaced.connect(self._begin_anew)
+        bridge.lock_changed.connect(self.changed)
+
+    @property
+    def is_locked(self) -> bool:
+        """Whether the curves can only be looked at."""
+        return self._bridge.is_locked
 
     @property
     def all(self) -> tuple[Curve, ...]:

@@ -1,6 +1,5 @@
 """The curve editor: the list of curves, the graph with its tools, and keys, notes and flags to go through."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -13,8 +12,6 @@ from PySide6.QtWidgets import (
     QSizePolicy,
     QSplitter,
     QTabWidget,
-    QToolBar,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -25,16 +22,19 @@ from kagezou.document.ease_edits import set_ease
 from kagezou.errors import Problem
 from kagezou.io.project.file import load
 from kagezou.tools.curves.picture import GraphKind
+from kagezou.ui.curves.annotating import Annotating
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.curves.curve_tree import CurveTree
+from kagezou.ui.curves.flag_list import FlagList
 from kagezou.ui.curves.graph import Graph
 from kagezou.ui.curves.key_table import KeyTable
+from kagezou.ui.curves.note_list import NoteList
 from kagezou.ui.curves.readout import readout
-from kagezou.ui.curves.review_lists import FlagList, NoteList
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.words import translated
+from kagezou.ui.widgets.overflow_row import OverflowRow
 
 
 class CurveEditor(QWidget):
@@ -57,9 +57,11 @@ class CurveEditor(QWidget):
         self.tree = CurveTree(bridge, self.choice)
         self.graph = Graph(bridge, self.choice)
         self.table = KeyTable(bridge, self.choice, clipboard)
-        self.notes = NoteList(bridge, self.choice, lambda: self.table.address)
-        self.flags = FlagList(bridge, self.choice)
+        self.annotating = Annotating(bridge)
+        self.notes = NoteList(bridge, self.annotating, lambda: self.table.address)
+        self.flags = FlagList(bridge)
         self.key_menu = QMenu(self)
+        self.kind_box = self._make_kind_box()
         self._read = QLabel()
         self._read.setObjectName("readout")
         # Its words may be longer than there is room; they never make the panel wider.
@@ -91,14 +93,16 @@ class CurveEditor(QWidget):
     def take_snapshot(self) -> None:
         """Keep the curves as they are, to compare with."""
         self.choice.set(snapshot=self._bridge.document, shows_snapshot=True)
-        self._ghost_button.setChecked(True)
+        self.compare.setChecked(True)
 
     def swap_snapshot(self) -> None:
         """Put the snapshot in the place of the document, and the document in its place: one step."""
-        other = self.choice.snapshot
-        if other is not None and not self.choice.is_locked:
-            now = self._bridge.document
-            self._bridge.session.edit(self.tr("Swap with snapshot"), other)
+        other, now = self.choice.snapshot, self._bridge.document
+        if other is None:
+            self.refused.emit(self.tr("There is no snapshot to exchange with yet."))
+            return
+        self._bridge.session.edit(self.tr("Swap with snapshot"), other)
+        if self._bridge.document is other:
             self.choice.set(snapshot=now)
 
     def compare_with(self, path: Path) -> None:
@@ -109,12 +113,13 @@ class CurveEditor(QWidget):
             self.refused.emit(translated(problem))
             return
         self.choice.set(snapshot=other, shows_snapshot=True)
-        self._ghost_button.setChecked(True)
+        self.compare.setChecked(True)
 
     def ask_velocity(self) -> None:
         """Ask for the exact speed and influence of the selected keys."""
         refs = self._bridge.session.state.keys
-        if not refs or self.choice.is_locked:
+        if not refs:
+            self.refused.emit(self.tr("No keys are selected."))
             return
         ref = min(refs, key=lambda each: each.frame)
         key = track_of(self._bridge.document, ref.address).key_at(ref.frame)
@@ -124,6 +129,14 @@ class CurveEditor(QWidget):
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.entered.connect(self._set_velocity)
         dialog.open()
+
+    def show_list(self, *, notes: bool) -> None:
+        """Bring the notes or the flags to the front."""
+        self._lists.setCurrentWidget(self.notes if notes else self.flags)
+
+    def show_for_review(self, *, on: bool) -> None:
+        """Give the graph the room of the list of curves."""
+        self.tree.setHidden(on)
 
     def _set_velocity(self, into: Ease, out: Ease) -> None:
         refs = self._bridge.session.state.keys
@@ -156,7 +169,7 @@ class CurveEditor(QWidget):
         column.addWidget(self._tools())
         column.addWidget(self.graph, 1)
         column.addWidget(self._read)
-        tabs = QTabWidget()
+        tabs = self._lists = QTabWidget()
         tabs.setDocumentMode(True)
         tabs.addTab(self.table, self.tr("Keys"))
         tabs.addTab(self.notes, self.tr("Notes"))
@@ -173,44 +186,46 @@ class CurveEditor(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(splitter)
 
-    def _tools(self) -> QToolBar:
-        # What finds no room goes into a menu at the bar's end, so that it never widens the window.
-        row = QToolBar()
-        kind = QComboBox()
-        kind.addItem(self.tr("Value"), GraphKind.VALUE)
-        kind.addItem(self.tr("Speed"), GraphKind.SPEED)
-        kind.setAccessibleName(self.tr("What the graph shows"))
-        kind.currentIndexChanged.connect(lambda index: self._show_kind(kind.itemData(index)))
-        row.addWidget(kind)
-        row.addWidget(
-            _tool(self.tr("Fit"), self.tr("Fit the selected keys, else everything (F)"), self.graph.fit_chosen)
+    def _tools(self) -> OverflowRow:
+        row = OverflowRow()
+        row.add_fixed(self.kind_box)
+        row.add_tool(self.tr("Fit"), self.tr("Fit the selected keys, else everything (F)"), self.graph.fit_chosen)
+        self.normalise = row.add_switch(
+            self.tr("Normalise"), self.tr("Stretch every curve to the same height"), self._normalise
         )
-        self.normalise_button = self._switch(
-            self.tr("Normalise"), self.tr("Stretch every curve to the same height"), "normalises"
-        )
-        self.normalise_button.toggled.connect(lambda _on: self.graph.fit_all())
-        row.addWidget(self.normalise_button)
-        row.addWidget(self._switch(self.tr("Isolate"), self.tr("Show only curves with selected keys"), "isolates"))
-        row.addWidget(_spring())
-        take = _tool(self.tr("Snapshot"), self.tr("Keep the curves as they are, to compare with"), self.take_snapshot)
-        row.addWidget(take)
-        self._ghost_button = self._switch(
-            self.tr("Compare"), self.tr("Show the snapshot dashed, and the frames that differ"), "shows_snapshot"
-        )
-        self._ghost_button.setChecked(True)
-        row.addWidget(self._ghost_button)
-        row.addWidget(_tool(self.tr("Swap"), self.tr("Exchange the project with the snapshot"), self.swap_snapshot))
-        row.addWidget(_tool(self.tr("With File…"), self.tr("Compare with another saved version"), self._ask_file))
-        row.addWidget(_spring())
-        locked = self.tr("Look only: nothing can be changed here")
-        row.addWidget(self._switch(self.tr("Look Only"), locked, "is_locked"))
+        alone = self.tr("Show only curves with selected keys")
+        row.add_switch(self.tr("Isolate"), alone, lambda on: self.choice.set(isolates=on))
+        keep = self.tr("Keep the curves as they are, to compare with")
+        row.add_tool(self.tr("Snapshot"), keep, self.take_snapshot)
+        beside = self.tr("Show the snapshot dashed, and the frames that differ")
+        self.compare = row.add_switch(self.tr("Compare"), beside, self._compare)
+        row.add_tool(self.tr("Swap"), self.tr("Exchange the project with the snapshot"), self.swap_snapshot)
+        row.add_tool(self.tr("With File…"), self.tr("Compare with another saved version"), self._ask_file)
+        look = self.tr("Look only: nothing can be changed here, nor anywhere in the window")
+        self.look_only = row.add_switch(self.tr("Look Only"), look, self._bridge.lock)
+        self.look_only.setChecked(self._bridge.is_locked)
+        self._bridge.lock_changed.connect(self.look_only.setChecked)
         return row
 
-    def _switch(self, words: str, tip: str, name: str) -> QToolButton:
-        button = _tool(words, tip, None)
-        button.setCheckable(True)
-        button.toggled.connect(lambda on: self.choice.set(**{name: on}))
-        return button
+    def _make_kind_box(self) -> QComboBox:
+        box = QComboBox()
+        box.addItem(self.tr("Value"), GraphKind.VALUE)
+        box.addItem(self.tr("Speed"), GraphKind.SPEED)
+        box.setAccessibleName(self.tr("What the graph shows"))
+        # A box hands back plain text, whatever was put into it.
+        box.currentIndexChanged.connect(lambda index: self._show_kind(GraphKind(box.itemData(index))))
+        return box
+
+    def _normalise(self, on: bool) -> None:
+        self.choice.set(normalises=on)
+        self.graph.fit_all()
+
+    def _compare(self, on: bool) -> None:
+        self.choice.set(shows_snapshot=on)
+        if on and self.choice.snapshot is None:
+            self.refused.emit(
+                self.tr("There is nothing to compare with yet: take a snapshot, or choose a saved version.")
+            )
 
     def _show_kind(self, kind: GraphKind) -> None:
         self.choice.set(kind=kind)
@@ -221,19 +236,3 @@ class CurveEditor(QWidget):
         chosen, _ = QFileDialog.getOpenFileName(self, words, "", self.tr("Kagezou projects") + " (*.kage *.kage~)")
         if chosen:
             self.compare_with(Path(chosen))
-
-
-def _spring() -> QWidget:
-    spring = QWidget()
-    spring.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-    return spring
-
-
-def _tool(words: str, tip: str, do: Callable[[], None] | None) -> QToolButton:
-    button = QToolButton()
-    button.setText(words)
-    button.setToolTip(tip)
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    if do is not None:
-        button.clicked.connect(lambda _checked: do())
-    return button

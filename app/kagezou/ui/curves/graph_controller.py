@@ -186,8 +186,6 @@ class GraphController(QObject):
         if held is None:
             self._draw_box(pressed.place, pointer.place)
             return
-        if isinstance(held, CurveGrip) and self._choice.is_locked:
-            return
         if self._gesture is None or self._drag is None:
             self._gesture = self._bridge.session.begin(self._step_name(held))
             self._drag = self._begun(held, self._gesture.start)
@@ -235,10 +233,9 @@ class GraphController(QObject):
         self._bridge.session.select_keys(inside | (self._before if self._adds else frozenset()))
 
     def _add_key(self, picture: CurvePicture, place: GraphPlace) -> None:
-        if not self._choice.is_locked:
-            level = place[1] if self._choice.kind is GraphKind.VALUE else None
-            added = with_key(self._bridge.document, picture, max(round(place[0]), 1), level)
-            self._bridge.session.edit(self.tr("Add key"), added)
+        level = place[1] if self._choice.kind is GraphKind.VALUE else None
+        added = with_key(self._bridge.document, picture, max(round(place[0]), 1), level)
+        self._bridge.session.edit(self.tr("Add key"), added)
 
 
 def _box_under(model: GraphModel, place: GraphPlace, modifiers: Qt.KeyboardModifier) -> _BoxHeld | None:

@@ -1,5 +1,6 @@
 """Keys as rows of a table, and as text with tabs that spreadsheets take and give."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from kagezou.animation.ease import EASY, MIN_INFLUENCE, Ease
@@ -7,11 +8,16 @@ from kagezou.animation.track import Interpolation, Key, Track, components_of, re
 from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
 from kagezou.document.model import Document
+from kagezou.document.typed_number import evaluate
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 HEADINGS = ("frame", "component", "value", "goes on", "speed in", "influence in %", "speed out", "influence out %")
 
+
+_NUMBERS = (0, 2, 4, 5, 6, 7)
+_INFLUENCES = (5, 7)
+"""Columns of the table."""
 
 _MOST = 1e12
 """Comparing with it also keeps out what is no number at all."""
@@ -31,17 +37,17 @@ class KeyRow:
     @property
     def cells(self) -> tuple[str, ...]:
         """What the table shows, rounded to what is of use to the eye."""
-        return self._written("{:.6g}")
+        return self._written(_rounded)
 
     @property
     def exact_cells(self) -> tuple[str, ...]:
         """The same to the last bit, for text that comes back."""
-        return self._written("{!r}")
+        return self._written(repr)
 
-    def _written(self, form: str) -> tuple[str, ...]:
+    def _written(self, words_of: Callable[[float], str]) -> tuple[str, ...]:
         into, out = self.ease_in, self.ease_out
         numbers = (self.value, into.speed, into.influence * 100, out.speed, out.influence * 100)
-        value, *eases = (form.format(number) for number in numbers)
+        value, *eases = (words_of(number) for number in numbers)
         return (str(self.frame), str(self.component + 1), value, self.interpolation.value, *eases)
 
 
@@ -64,7 +70,7 @@ def with_cell(document: Document, address: Address, row: KeyRow, column: int, te
         The text is not what the column holds.
     """
     cells = list(row.cells)
-    cells[column] = text
+    cells[column] = _calculated(row, column, text)
     changed = parse_row(cells)
     if changed.component != row.component:
         raise UsageProblem(Message("a key's component cannot be changed"))
@@ -169,6 +175,17 @@ def _typed(row: KeyRow, changed: KeyRow, column: int) -> KeyRow:
             return replace(row, ease_out=replace(row.ease_out, influence=changed.ease_out.influence))
 
 
+def _calculated(row: KeyRow, column: int, text: str) -> str:
+    """Return what was typed into a cell as plain text: ``*2`` and its like are about the number that was there.
+
+    An influence is itself in per cent, so that a sign behind its number says nothing about what was there.
+    """
+    if column not in _NUMBERS:
+        return text
+    typed = text.strip().removesuffix("%") if column in _INFLUENCES else text
+    return repr(evaluate(typed, float(row.exact_cells[column])))
+
+
 def _with_eases(key: Key, component: int, row: KeyRow) -> Key:
     count = len(components_of(key.value) or ())
     into = [_at(key.ease_in, index) for index in range(count)]
@@ -179,6 +196,12 @@ def _with_eases(key: Key, component: int, row: KeyRow) -> Key:
 
 def _at(eases: tuple[Ease, ...], component: int) -> Ease:
     return eases[component] if component < len(eases) else EASY
+
+
+def _rounded(number: float) -> str:
+    """Return a number with two decimals at most."""
+    text = f"{number:.2f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
 
 
 def _number(text: str, what: Message) -> float:

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address
+from kagezou.document.frame_numbers import frame_of, number_of
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.ui.curves.choice import Choice
@@ -16,6 +17,7 @@ from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.words import translated
 
+_FRAME_COLUMN = 0
 _FIXED_COLUMNS = (1,)
 _INTERPOLATION_COLUMN = 3
 
@@ -65,9 +67,18 @@ class KeyTable(QTableWidget):
                 for column, text in enumerate(self._shown(row, address)):
                     self.setItem(number, column, _cell(text, fixed=column in _FIXED_COLUMNS))
 
+    def event(self, event: QEvent) -> bool:
+        # The window has commands on these keys too; here they are about the table's rows.
+        if event.type() is QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and _is_own(event):
+            event.accept()
+            return True
+        return super().event(event)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Copy):
             self.copy()
+        elif event.matches(QKeySequence.StandardKey.SelectAll):
+            self.selectAll()
         elif event.matches(QKeySequence.StandardKey.Paste):
             self.paste()
         else:
@@ -81,7 +92,7 @@ class KeyTable(QTableWidget):
     def paste(self) -> None:
         """Set keys from lines with tabs on the clipboard."""
         address = self.address
-        if address is not None and not self._choice.is_locked:
+        if address is not None:
             text = self._clipboard.text()
             self._edit(self.tr("Paste keys"), lambda: pasted(self._bridge.document, address, text))
 
@@ -92,13 +103,16 @@ class KeyTable(QTableWidget):
         row, column = self._rows[item.row()], item.column()
         spoken = {self._word(each): each.value for each in Interpolation}
         text = spoken.get(item.text().strip(), item.text()) if column == _INTERPOLATION_COLUMN else item.text()
+        if column == _FRAME_COLUMN and text.strip().isdecimal():
+            text = str(frame_of(self._bridge.document.canvas, int(text)))
         self._edit(self.tr("Type key"), lambda: with_cell(self._bridge.document, address, row, column, text))
 
     def _shown(self, row: KeyRow, address: Address | None) -> tuple[str, ...]:
         """Return a row's cells as they are read: its axis by name, how it goes on in the window's language."""
-        frame, part, value, _, *eases = row.cells
+        _, part, value, _, *eases = row.cells
         axes = address.property.components if address is not None else ()
         axis = axes[row.component] if row.component < len(axes) and len(axes[row.component]) == 1 else part
+        frame = str(number_of(self._bridge.document.canvas, row.frame))
         return (frame, axis, value, self._word(row.interpolation), *eases)
 
     def _word(self, interpolation: Interpolation) -> str:
@@ -124,6 +138,11 @@ class KeyTable(QTableWidget):
         rows = {index.row() for index in self.selectedIndexes()}
         if len(rows) == 1 and self.hasFocus():
             self._bridge.session.go_to(self._rows[rows.pop()].frame)
+
+
+def _is_own(event: QKeyEvent) -> bool:
+    keys = QKeySequence.StandardKey
+    return any(event.matches(key) for key in (keys.Copy, keys.Paste, keys.SelectAll))
 
 
 def _cell(text: str, *, fixed: bool) -> QTableWidgetItem:

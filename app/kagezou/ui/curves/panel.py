@@ -32,6 +32,7 @@ class CurvesPanel(QWidget):
         super().__init__()
         self._bridge, self._clipboard, self._fill_menu = bridge, clipboard, fill_menu
         self.editor: CurveEditor | None = None
+        self.author = ""
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
 
@@ -46,6 +47,7 @@ class CurvesPanel(QWidget):
             from kagezou.ui.curves.curve_editor import CurveEditor
 
             self.editor = CurveEditor(self._bridge, self._clipboard)
+            self.editor.notes.author = self.author
             self._fill_menu(self.editor.key_menu)
             self.editor.refused.connect(self.refused)
             layout = self.layout()

@@ -1,19 +1,19 @@
 """The export dialog: whom it is for, how, where, and what will be written before anything is."""
 
+import importlib
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QButtonGroup,
     QDialog,
     QFileDialog,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QPushButton,
-    QRadioButton,
     QVBoxLayout,
     QWidget,
 )
@@ -21,14 +21,19 @@ from PySide6.QtWidgets import (
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.choices import ExportChoices, Place
-from kagezou.export.exporters.table import EXPORTERS, depths_of, exporter_of, sound
+from kagezou.export.exporters.table import depths_of, exporter_of, sound
+from kagezou.ui.export.missing_part import MissingPartDialog
 from kagezou.ui.export.options import GAP_PX, ExportOptions
 from kagezou.ui.export.preset_row import PresetRow
+from kagezou.ui.export.targets import TargetList
 from kagezou.ui.system.words import translated
+
+_SAYS_LINES = 2
+"""So many lines are kept free for what stands in the way."""
 
 
 class ExportDialog(QDialog):
-    """Asks for everything at once; the preview follows every choice.
+    """Asks for everything at once; the preview follows every choice, and nothing else moves.
 
     Parameters
     ----------
@@ -37,7 +42,7 @@ class ExportDialog(QDialog):
     choices
         What was chosen the last time.
     place
-        Where it went the last time, and what the project is called.
+        Where it is proposed to go, and what the project is called.
     preset_folder
         Where the presets lie.
     """
@@ -56,10 +61,9 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export"))
         self._document, self._place = document, place
-        self.kinds = QButtonGroup(self)
-        self._buttons: dict[str, QRadioButton] = {}
+        self.targets = TargetList()
         self.presets = PresetRow(preset_folder)
-        self.folder_label, self.folder = QLabel(self.tr("Folder")), QLineEdit(str(place.folder))
+        self.folder = QLineEdit(str(place.folder))
         self.options = ExportOptions(document)
         self.preview = QListWidget()
         self.preview.setSelectionMode(QListWidget.SelectionMode.NoSelection)
@@ -67,10 +71,12 @@ class ExportDialog(QDialog):
         self.says = QLabel()
         self.says.setWordWrap(True)
         self.says.setObjectName("problem")
+        self.how = QPushButton(self.tr("How to Add It…"))
         self.go = QPushButton(self.tr("Export"))
         self._formats: dict[str, str] = {}
         self._lay_out()
         self.choices = self._possible(choices)
+        self.targets.picked.connect(lambda kind: self.change(kind=kind))
         self.presets.picked.connect(self.show_choices)
         self.presets.failed.connect(self._say)
         self.options.changed.connect(lambda what: self.change(**what))
@@ -79,10 +85,10 @@ class ExportDialog(QDialog):
         self.go.setFocus()
 
     def show_choices(self, choices: ExportChoices) -> None:
-        """Stand as it was chosen, as far as this document and this machine allow."""
+        """Stand as it was chosen, as far as this document allows."""
         self.choices = self._possible(choices)
         self._formats[self.choices.kind] = self.choices.format
-        self._buttons[self.choices.kind].setChecked(True)
+        self.targets.show_kind(self.choices.kind)
         self.options.show_choices(self.choices)
         self.presets.show_choices(self.choices)
         self.refresh()
@@ -102,27 +108,27 @@ class ExportDialog(QDialog):
     def refresh(self) -> None:
         """Show what would be written, or why nothing can be."""
         self.preview.clear()
+        exporter = exporter_of(self.choices)
         problem = ""
         try:
-            exporter = exporter_of(self.choices)
             self.preview.addItems(list(exporter.preview(self._document, self.choices, self._place_now())))
         except UsageProblem as refused:
             problem = translated(refused)
         if not problem and not self.folder.text().strip():
             problem = self.tr("Choose a folder.")
-        self._say(problem)
-        self.go.setEnabled(not problem)
+        lack = exporter.lacks()
+        self.how.setVisible(lack is not None)
+        self._say(problem if lack is None else translated(lack.says))
+        self.go.setEnabled(not problem and lack is None)
 
     def _say(self, problem: str) -> None:
         self.says.setText(problem[:1].upper() + problem[1:])
-        self.says.setVisible(bool(problem))
+        self.says.setToolTip(problem)
 
     def _possible(self, choices: ExportChoices) -> ExportChoices:
-        """Return the choices without what this document or this machine does not have."""
+        """Return the choices without what this document does not have."""
         if choices.video_layer not in [layer.name for layer in self._document.layers]:
             choices = replace(choices, video_layer="")
-        if not self._buttons[choices.kind].isEnabled():
-            choices = replace(choices, kind=EXPORTERS[0].key)
         return sound(choices)
 
     def _place_now(self) -> Place:
@@ -133,63 +139,82 @@ class ExportDialog(QDialog):
         column.setContentsMargins(16, 16, 16, 14)
         column.setSpacing(10)
         column.addWidget(self.presets)
-        column.addLayout(self._kind_row())
-        for button in self._buttons.values():
-            if not button.isEnabled():
-                why = QLabel(button.toolTip())
-                why.setObjectName("welcome_hint")
-                column.addWidget(why)
-        column.addLayout(self._folder_row())
-        column.addWidget(self.options)
-        labels = (self.presets.label, self.folder_label, *self.options.labels)
-        for label in labels:
-            label.setMinimumWidth(max(each.sizeHint().width() for each in labels))
         heading = QLabel(self.tr("What will be written"))
         heading.setObjectName("heading")
-        column.addWidget(heading)
-        column.addWidget(self.preview, 1)
-        column.addWidget(self.says)
-        buttons = QHBoxLayout()
-        buttons.addStretch(1)
-        cancel = QPushButton(self.tr("Cancel"))
-        cancel.clicked.connect(self.reject)
-        self.go.setDefault(True)
-        self.go.clicked.connect(self._accept)
-        buttons.addWidget(cancel)
-        buttons.addWidget(self.go)
-        column.addLayout(buttons)
+        middle = QGridLayout()
+        middle.setHorizontalSpacing(18)
+        middle.setVerticalSpacing(4)
+        middle.addWidget(self.targets, 0, 0, 2, 1)
+        middle.addWidget(self.options, 0, 1, 2, 1)
+        middle.addWidget(heading, 0, 2)
+        middle.addWidget(self.preview, 1, 2)
+        middle.setColumnStretch(2, 1)
+        middle.setRowStretch(1, 1)
+        column.addLayout(middle, 1)
+        column.addLayout(self._folder_row())
+        column.addLayout(self._last_row())
         letter = self.fontMetrics().horizontalAdvance("0")
-        self.resize(84 * letter, 34 * self.fontMetrics().height())
+        self.preview.setMinimumWidth(34 * letter)
 
-    def _kind_row(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        for exporter in EXPORTERS:
-            button = self._buttons[exporter.key] = QRadioButton(translated(exporter.label))
-            button.clicked.connect(lambda _on, each=exporter.key: self.change(kind=each))
-            if lacking := exporter.lacks():
-                button.setEnabled(False)
-                button.setToolTip(translated(lacking))
-            self.kinds.addButton(button)
-            row.addWidget(button)
-        row.addStretch(1)
-        return row
-
-    def _folder_row(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setSpacing(GAP_PX)
-        self.folder_label.setBuddy(self.folder)
+    def _folder_row(self) -> QGridLayout:
+        rows = QGridLayout()
+        rows.setHorizontalSpacing(GAP_PX)
+        rows.setVerticalSpacing(3)
+        label = QLabel(self.tr("Folder"))
+        label.setBuddy(self.folder)
         browse = QPushButton(self.tr("Browse…"))
         browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)
         self.folder.textChanged.connect(self.refresh)
-        for widget in (self.folder_label, self.folder, browse):
-            row.addWidget(widget)
+        for number, widget in enumerate((label, self.folder, browse)):
+            rows.addWidget(widget, 0, number)
+        self.place_note = QLabel(
+            self.tr("The project is not saved yet, so a folder in your documents is proposed.")
+            if self._place.project is None
+            else self.tr("Another folder than the one beside the project is remembered for this project.")
+        )
+        self.place_note.setObjectName("welcome_hint")
+        rows.addWidget(self.place_note, 1, 1)
+        return rows
+
+    def _last_row(self) -> QHBoxLayout:
+        """Return what stands in the way, and the buttons; the room for words is kept while there are none."""
+        self.says.setMinimumHeight(_SAYS_LINES * self.fontMetrics().lineSpacing())
+        self.says.setAlignment(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
+        self.how.setAutoDefault(False)
+        self.how.clicked.connect(self._show_how)
+        policy = self.how.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.how.setSizePolicy(policy)
+        cancel = QPushButton(self.tr("Cancel"))
+        cancel.clicked.connect(self.reject)
+        self.go.setDefault(True)
+        self.go.clicked.connect(self._accept)
+        row = QHBoxLayout()
+        row.setSpacing(GAP_PX)
+        row.addWidget(self.says, 1)
+        for button in (self.how, cancel, self.go):
+            row.addWidget(button)
         return row
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(self, self.tr("Export To"), self.folder.text())
         if chosen:
             self.folder.setText(chosen)
+
+    def _show_how(self) -> None:
+        lack = exporter_of(self.choices).lacks()
+        if lack is None:
+            return
+        dialog = MissingPartDialog(lack, self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.finished.connect(self._look_again)
+        dialog.open()
+
+    def _look_again(self) -> None:
+        """Take what was installed meanwhile."""
+        importlib.invalidate_caches()
+        self.refresh()
 
     def _accept(self) -> None:
         self.chosen.emit(self.choices, self._place_now())

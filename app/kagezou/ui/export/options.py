@@ -1,7 +1,9 @@
-"""The choices of an export, of which only those of its exporter are shown; what cannot be chosen says why."""
+"""The choices of an export: each has a place of its own, and only those of the exporter are shown there."""
+
+from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QSpinBox, QWidget
 
 from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices
@@ -11,9 +13,28 @@ from kagezou.export.exporters.table import MAX_CHUNK, depths_of, exporter_of
 GAP_PX = 8
 """Between a label and its field."""
 
+_ROW_GAP_PX: Final = 6
+_ARROW_PX: Final = 36
+"""What a box has beside its words."""
+
+_ROWS: Final = {
+    Option.ONLY_WORK_AREA: 1,
+    Option.PER_DRAWING: 1,
+    Option.SKIP_EXISTING: 2,
+    Option.VIDEO_LAYER: 2,
+    Option.IN_ONE: 2,
+    Option.UNITED: 3,
+    Option.COPIES: 3,
+    Option.COMPOSITE: 4,
+    Option.MATTES: 4,
+    Option.RECEIVERS: 5,
+    Option.CHUNK: 6,
+}
+"""The place of each, which nothing that is offered with it has; the mattes go on in the rows below theirs."""
+
 
 class ExportOptions(QWidget):
-    """A form of choices.
+    """A form of choices, as large for every exporter.
 
     Parameters
     ----------
@@ -34,18 +55,19 @@ class ExportOptions(QWidget):
         self.chunk = QSpinBox()
         self._ticks: dict[Option, QCheckBox] = {}
         self._mattes: dict[str, QCheckBox] = {}
-        self._rows: list[tuple[QWidget, Option]] = []
-        self._form = QFormLayout(self)
+        self._shown_for: list[tuple[QWidget, Option]] = []
+        self._form = QGridLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setHorizontalSpacing(GAP_PX)
+        # A row of which nothing is shown would lose its spacing.
+        self._form.setVerticalSpacing(0)
         self._lay_out()
 
     def show_choices(self, choices: ExportChoices) -> None:
         """Show what the exporter lets one choose, as it stands."""
         exporter = exporter_of(choices)
-        for widget, option in self._rows:
-            self._form.setRowVisible(widget, option in exporter.options)
-        self.depth_box.setVisible(Option.DEPTH in exporter.options)
+        for widget, option in self._shown_for:
+            widget.setVisible(option in exporter.options)
         titles = self._format_words()
         formats = {titles.get(each, each.upper()): each for each in exporter.formats(choices)}
         _fill(self.format_box, formats, choices.format)
@@ -73,10 +95,13 @@ class ExportOptions(QWidget):
         row.setSpacing(GAP_PX)
         row.addWidget(self.format_box, 1)
         row.addWidget(self.depth_box)
-        self.labels = (QLabel(self.tr("Format")), QLabel(self.tr("Picture")))
-        self._form.addRow(self.labels[0], row)
-        self._form.addRow(self.labels[1], self.video_box)
-        self._rows.append((self.video_box, Option.VIDEO_LAYER))
+        self._shown_for.append((self.depth_box, Option.DEPTH))
+        format_label, self._video_label = QLabel(self.tr("Format")), QLabel(self.tr("Picture"))
+        self._form.addWidget(format_label, 0, 0)
+        self._form.addLayout(row, 0, 1)
+        self._form.addWidget(self._video_label, _ROWS[Option.VIDEO_LAYER], 0)
+        self._form.addWidget(self.video_box, _ROWS[Option.VIDEO_LAYER], 1)
+        self._shown_for += [(each, Option.VIDEO_LAYER) for each in (self._video_label, self.video_box)]
         self._add(self.tr("All layers of a frame in one file"), Option.IN_ONE)
         self._add(self.tr("Shadows of a look as one besides"), Option.UNITED)
         self._add(self.tr("Composite with background and characters"), Option.COMPOSITE)
@@ -86,25 +111,48 @@ class ExportOptions(QWidget):
             _refuse(self._ticks[Option.ONLY_WORK_AREA], self.tr("the cut has none"))
         self._add(self.tr("Each different shadow once, held by time remapping"), Option.PER_DRAWING)
         self._add(self.tr("Copy characters and background into the folder"), Option.COPIES)
-        for matte, words in self._matte_words().items():
+        for number, (matte, words) in enumerate(self._matte_words().items()):
             box = self._mattes[matte] = QCheckBox(words)
             box.toggled.connect(self._choose_mattes)
-            self._put(box, Option.MATTES)
+            self._put(box, Option.MATTES, number)
         self.chunk.setRange(1, MAX_CHUNK)
         self.chunk.setSuffix(self.tr(" frames a task"))
+        self.chunk.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.chunk.valueChanged.connect(lambda value: self.changed.emit({"chunk": value}))
         self._put(self.chunk, Option.CHUNK)
         trusting = self.tr("Leave frames alone that would come out the same")
         self._add(trusting, Option.SKIP_EXISTING)
+        self._keep_room()
 
     def _add(self, words: str, option: Option) -> None:
         box = self._ticks[option] = QCheckBox(words)
         box.toggled.connect(lambda on: self.changed.emit({option.value: on}))
         self._put(box, option)
 
-    def _put(self, widget: QWidget, option: Option) -> None:
-        self._form.addRow("", widget)
-        self._rows.append((widget, option))
+    def _put(self, widget: QWidget, option: Option, below: int = 0) -> None:
+        self._form.addWidget(widget, _ROWS[option] + below, 0, 1, 2)
+        self._shown_for.append((widget, option))
+
+    def _keep_room(self) -> None:
+        """Make every row as high as its highest widget, and the form as wide as its widest, shown or not."""
+        widgets = [widget for widget, _ in self._shown_for]
+        self.depth_box.setMinimumContentsLength(6)
+        for each in (*widgets, self.format_box):
+            each.ensurePolished()
+        high = max(each.sizeHint().height() for each in (*widgets, self.format_box)) + _ROW_GAP_PX
+        for row in range(_ROWS[Option.MATTES] + len(self._mattes)):
+            self._form.setRowMinimumHeight(row, high)
+        self._form.setRowStretch(self._form.rowCount(), 1)
+        self._form.setColumnStretch(1, 1)
+        self._form.setColumnMinimumWidth(0, self._video_label.sizeHint().width())
+        words = max(map(self.fontMetrics().horizontalAdvance, self._format_words().values()))
+        beside = self._video_label.sizeHint().width() + self.depth_box.sizeHint().width() + 2 * GAP_PX
+        self.setMinimumWidth(max(*(each.sizeHint().width() for each in widgets), words + _ARROW_PX + beside))
+        for box in (self.format_box, self.video_box):
+            box.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        policy = self.depth_box.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.depth_box.setSizePolicy(policy)
 
     def _choose_mattes(self) -> None:
         self.changed.emit({"mattes": tuple(each for each, box in self._mattes.items() if box.isChecked())})

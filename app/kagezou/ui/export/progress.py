@@ -1,8 +1,10 @@
 """Exporting beside the window: a thread that draws, and its progress in the status bar."""
 
 import threading
+from collections import deque
 from time import monotonic
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from kagezou.errors import Problem
@@ -14,7 +16,9 @@ from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
 _KEY = "export"
-_NOTES = "export notes"
+_PACE_STEPS = 24
+"""The time left follows from the pace of so many steps, as files that were there already cost almost none."""
+_MINUTE_S = 60
 
 
 class Exporting(QWidget):
@@ -23,8 +27,11 @@ class Exporting(QWidget):
     Parameters
     ----------
     bar
-        Where the end is said.
+        Where is said what went wrong.
     """
+
+    ended = Signal(object)
+    """What came of an export that was not ended by a problem."""
 
     def __init__(self, bar: MessageBar) -> None:
         super().__init__()
@@ -34,7 +41,7 @@ class Exporting(QWidget):
         self._background = Queue[tuple[int, int] | ExportOutcome](
             self._take, failed=self._say_failed, ended=self._end, low_priority=True
         )
-        self._began_s = 0.0
+        self._pace: deque[tuple[float, int]] = deque(maxlen=_PACE_STEPS)
         self._stopping = False
         self._words = QLabel(self.tr("Exporting"))
         self._progress = QProgressBar()
@@ -65,8 +72,10 @@ class Exporting(QWidget):
         surface = self._surface = OffscreenSurface()
         self._wants_stop.clear()
         self._progress.setRange(0, 0)
-        self._began_s = monotonic()
-        self._words.setText(self.tr("Exporting"))
+        self._progress.reset()
+        self._pace.clear()
+        self._pace.append((monotonic(), 0))
+        self._words.setText(self.tr("Preparing the export"))
         self.show()
         self._background.ask(
             lambda turn: turn.tell(
@@ -92,34 +101,31 @@ class Exporting(QWidget):
 
     def _take(self, told: tuple[int, int] | ExportOutcome) -> None:
         if isinstance(told, ExportOutcome):
-            self._say_done(told)
+            self._bar.withdraw(_KEY)
+            self.ended.emit(told)
         else:
             self._show_progress(*told)
 
     def _say_failed(self, problem: Problem) -> None:
-        self._bar.say(_KEY, translated(problem))
+        words = translated(problem)
+        if self._progress.value() > 0:
+            words += "\n" + self.tr("Every file that was written before is whole and stays.")
+        self._bar.say(_KEY, words)
 
     def _show_progress(self, finished: int, whole: int) -> None:
         self._progress.setRange(0, whole)
         self._progress.setValue(finished)
-        left_s = (monotonic() - self._began_s) * (whole - finished) / max(finished, 1)
+        began_s, before = self._pace[0]
+        now_s = monotonic()
+        self._pace.append((now_s, finished))
         if not self._stopping:
-            words = self.tr("Exporting, %1 s left").replace("%1", f"{left_s:.0f}")
-            self._words.setText(words)
+            left_s = (now_s - began_s) * (whole - finished) / max(finished - before, 1)
+            self._words.setText(self._time_words(left_s))
 
-    def _say_done(self, outcome: ExportOutcome) -> None:
-        if outcome.notes:
-            self._bar.say(_NOTES, "\n".join(map(translated, outcome.notes)), Severity.WARNING)
-        else:
-            self._bar.withdraw(_NOTES)
-        if outcome.problem:
-            self._bar.say(_KEY, translated(outcome.problem))
-        elif outcome.cancelled:
-            words = self.tr("Export stopped; %n file(s) are written and whole.", "", outcome.written)
-            self._bar.say(_KEY, words, Severity.NOTE)
-        else:
-            words = self.tr("Exported %n file(s) to %1", "", outcome.files)
-            self._bar.say(_KEY, words.replace("%1", str(outcome.where)), Severity.NOTE)
+    def _time_words(self, left_s: float) -> str:
+        if left_s < _MINUTE_S:
+            return self.tr("Exporting, %1 s left").replace("%1", f"{left_s:.0f}")
+        return self.tr("Exporting, %1 min left").replace("%1", f"{left_s / _MINUTE_S:.0f}")
 
     def _end(self) -> None:
         self._surface = None

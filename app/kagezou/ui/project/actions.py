@@ -16,6 +16,7 @@ from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import next_version
 from kagezou.io.project.recovery_file import RecoveredWork
 from kagezou.ui.project.asking import Asking
+from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.project.dialogs import Answer, Changed, Dialogs
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, DroppedFiles, dropped_files_of
 from kagezou.ui.project.load import AnyLoad
@@ -167,7 +168,8 @@ class ProjectActions(QObject):
 
     def export_timesheet(self) -> None:
         """Ask where to write the timesheet."""
-        if path := self.dialogs.timesheet_to_save(f"{self.project_name}.xdts"):
+        name = output_name(self._open_project.bridge.document, self.project_name)
+        if path := self.dialogs.timesheet_to_save(f"{name}.xdts"):
             self._try(lambda: self._open_project.write_timesheet(path, self.project_name))
 
     def bring(self, paths: Iterable[Path]) -> None:

@@ -92,7 +92,7 @@ class Autosave(QObject):
         session = self._open_project.bridge.session
         self._asked = document
         self._shortly.stop()
-        edits = max(session.steps_since_saved, 1)
+        edits = max(session.history.since_saved, 1)
         path, seen = self._open_project.path, self._open_project.seen
         work = RecoveredWork(document, self._name(), path, recovery_file.now_s(), edits, seen)
         self._do(lambda: self._keepsakes.keep(work))

@@ -25,6 +25,9 @@ class Bridge(QObject):
     """Another document is looked at for the moment, or none any more."""
     settled = Signal()
     """The document is another one than when this was sent last, and no gesture is under way."""
+    lock_changed = Signal(bool)
+    edit_refused = Signal()
+    """Someone tried to change what can only be looked at."""
 
     def __init__(self, session: Session) -> None:
         super().__init__()
@@ -67,6 +70,17 @@ class Bridge(QObject):
         return self._session.state.frame
 
     @property
+    def is_locked(self) -> bool:
+        """Whether nothing can be changed in this session, nor in those opened after it."""
+        return self._session.is_locked
+
+    def lock(self, on: bool) -> None:
+        """Let everything only be looked at, or be worked on again."""
+        if on != self.is_locked:
+            self._session.lock(locked=on)
+            self.lock_changed.emit(on)
+
+    @property
     def layer_id(self) -> str | None:
         """The layer worked on; None while a set piece is."""
         return self._session.state.layer_id
@@ -85,6 +99,7 @@ class Bridge(QObject):
 
     def open(self, session: Session) -> None:
         """Put another session in the place of this one and say that everything changed."""
+        session.lock(locked=self.is_locked)
         self._session = session
         self._settled = session.document
         self._looked_at = None
@@ -102,7 +117,14 @@ class Bridge(QObject):
             if session is self._session:
                 self._changed(before, after)
 
+        def refused() -> None:
+            if session is self._session:
+                # Fields that were typed into show again what is.
+                self.document_changed.emit()
+                self.edit_refused.emit()
+
         session.listen(changed)
+        session.listen_to_refusals(refused)
 
     def _changed(self, before: State, after: State) -> None:
         if after is not before:

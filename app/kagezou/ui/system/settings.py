@@ -94,8 +94,16 @@ class Settings:
         self._store.remove("recent")
 
     def folder(self, purpose: str) -> str:
-        """Return the folder last used for a purpose, empty if none."""
-        return str(self._store.value(f"folders/{purpose}", ""))
+        """Return the folder to begin in for a purpose: the settled one, else the one last used, else empty."""
+        return self.settled_folder(purpose) or str(self._store.value(f"folders/{purpose}", ""))
+
+    def settled_folder(self, purpose: str) -> str:
+        """Return the folder in which to begin always for a purpose, empty if none."""
+        return str(self._store.value(f"settled folders/{purpose}", ""))
+
+    def settle_folder(self, purpose: str, folder: str) -> None:
+        """Begin always in a folder for a purpose; with an empty one in the last used."""
+        self._store.setValue(f"settled folders/{purpose}", folder)
 
     def remember_folder(self, purpose: str, folder: Path) -> None:
         """Keep the folder used for a purpose."""

@@ -11,7 +11,7 @@ from kagezou.ui.system.language import language_code
 
 def translated(said: Translatable) -> str:
     """Return a message, or what a problem says, in the language of the window; it begins like a sentence."""
-    return said.sentence(_translate)
+    return said.sentence(in_own_language)
 
 
 def named(name: LocalName) -> str:
@@ -25,5 +25,6 @@ def choice_name(choice: str) -> str:
     return choice if label is None else translated(label)
 
 
-def _translate(text: str, about: str) -> str:
+def in_own_language(text: str, about: str) -> str:
+    """Return an English text, with its places for values, in the language of the window."""
     return QCoreApplication.translate(MESSAGES, text, about or None)

@@ -8,19 +8,24 @@ from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from kagezou.animation.timecode import Count, sheet_text
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.model import Document, Marker
+from kagezou.document.note import Note
 from kagezou.document.review import move_marker, set_work_area
 from kagezou.picture_source import PictureSource
 from kagezou.session.session import Gesture
 from kagezou.tools.timeline.snapping import snap_frames, snapped
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.note_words import note_heading, note_words
 from kagezou.ui.system.theme import BRIGHT, LINE, OFF, WELL
 from kagezou.ui.timeline.row_list import is_same
 from kagezou.ui.timeline.ruler_painting import (
     STRIP_PX,
     flag_of,
+    note_mark,
     paint_area,
     paint_marker,
+    paint_note,
     paint_playhead,
     paint_ticks,
 )
@@ -85,6 +90,17 @@ class Ruler(QWidget):
             None,
         )
 
+    def notes_at(self, place: QPointF) -> tuple[Note, ...]:
+        """Return the notes whose mark lies at a point."""
+        frame = self._scale.frame_at(place.x())
+        near = (frame - 1, frame, frame + 1)
+        return tuple(
+            note
+            for note in self._bridge.document.notes
+            if note.frame in near
+            and note_mark(note.frame, self._scale, self.height()).adjusted(-3, -3, 3, 1).contains(place)
+        )
+
     def end_at(self, place: QPointF) -> str | None:
         """Return which end of the work area lies at a point: "first", "last" or none."""
         if place.y() < self.height() - STRIP_PX - 3:
@@ -123,9 +139,11 @@ class Ruler(QWidget):
         place = event.position()
         frame = self._scale.frame_at(place.x())
         marker = self.marker_at(place)
-        rate = self._bridge.document.canvas.frame_rate
-        said = f"\n{marker.comment}" if marker is not None and marker.comment else ""
-        self.setToolTip(f"{frame}  ({sheet_text(frame, rate)}){said}")
+        document = self._bridge.document
+        canvas = document.canvas
+        said = [marker.comment] if marker is not None and marker.comment else []
+        said += [f"{note_heading(each, document)}\n{note_words(each)}" for each in self.notes_at(place)]
+        self.setToolTip("\n".join([f"{number_of(canvas, frame)}  ({sheet_text(frame, canvas.frame_rate)})", *said]))
         if not event.buttons() & Qt.MouseButton.LeftButton:
             ends = self.end_at(place) is not None and marker is None
             self.setCursor(Qt.CursorShape.SizeHorCursor if ends else Qt.CursorShape.PointingHandCursor)
@@ -177,16 +195,24 @@ class Ruler(QWidget):
         painter.fillRect(self.rect(), WELL)
         document, scale = self._bridge.document, self._scale
         paint_area(painter, scale, document, self.height())
-        paint_ticks(painter, scale, self.size(), document.canvas.frame_rate, self.count)
+        paint_ticks(painter, scale, self.size(), document.canvas, self.count)
         self._paint_ready(painter)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for marker in document.markers:
             paint_marker(painter, scale, marker, self.height())
+        self._paint_notes(painter)
         left, width = scale.x_of(self._bridge.frame), max(scale.cell_px, 2.0)
         paint_playhead(painter, left, width, self.height(), BRIGHT if self.isEnabled() else OFF)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(0, self.height() - 1, self.width(), self.height() - 1)
         painter.end()
+
+    def _paint_notes(self, painter: QPainter) -> None:
+        are_done: dict[int, bool] = {}
+        for note in self._bridge.document.notes:
+            are_done[note.frame] = note.is_done and are_done.get(note.frame, True)
+        for frame, is_done in are_done.items():
+            paint_note(painter, note_mark(frame, self._scale, self.height()), is_done=is_done)
 
     def _paint_ready(self, painter: QPainter) -> None:
         top = self.height() - STRIP_PX - _READY_PX - 1
@@ -202,4 +228,10 @@ class Ruler(QWidget):
 
 def _seen_of(document: Document) -> tuple[object, ...]:
     """Return what of a document is seen on the ruler; drawings, for it shows which are decoded."""
-    return (document.canvas, document.work_area, document.markers, *(layer.cels for layer in document.layers))
+    return (
+        document.canvas,
+        document.work_area,
+        document.markers,
+        document.notes,
+        *(layer.cels for layer in document.layers),
+    )

@@ -1,14 +1,13 @@
 """How time looks on the ruler: ticks and labels, the work area, markers with their flags, and the playhead."""
 
-from fractions import Fraction
 from typing import Final
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QPolygonF
 
 from kagezou.animation.timecode import Count, counted, frames_per_second
-from kagezou.document.model import Document, Marker
-from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, TEXT
+from kagezou.document.model import Canvas, Document, Marker
+from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, TEXT, WARNING
 from kagezou.ui.timeline.time_scale import TimeScale
 
 STRIP_PX: Final = 7
@@ -31,8 +30,9 @@ def paint_area(painter: QPainter, scale: TimeScale, document: Document, height_p
         painter.fillRect(QRectF(x, top - 1, 3, STRIP_PX), _AREA_END if is_set else QColor("#7a7a7a"))
 
 
-def paint_ticks(painter: QPainter, scale: TimeScale, size: QSize, rate: Fraction, count: Count) -> None:
+def paint_ticks(painter: QPainter, scale: TimeScale, size: QSize, canvas: Canvas, count: Count) -> None:
     """Paint ticks as close as they can be told apart, and frames counted in one way as close as they can be read."""
+    rate = canvas.frame_rate
     a_second = frames_per_second(rate)
     label_step, tick_step = _step(scale, _MIN_LABEL_PX), _step(scale, _MIN_TICK_PX)
     text_height, bottom = painter.fontMetrics().height(), size.height() - STRIP_PX
@@ -46,7 +46,7 @@ def paint_ticks(painter: QPainter, scale: TimeScale, size: QSize, rate: Fraction
         painter.drawLine(QLineF(x, top, x, bottom))
         if is_labelled and frame <= scale.length:
             painter.setPen(TEXT if is_second else DIM)
-            painter.drawText(QPointF(x + 4, text_height - 1), counted(frame, rate, count))
+            painter.drawText(QPointF(x + 4, text_height - 1), counted(frame, rate, count, canvas.first_frame))
 
 
 def flag_of(marker: Marker, scale: TimeScale, metrics: QFontMetrics) -> QRectF:
@@ -74,6 +74,21 @@ def paint_marker(painter: QPainter, scale: TimeScale, marker: Marker, height_px:
     painter.setPen(BRIGHT)
     words = metrics.elidedText(marker.comment, Qt.TextElideMode.ElideRight, int(flag.width()) - 8)
     painter.drawText(flag.adjusted(5, 0, -3, 0), Qt.AlignmentFlag.AlignVCenter, words)
+
+
+def note_mark(frame: int, scale: TimeScale, height_px: int) -> QRectF:
+    """Return where the mark of the notes on a frame lies."""
+    return QRectF(scale.middle_of(frame) - 4, height_px - STRIP_PX - 12, 8, 8)
+
+
+def paint_note(painter: QPainter, mark: QRectF, *, is_done: bool) -> None:
+    """Paint the mark of notes: a diamond, hollow where all of them are ticked off."""
+    painter.setPen(QPen(WARNING, 1.2))
+    painter.setBrush(Qt.BrushStyle.NoBrush if is_done else WARNING)
+    middle = mark.center()
+    left, right = QPointF(mark.left(), middle.y()), QPointF(mark.right(), middle.y())
+    top, bottom = QPointF(middle.x(), mark.top()), QPointF(middle.x(), mark.bottom())
+    painter.drawPolygon(QPolygonF([left, top, right, bottom]))
 
 
 def paint_playhead(painter: QPainter, left: float, width: float, height_px: int, color: QColor) -> None:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
@@ -16,9 +16,13 @@ from kagezou.ui.window.docks import Docks
 from kagezou.ui.window.drop_hint import DropHint, drop_words
 from kagezou.ui.window.panel_layout import TabKey
 from kagezou.ui.window.parts import make_parts
+from kagezou.ui.window.wiring.cut import connect_cut
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
+from kagezou.ui.window.wiring.handles import connect_handles
 from kagezou.ui.window.wiring.match import connect_match
+from kagezou.ui.window.wiring.preferences import connect_preferences
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
+from kagezou.ui.window.wiring.review import connect_review
 from kagezou.ui.window.wiring.set_import import connect_set_import
 from kagezou.ui.window.wiring.sets import connect_set
 from kagezou.ui.window.wiring.time import (
@@ -29,7 +33,7 @@ from kagezou.ui.window.wiring.time import (
     connect_playback,
     connect_timeline,
 )
-from kagezou.ui.window.wiring.view import connect_resolution, connect_sheets, connect_views
+from kagezou.ui.window.wiring.view import connect_lock, connect_resolution, connect_sheets, connect_views
 
 
 class MainWindow(QMainWindow):
@@ -54,6 +58,8 @@ class MainWindow(QMainWindow):
         The picture, or the first page.
     docks
         The panels at its sides.
+    review
+        What looks the cut through.
     """
 
     language_chosen = Signal(str)
@@ -77,6 +83,8 @@ class MainWindow(QMainWindow):
         self.show_title()
         self.docks.restore(settings)
         connect_frame(self.parts, self.docks.layout, self)
+        connect_handles(self.parts, self.docks.layout)
+        self.review = connect_review(self, self.parts, self.docks.layout)
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()
 
@@ -141,7 +149,10 @@ class MainWindow(QMainWindow):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not self.parts.space.press(event):
+        if event.key() == Qt.Key.Key_Escape:
+            # Wherever the keyboard is, Escape ends what the hand was given for a while.
+            self.parts.viewport.controller.laid_down.emit()
+        elif not self.parts.space.press(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
@@ -179,10 +190,11 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(middle)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
+        column.addWidget(parts.review_bar)
         column.addWidget(self.pages, 1)
         column.addWidget(parts.time.transport)
         self.setCentralWidget(middle)
-        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.sets.bar))
+        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.canvas_offer, parts.sets.bar))
         self.drop_hint = DropHint(middle)
         self.addToolBar(parts.menus.tool_bar())
         self.setStatusBar(parts.status)
@@ -192,9 +204,12 @@ class MainWindow(QMainWindow):
         parts = self.parts
         connect_project(parts, self)
         connect_set(parts, self)
+        connect_cut(parts)
+        connect_preferences(parts, self)
         connect_view(parts, self)
         connect_views(parts)
         connect_resolution(parts)
+        connect_lock(parts)
         connect_sheets(parts)
         connect_match(parts)
         connect_transform(parts)

@@ -149,13 +149,14 @@ class Menus(QObject):
         file.addMenu(self.recent)
         self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures"])
         self._fill(file, ["import_set", "import_timesheet", "background", "background_pictures"])
-        self._fill(file, ["no_background", _SEPARATOR, "export", "export_timesheet", _SEPARATOR, "quit"])
+        self._fill(file, ["no_background", _SEPARATOR, "cut_settings", _SEPARATOR])
+        self._fill(file, ["export", "export_timesheet", "export_notes", _SEPARATOR, "quit"])
         self._menu(
             bar,
             self.tr("&Edit"),
             [
                 *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
-                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts"),
+                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts", "preferences"),
             ],
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
@@ -176,7 +177,8 @@ class Menus(QObject):
         self._fill(time, ["first", "back_10", "back", "forward", "forward_10", "last", "go_to_frame", _SEPARATOR])
         self._fill(time, ["key_previous", "key_next", "drawing_previous", "drawing_next", _SEPARATOR])
         self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", "read_ahead", _SEPARATOR])
-        self._fill(time, ["marker", "marker_previous", "marker_next"])
+        self._fill(time, ["marker", "marker_previous", "marker_next", _SEPARATOR])
+        self._fill(time, ["remark_previous", "remark_next", "remark_tick"])
         self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
 
     def _build_view(self) -> None:
@@ -185,7 +187,7 @@ class Menus(QObject):
         self.view.addMenu(self.views)
         self.view.addMenu(self.backdrops)
         self.view.addMenu(self.resolutions)
-        self._fill(self.view, ["handles", "match_camera", "settle_set", "onion_skin"])
+        self._fill(self.view, ["handles", "look_only", "review", "match_camera", "settle_set", "onion_skin"])
         self.view.addMenu(self.onion)
         self._fill(self.view, ["safe_area", "field_guide", _SEPARATOR, "snapshot_take", "snapshot_show"])
         self._fill(self.view, ["snapshot_wipe"])

@@ -1,16 +1,18 @@
 """Who tells whom: the connections between the parts of the main window, by subject."""
 
-from pathlib import Path
-
 from PySide6.QtCore import QCoreApplication, Qt
 
 from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.exporters.exporter import ExportOutcome
 from kagezou.export.exporters.table import exporter_of
 from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.importing.understood import drawings_line
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
+from kagezou.ui.export.places import place_for, remember_place
+from kagezou.ui.export.result import ExportResult
 from kagezou.ui.panels.style_use import put_on
+from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
@@ -52,6 +54,7 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
         "about": lambda: about_dialog(parts.viewport.window(), parts.viewport.device).open(),
     }.items():
         actions.on(name, do)
+    parts.exporting.ended.connect(lambda outcome: _show_result(parts, outcome))
     _connect_welcome(parts)
     parts.panels.layers.add_asked.connect(project.import_folder)
     project.recent_changed.connect(lambda: _show_recent(parts))
@@ -172,22 +175,29 @@ def _export(parts: Parts) -> None:
     if parts.exporting.is_running:
         parts.exporting.say_running()
         return
-    settings, path, name = parts.settings, parts.open_project.path, parts.project.project_name
-    beside = Path.home() if path is None else path.parent
-    folder = Path(settings.folder("export")) if settings.folder("export") else beside
-    place = Place(folder / f"{name}_export", path, name)
-    document = parts.bridge.document
+    settings, document = parts.settings, parts.bridge.document
+    place = place_for(settings, parts.open_project.path, output_name(document, parts.project.project_name))
     remembered = loads_choices(settings.word("export_plan", ""))
     dialog = ExportDialog(document, remembered, place, settings.preset_folder, parts.viewport.window())
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
 
     def start(choices: ExportChoices, chosen: Place) -> None:
         settings.set_word("export_plan", dumps_choices(choices))
-        settings.remember_folder("export", chosen.folder.parent)
+        remember_place(settings, chosen)
         parts.exporting.start(exporter_of(choices).work(document, choices, chosen))
 
     dialog.chosen.connect(start)
     dialog.open()
+
+
+def _show_result(parts: Parts, outcome: ExportOutcome) -> None:
+    """Show what came of an export, in the place of what came of the one before."""
+    window = parts.viewport.window()
+    for before in window.findChildren(ExportResult):
+        before.close()
+    result = ExportResult(outcome, window)
+    result.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    result.show()
 
 
 def _rename(parts: Parts) -> None:
@@ -199,7 +209,5 @@ def _delete(parts: Parts) -> None:
         parts.panels.layers.remove_current()
     elif parts.time.timeline.lanes.hasFocus() and parts.time.timeline.drawings.are_chosen:
         parts.time.timeline.drawings.empty()
-    elif (
-        parts.viewport.hasFocus() or not parts.time.keys.delete()
-    ) and not parts.viewport.controller.delete_selected():
+    elif (parts.viewport.hasFocus() or not parts.time.keys.delete()) and not parts.viewport.contacts.remove_selected():
         remove_touched(parts)

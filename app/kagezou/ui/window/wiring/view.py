@@ -1,12 +1,19 @@
 """Who tells whom about looking closer: the views of the frame, and what is laid over the picture."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QActionGroup, QImage
 
 from kagezou.ui.viewport.onion_skin import MOST
 from kagezou.ui.viewport.picture_view import PictureView
 from kagezou.ui.viewport.resolution import Resolution
+from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.parts import Parts
+
+_BRINGING = (
+    *("import", "import_pictures", "import_set", "import_timesheet"),
+    *("background", "background_pictures", "no_background"),
+)
+"""Commands that would ask for files before they are refused."""
 
 
 def connect_views(parts: Parts) -> None:
@@ -37,6 +44,18 @@ def connect_resolution(parts: Parts) -> None:
     viewport.show_resolution(Resolution(kept) if kept in list(Resolution) else Resolution.AUTO)
     parts.menus.add_resolutions(viewport.resolution, choose)
     viewport.divisor_changed.connect(parts.status.show_divisor, Qt.ConnectionType.QueuedConnection)
+
+
+def connect_lock(parts: Parts) -> None:
+    """Connect the switch that lets everything only be looked at; whoever tries to change something is told."""
+    bridge, bar, look_only = parts.bridge, parts.bar, parts.actions["look_only"]
+    parts.actions.on_toggled("look_only", bridge.lock)
+    bridge.lock_changed.connect(look_only.setChecked)
+    bridge.lock_changed.connect(lambda on: parts.status.show_locked(locked=on))
+    words = QCoreApplication.translate("Lock", "Look Only is on, so nothing is changed; it is in the View menu.")
+    bridge.edit_refused.connect(lambda: bar.say("lock", words, Severity.NOTE))
+    for name in _BRINGING:
+        parts.actions.guard(name, lambda: not bridge.is_locked, bridge.edit_refused.emit)
 
 
 def connect_sheets(parts: Parts) -> None:
