@@ -21,9 +21,7 @@ ROUNDS = 4
 
 def alive() -> Counter[str]:
     gc.collect()
-    mine = (each for each in map(type, gc.get_objects()) if each.__module__.startswith("kagezou."))
-    found = Counter(each.__qualname__ for each in mine)
-    return Counter({name: found[name] for name in (each.__qualname__ for each in WATCHED)})
+    return Counter(type(each).__qualname__ for each in gc.get_objects() if type(each) in WATCHED)
 
 
 WATCHED = (Session, Layer, Drawing, PropertyRow, RecentCard)
