@@ -98,6 +98,16 @@ def test_adding_and_taking_keys() -> None:
     assert Track(0.5).without_key(1) == Track(0.5)
 
 
+def test_many_keys_at_once_come_as_one_after_the_other_do() -> None:
+    keys = (Key(5, 1.0), Key(2, 0.0), Key(5, 3.0), Key(9, 2.0))
+    track = Track(0.5, (Key(2, 7.0), Key(7, 7.0)))
+    one_by_one = track
+    for key in keys:
+        one_by_one = one_by_one.with_key(key)
+    assert track.with_keys(keys) == one_by_one
+    assert track.with_keys(()) == track
+
+
 floats = st.floats(-1e3, 1e3)
 key_lists = st.dictionaries(st.integers(1, 100), st.tuples(floats, st.sampled_from(Interpolation)), min_size=1).map(
     lambda table: [Key(frame, value, kind) for frame, (value, kind) in table.items()]

@@ -47,6 +47,24 @@ def every_key(document: Document) -> Refs:
     return frozenset().union(*(key_edits.all_keys(document, address) for address in addresses(document)))
 
 
+def test_however_many_keys_are_pasted_each_property_is_written_once(
+    document: Document, opacity: Address, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written: list[Address] = []
+
+    def noting(document: Document, address: Address, track: Track) -> Document:
+        written.append(address)
+        return edits.set_track(document, address, track)
+
+    monkeypatch.setattr(key_edits, "set_track", noting)
+    other = Address(OPACITY, "layer-2")
+    keys = [(address, Key(frame, 0.5)) for frame in range(1, 2001) for address in (opacity, other)]
+    pasted, refs = key_edits.paste_keys(document, key_edits.KeyClip(1, tuple(keys)), 1)
+    assert written == [opacity, other]
+    assert len(track_of(pasted, other).keys) == 2000
+    assert len(refs) == 4000
+
+
 def test_moved_keys_push_away_what_they_land_on(document: Document, opacity: Address) -> None:
     moved, refs = key_edits.move_keys(document, chosen(opacity, 1), 4)
     assert frames_of(moved, opacity) == [5, 9]

@@ -79,8 +79,12 @@ class Track:
 
     def with_key(self, key: Key) -> "Track":
         """Return the track with a key added, or put in the place of the one on its frame."""
-        others = (other for other in self.keys if other.frame != key.frame)
-        return replace(self, keys=ordered((*others, key)))
+        return self.with_keys((key,))
+
+    def with_keys(self, keys: Iterable[Key]) -> "Track":
+        """Return the track with keys added, or put in the place of those on their frames; of two on one the last."""
+        by_frame = {key.frame: key for key in (*self.keys, *keys)}
+        return replace(self, keys=ordered(by_frame.values()))
 
     def without_key(self, frame: int) -> "Track":
         """Return the track without the key on ``frame``; the last key leaves its value as the constant."""

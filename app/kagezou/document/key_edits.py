@@ -134,18 +134,15 @@ def paste_keys(document: Document, clip: KeyClip, frame: int | None, onto: str |
     is_there = _presence(document)
     sources = {address.layer_id for address, _ in clip.keys if address.layer_id is not None}
     away = 0 if frame is None else frame - clip.frame
-    put: set[KeyRef] = set()
+    moves = onto is not None and len(sources) == 1
+    put: dict[Address, list[Key]] = {}
     for address, key in clip.keys:
-        target = address
-        if address.layer_id is not None:
-            moves = onto is not None and len(sources) == 1
-            target = replace(address, layer_id=onto if moves else address.layer_id)
-        if not is_there(target):
-            continue
-        moved = replace(key, frame=key.frame + away)
-        document = set_track(document, target, track_of(document, target).with_key(moved))
-        put.add(KeyRef(target, moved.frame))
-    return document, frozenset(put)
+        target = replace(address, layer_id=onto) if moves and address.layer_id is not None else address
+        if is_there(target):
+            put.setdefault(target, []).append(replace(key, frame=key.frame + away))
+    for target, keys in put.items():
+        document = set_track(document, target, track_of(document, target).with_keys(keys))
+    return document, frozenset(KeyRef(target, key.frame) for target, keys in put.items() for key in keys)
 
 
 def _presence(document: Document) -> Callable[[Address], bool]:

@@ -64,20 +64,17 @@ class Composites:
         self.mirrors.forget_except(scene.layers)
         # Whole drawings first: each then serves its matte too, and no file is read twice.
         cels = {each.id: self._cels.cel(each.drawing.source) for each in scene.layers if each.drawing is not None}
-        outlines = list(self.united.outlined(scene)) if line_px else []
         if not line_px:
             self.united.lay(picture, scene)
             self._lay_beside(picture, scene)
         for layer in scene.layers:
             if layer.drawing is not None:
                 picture.lay_cel(cels[layer.id], layer.drawing.placement)
-            for shade in self._shadows.received(scene, layer):
-                if line_px and shade.box is not None:
-                    outlines.append((shade.target.texture, shade.box))
-                elif shade.box is not None:
+            for shade in () if line_px else self._shadows.received(scene, layer):
+                if shade.box is not None:
                     picture.lay_shadow(shade.target.texture, shade.box, None, shade.look)
-        for texture, box in outlines:
-            picture.lay_outline(texture, box, line_px)
+        if line_px:
+            self._lay_outlines(picture, scene, line_px)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -90,6 +87,15 @@ class Composites:
         coverage = self._shadows.set_coverage(scene)
         if coverage is not None and coverage.box is not None and scene.set_shadow is not None:
             picture.lay_shadow(coverage.target.texture, coverage.box, None, scene.set_shadow.look)
+
+    def _lay_outlines(self, picture: PicturePass, scene: Scene, line_px: int) -> None:
+        """Lay the outlines of shadows over everything, each as soon as it is there."""
+        for texture, box in self.united.outlined(scene):
+            picture.lay_outline(texture, box, line_px)
+        for layer in scene.layers:
+            for shade in self._shadows.received(scene, layer):
+                if shade.box is not None:
+                    picture.lay_outline(shade.target.texture, shade.box, line_px)
 
     def _lay_beside(self, picture: PicturePass, scene: Scene) -> None:
         """Lay what figures have beside their shadows: patches under their feet, and over them their reflections."""

@@ -11,6 +11,7 @@ from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Matte
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.budget import Budget
 from kagezou.render.gpu.mattes import Mattes, PlacedMatte
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.meshes.display import Display, SetPicture
@@ -25,6 +26,25 @@ from kagezou.render.sets.set_pass import SetPass
 from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
+
+COVERAGE_BUDGET_BYTES = 384 << 20
+"""What the shadows of all layers may take together; those of 90 layers at 1920 × 1080 px fit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Budgets:
+    """What a renderer may keep on the graphics card, bytes.
+
+    Parameters
+    ----------
+    shadows
+        For the shadows of layers.
+    mattes
+        For the drawings that cast them.
+    """
+
+    shadows: int = COVERAGE_BUDGET_BYTES
+    mattes: int = 256 << 20
 
 
 @dataclass(slots=True)
@@ -47,6 +67,11 @@ class Coverage:
         """The distances of the cast that is drawn."""
         return self.distances.texture if self.distances is not None and self.measured_cast is self.cast else None
 
+    @property
+    def nbytes(self) -> int:
+        """The memory it takes."""
+        return self.target.texture.nbytes + (0 if self.distances is None else self.distances.texture.nbytes)
+
     def close(self) -> None:
         """Give the memory back."""
         self.target.close()
@@ -55,10 +80,13 @@ class Coverage:
 
 
 class CoverageCache:
-    """Casts a layer's shadow unless the last one of the same cast is still there."""
+    """Casts a layer's shadow unless the last one of the same cast is still there.
 
-    def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, matte_budget_bytes: int) -> None:
-        self._mattes = Mattes(boxes, matte_budget_bytes)
+    Whoever gets one uses it before asking for the one after the next: by then its memory may have gone to others.
+    """
+
+    def __init__(self, boxes: Boxes, cels: CelSource, meshes: MeshCache, budgets: Budgets) -> None:
+        self._mattes = Mattes(boxes, budgets.mattes)
         self._figures = FigureMattes(boxes, cels, self._mattes)
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
@@ -70,7 +98,7 @@ class CoverageCache:
         self._seen: Coverage | None = None
         self._meshes = meshes
         self._set_cast: tuple[SetCast, tuple[Mesh, ...]] | None = None
-        self._by_layer: dict[str, Coverage] = {}
+        self._by_layer: Budget[str, Coverage] = Budget(budgets.shadows)
         self.casts_drawn = 0
         self.filters_drawn = 0
 
@@ -146,15 +174,12 @@ class CoverageCache:
             self._set.forget_meshes()
         patches = map(contact_layer, scene.layers)
         alive = {layer.id for layer in (*scene.layers, *patches) if layer is not None}
-        for layer_id in [each for each in self._by_layer if each not in alive]:
-            self._by_layer.pop(layer_id).close()
+        self._by_layer.forget(each for each in self._by_layer.names if each not in alive)
         self._received.forget_except(alive)
 
     def close(self) -> None:
         """Give the memory back."""
-        for coverage in self._by_layer.values():
-            coverage.close()
-        self._by_layer.clear()
+        self._by_layer.close()
         for kept in (self._of_set, self._seen):
             if kept is not None:
                 kept.target.close()
@@ -181,8 +206,7 @@ class CoverageCache:
         return tuple(self._meshes.mesh(piece.mesh.path) for piece in pieces if piece.mesh is not None)
 
     def _kept(self, canvas: Box, layer_id: str) -> Coverage:
-        kept = self._by_layer[layer_id] = _fitting(self._by_layer.get(layer_id), canvas)
-        return kept
+        return self._by_layer.latest(layer_id, lambda kept: _fitting(kept, canvas))
 
 
 def _leave_out_least_parts(target: Target, box: Box, least_px2: float) -> None:

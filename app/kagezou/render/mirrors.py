@@ -9,10 +9,13 @@ from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Cel
 from kagezou.render.coverage_cache import CoverageCache
 from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.budget import Budget
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.mirror import MirrorPass
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Reflection, Scene
+
+_BUDGET_BYTES = 256 << 20
 
 
 @dataclass(slots=True)
@@ -26,6 +29,15 @@ class MirroredFigure:
     box: Box | None = None
     reflection: Reflection | None = None
     cels: tuple[ref[Cel], ...] = ()
+
+    @property
+    def nbytes(self) -> int:
+        """The memory it takes."""
+        return self.target.texture.nbytes
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self.target.close()
 
 
 class Mirrors:
@@ -44,7 +56,7 @@ class Mirrors:
     def __init__(self, boxes: Boxes, cels: CelSource, shadows: CoverageCache) -> None:
         self._cels, self._shadows = cels, shadows
         self._mirror = MirrorPass(boxes)
-        self._kept: dict[str, MirroredFigure] = {}
+        self._kept: Budget[str, MirroredFigure] = Budget(_BUDGET_BYTES)
         self.drawn = 0
 
     def mirrored(self, scene: Scene, layer: LayerScene) -> MirroredFigure | None:
@@ -59,7 +71,7 @@ class Mirrors:
         if reflection is None or not reflection.ground_receives:
             return None
         cels = tuple(self._cels.cel(cel.source) for cel in reflection.figure)
-        kept = self._fitting(layer.id, scene.canvas)
+        kept = self._kept.latest(layer.id, lambda known: _fitting(known, scene.canvas))
         if kept.reflection != reflection or [each() for each in kept.cels] != list(cels):
             # Until the new one is whole no one knows what the target holds.
             if kept.box is not None:
@@ -74,8 +86,7 @@ class Mirrors:
     def forget_except(self, layers: Iterable[LayerScene]) -> None:
         """Give the memory of layers back that are gone or mirrored no more."""
         alive = {layer.id for layer in layers if layer.reflection is not None}
-        for layer_id in [each for each in self._kept if each not in alive]:
-            self._kept.pop(layer_id).target.close()
+        self._kept.forget(each for each in self._kept.names if each not in alive)
 
     def close(self) -> None:
         """Give the memory back."""
@@ -88,13 +99,13 @@ class Mirrors:
         idle = tuple(replace(piece, casts=False, blocks=False, receives=False) for piece in reflection.pieces)
         return self._shadows.seen_of_set(scene.canvas, SetCast(scene.camera, scene.ground, idle, ())).target.texture
 
-    def _fitting(self, layer_id: str, canvas: Box) -> MirroredFigure:
-        kept = self._kept.get(layer_id)
-        if kept is not None and kept.target.box != canvas:
-            self._kept.pop(layer_id).target.close()
-            kept = None
-        if kept is None:
-            target = Target(canvas.width, canvas.height, Format.RGBA16)
-            target.clear()
-            kept = self._kept[layer_id] = MirroredFigure(target)
+
+def _fitting(kept: MirroredFigure | None, canvas: Box) -> MirroredFigure:
+    """Return what was kept, or an empty one where nothing was or the canvas has another size."""
+    if kept is not None and kept.target.box == canvas:
         return kept
+    if kept is not None:
+        kept.close()
+    target = Target(canvas.width, canvas.height, Format.RGBA16)
+    target.clear()
+    return MirroredFigure(target)

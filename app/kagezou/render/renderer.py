@@ -11,7 +11,7 @@ from kagezou.io.images.reading import Steps
 from kagezou.io.images.writing import ShadowImage
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.render.composites import Composites
-from kagezou.render.coverage_cache import Coverage, CoverageCache
+from kagezou.render.coverage_cache import Budgets, Coverage, CoverageCache
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.info import read_info
@@ -25,8 +25,6 @@ from kagezou.render.prepare.mixing import mixed
 from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
-
-MATTE_BUDGET_BYTES = 256 << 20
 
 _WHITE_MATTE = ShadowLook((255, 255, 255), 1.0, multiply=False)
 
@@ -43,6 +41,8 @@ class Renderer:
         Where decoded drawings and meshes come from.
     divisor
         How many px of the cut's own canvas are one of the scenes that are drawn, for previews.
+    budgets
+        What may be kept for the next picture.
 
     Raises
     ------
@@ -50,10 +50,16 @@ class Renderer:
         If the context is older than OpenGL 3.3 or the driver fails.
     """
 
-    def __init__(self, cels: CelSource, meshes: MeshCache | None = None, divisor: int = 1) -> None:
+    def __init__(
+        self,
+        cels: CelSource,
+        meshes: MeshCache | None = None,
+        divisor: int = 1,
+        budgets: Budgets = Budgets(),  # noqa: B008 - frozen
+    ) -> None:
         self.info = read_info()
         self._boxes = Boxes()
-        self._shadows = CoverageCache(self._boxes, cels, meshes or MeshCache(), MATTE_BUDGET_BYTES)
+        self._shadows = CoverageCache(self._boxes, cels, meshes or MeshCache(), budgets)
         self._composites = Composites(self._boxes, cels, self._shadows, divisor)
         self._images = ShadowImages(self._boxes)
         self._presenter = Presenter(self._boxes)

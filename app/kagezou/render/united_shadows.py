@@ -1,6 +1,7 @@
 """The shadows of a scene by what is laid at once: one alone, or several of like look that unite before opacity."""
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 from kagezou.geometry.box import Box
 from kagezou.render.coverage_cache import CoverageCache
@@ -30,23 +31,23 @@ class UnitedShadows:
     def lay(self, picture: PicturePass, scene: Scene) -> None:
         """Lay all of them, each group in the place of its lowest layer."""
         for group in shadow_groups(scene):
-            members = [(layer, member) for layer in group for member in self._members(scene, (layer,))]
-            if len(members) == 1:
-                layer, alone = members[0]
-                picture.lay_shadow(alone.coverage, alone.box, alone.cast, layer.look, alone.measured)
-            elif members:
-                look = group[0].look
-                target, box = self._unite.unite(scene.canvas, [member for _, member in members], look)
+            members = self._members(scene, group)
+            alone, second, look = next(members, None), next(members, None), group[0].look
+            if alone is not None and second is None:
+                picture.lay_shadow(alone.coverage, alone.box, alone.cast, look, alone.measured)
+            elif alone is not None and second is not None:
+                target, box = self._unite.unite(scene.canvas, chain((alone, second), members), look)
                 picture.lay_united(target.texture, box, look)
 
     def outlined(self, scene: Scene) -> Iterator[tuple[Texture, Box]]:
-        """Yield the covered parts whose outlines can be drawn, each character's on its own."""
+        """Yield the covered parts whose outlines can be drawn, each character's on its own, to be drawn one by one."""
         yield from ((member.coverage, member.box) for member in self._members(scene, scene.layers))
 
     def drawn(self, scene: Scene, layers: Sequence[LayerScene]) -> tuple[Target, Box] | None:
         """Return what layers of one look take together, see `UnitePass.unite`; None where no shadow is seen."""
-        members = list(self._members(scene, layers))
-        return self._unite.unite(scene.canvas, members, layers[0].look) if members else None
+        members = self._members(scene, layers)
+        first = next(members, None)
+        return None if first is None else self._unite.unite(scene.canvas, chain((first,), members), layers[0].look)
 
     def close(self) -> None:
         """Give the memory back."""

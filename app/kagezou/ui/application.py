@@ -21,6 +21,7 @@ from kagezou.ui.system.clipboard import SystemClipboard
 from kagezou.ui.system.ending import EndSignals
 from kagezou.ui.system.icons import application_icon
 from kagezou.ui.system.language import Language
+from kagezou.ui.system.listeners import forget_listeners, senders_within
 from kagezou.ui.system.offscreen_context import surface_format
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.unforeseen import UnforeseenErrors
@@ -161,6 +162,9 @@ class Application:
         # For a moment there is no window, which must not end the program; closing is what remembers the layout.
         QGuiApplication.setQuitOnLastWindowClosed(False)
         old.close_unasked()
+        outliving = (self.open_project, self.open_project.bridge)
+        forget_listeners((*outliving, *senders_within(old.parts, beside=outliving)))
+        self.autosave.listen()
         self.window = self._make_window()
         self.window.show()
         QGuiApplication.setQuitOnLastWindowClosed(True)

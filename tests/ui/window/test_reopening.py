@@ -3,17 +3,22 @@
 import gc
 from collections import Counter
 from pathlib import Path
+from weakref import ReferenceType, ref
 
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Drawing, Layer
 from kagezou.document.properties import GROUND_DECLINATION
+from kagezou.io.project.recovery_file import read_recovery_file
 from kagezou.session.session import Session
+from kagezou.ui.application import Application
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.project.welcome_cards import RecentCard
+from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
 
 ROUNDS = 4
@@ -21,9 +26,7 @@ ROUNDS = 4
 
 def alive() -> Counter[str]:
     gc.collect()
-    mine = (each for each in map(type, gc.get_objects()) if each.__module__.startswith("kagezou."))
-    found = Counter(each.__qualname__ for each in mine)
-    return Counter({name: found[name] for name in (each.__qualname__ for each in WATCHED)})
+    return Counter(type(each).__qualname__ for each in gc.get_objects() if type(each) in WATCHED)
 
 
 WATCHED = (Session, Layer, Drawing, PropertyRow, RecentCard)
@@ -55,3 +58,30 @@ def test_every_round_ends_with_as_much_as_the_one_before(qtbot: QtBot, walking: 
         work_on_each()
     assert alive() == before
     assert len(QApplication.allWidgets()) <= widgets
+
+
+def test_another_language_leaves_nothing_of_the_window_before(qtbot: QtBot, settings: Settings, cels: Path) -> None:
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    program = Application(application, settings)
+    program.show()
+    program.window.parts.project.bring([cels])
+    qtbot.waitUntil(lambda: not program.window.parts.project.loading.is_running)
+    parts = program.window.parts
+    gone: list[ReferenceType[QWidget]] = [ref(program.window), ref(parts.panels.inspector), ref(parts.time.timeline)]
+    del parts
+    program.speak("ja")
+    program.speak("en")
+    qtbot.waitUntil(lambda: not any(isValid(each()) for each in gone if each() is not None))
+    session = program.open_project.bridge.session
+    # Whoever was still called would meet widgets that are no more; pytest-qt reports what a slot raises.
+    session.edit("Turn", set_constant(session.document, Address(GROUND_DECLINATION), 33.0))
+    session.go_to(2)
+    session.select(None)
+    gc.collect()
+    assert [each() for each in gone] == [None, None, None]
+    program.autosave.keep()
+    program.autosave.wait()
+    assert read_recovery_file(program.autosave.file).document == session.document, "who keeps the work still listens"
+    session.mark_saved()
+    program.put_away()

@@ -1,7 +1,7 @@
 """Shadows on characters: each card is one more receiver, cut to the drawing that stands on it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Final
 
@@ -12,6 +12,7 @@ from kagezou.geometry.polygon import bounding_box
 from kagezou.io.images.cel_cache import CelSource
 from kagezou.io.images.reading import Matte
 from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.budget import Budget
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.made_of_cache import MadeOfCache
 from kagezou.render.gpu.mattes import PlacedMatte
@@ -27,6 +28,7 @@ from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import LayerScene, Received, Scene, Shade, ShadowCast, ShadowLook
 
 _ALPHA_BUDGET_BYTES = 64 << 20
+_BUDGET_BYTES = 256 << 20
 NO_SWITCHES: Final[frozenset[str]] = frozenset()
 
 
@@ -38,6 +40,39 @@ class ReceivedCoverage:
     look: ShadowLook
     box: Box | None = None
     of: tuple[object, ...] = ()
+
+    @property
+    def nbytes(self) -> int:
+        """The memory it takes."""
+        return self.target.texture.nbytes
+
+
+@dataclass(slots=True)
+class _OnCharacter:
+    """What falls on one character, by the looks of those who cast."""
+
+    coverages: list[ReceivedCoverage] = field(default_factory=list)
+
+    @property
+    def nbytes(self) -> int:
+        """The memory it takes."""
+        return sum(each.nbytes for each in self.coverages)
+
+    def coverage(self, index: int, canvas: Box, look: ShadowLook) -> ReceivedCoverage:
+        """Return the one of a look, counted from 0 without a gap; an empty one where the canvas has another size."""
+        if index == len(self.coverages):
+            self.coverages.append(ReceivedCoverage(_cleared(canvas), look))
+        kept = self.coverages[index]
+        if kept.target.box != canvas:
+            kept.target.close()
+            kept = self.coverages[index] = ReceivedCoverage(_cleared(canvas), look)
+        return kept
+
+    def close(self) -> None:
+        """Give the memory back."""
+        for each in self.coverages:
+            each.target.close()
+        self.coverages.clear()
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,45 +123,37 @@ class ReceivedLayers:
         self._cut = Variants("common/box.vert", "passes/received.frag")
         self._alphas: MadeOfCache[Texture] = MadeOfCache(_ALPHA_BUDGET_BYTES)
         self._scratches = Scratches()
-        self._kept: dict[tuple[str, int], ReceivedCoverage] = {}
+        self._kept: Budget[str, _OnCharacter] = Budget(_BUDGET_BYTES)
 
     def coverages(self, scene: Scene, layer: LayerScene) -> tuple[ReceivedCoverage, ...]:
         """Return the covered parts of a character by the looks of those who cast; looks without any are left out."""
         if layer.received is None:
             return ()
+        kept = self._kept.latest(layer.id, lambda known: known or _OnCharacter())
         found = [
-            self._coverage(scene, (layer.id, index), layer.received, shade)
+            self._coverage(kept.coverage(index, scene.canvas, shade.look), layer.received, shade)
             for index, shade in enumerate(layer.received.shades)
         ]
         return tuple(each for each in found if each.box is not None)
 
     def forget_except(self, alive: set[str]) -> None:
         """Give back the memory of layers that are gone."""
-        for key in [key for key in self._kept if key[0] not in alive]:
-            self._kept.pop(key).target.close()
+        self._kept.forget(each for each in self._kept.names if each not in alive)
 
     def close(self) -> None:
         """Give the memory back."""
-        for kept in self._kept.values():
-            kept.target.close()
-        self._kept.clear()
+        self._kept.close()
         self._scratches.close()
         self._alphas.close()
         self._cut.close()
 
-    def _coverage(self, scene: Scene, key: tuple[str, int], on: Received, shade: Shade) -> ReceivedCoverage:
-        kept = self._kept.get(key)
-        if kept is not None and kept.target.box != scene.canvas:
-            kept.target.close()
-            kept = None
-        if kept is None:
-            kept = self._kept[key] = ReceivedCoverage(_cleared(scene.canvas), shade.look)
+    def _coverage(self, kept: ReceivedCoverage, on: Received, shade: Shade) -> ReceivedCoverage:
         kept.look = shade.look
         alpha = self._cels.matte(on.drawing.source)
         # Mattes are equal only to themselves.
         of = (shade.casts, on, alpha, *(self._figures.mattes_of(cast) for cast in shade.casts))
         if kept.of != of:
-            old, kept.box, kept.of = kept.box, scene.canvas, ()
+            old, kept.box, kept.of = kept.box, kept.target.box, ()
             if old is not None:
                 kept.target.clear(old)
             kept.box = self._draw(on, alpha, shade.casts, kept.target)

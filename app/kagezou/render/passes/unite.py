@@ -1,6 +1,6 @@
 """The pass that unites shadows of one look before they are laid on a picture."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from kagezou.geometry.box import Box, around
@@ -44,8 +44,10 @@ class UnitePass:
         self._targets: dict[Format, Target] = {}
         self._drawn: dict[Format, Box] = {}
 
-    def unite(self, canvas: Box, members: Sequence[Member], look: ShadowLook) -> tuple[Target, Box]:
+    def unite(self, canvas: Box, members: Iterable[Member], look: ShadowLook) -> tuple[Target, Box]:
         """Return what shadows of one look take together, before opacity, and where; it stays until the next union.
+
+        Each of the members, at least one, is drawn before the next is asked for.
 
         Without a tip that is the maximum of covered part times strength, 16 bit. With one, in which a shadow has
         another colour with every distance, it is per colour the maximum of what is taken from white, and in alpha that
@@ -54,6 +56,7 @@ class UnitePass:
         form = Format.RGBA16 if look.tip else Format.ALPHA16
         target = self._cleared(canvas, form)
         whole = replace(look, opacity=1.0)
+        drawn: Box | None = None
         for member in members:
             switches, uniforms = look_uniforms(member.cast, whole, member.box, member.measured)
             if look.tip:
@@ -65,10 +68,10 @@ class UnitePass:
             member.coverage.bind(0)
             self._programs[switches].use({"u_target_size_px": target.size_px, "u_coverage": 0, **uniforms})
             self._boxes.draw_one(member.box)
-        box = around(*[member.box for member in members])
-        assert box is not None
-        self._drawn[form] = box
-        return target, box
+            drawn = around(drawn, member.box)
+        assert drawn is not None
+        self._drawn[form] = drawn
+        return target, drawn
 
     def close(self) -> None:
         """Give the memory back."""

@@ -115,9 +115,8 @@ def pasted(document: Document, address: Address, text: str) -> Document:
         row = parse_row(cells)
         found.setdefault(row.frame, {})[row.component] = row
     track = track_of(document, address)
-    for frame, parts in found.items():
-        track = track.with_key(_key(address, track, frame, parts))
-    return set_track(document, address, track)
+    keys = [_key(address, track, frame, parts) for frame, parts in found.items()]
+    return set_track(document, address, track.with_keys(keys))
 
 
 def parse_row(cells: list[str]) -> KeyRow:

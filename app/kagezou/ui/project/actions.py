@@ -54,8 +54,7 @@ class ProjectActions(QObject):
 
     def __init__(self, open_project: OpenProject, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()
-        self._open_project, self._bar, self._settings = open_project, bar, settings
-        self.dialogs = dialogs
+        self._open_project, self.dialogs, self._bar, self._settings = open_project, dialogs, bar, settings
         self.loading = Loading(self._say, lambda: _is_free(open_project, self.loading.window()))
         self._asking, self._lock = Asking(self.loading, dialogs, self._load), ProjectLock()
         open_project.path_changed.connect(lambda: self._lock.hold(open_project.path))
@@ -89,21 +88,14 @@ class ProjectActions(QObject):
         holder = self._lock.holder_of(path)
         if holder and not self.dialogs.open_twice(path.name, holder):
             return False
-        load = self._open_project.open(path)
-
-        def put(found: object) -> None:
-            load.put(found)
-            self._remember(path)
-
-        return self._load(replace(load, put=put))
+        return self._load(_then(self._open_project.open(path), lambda: self._remember(path)))
 
     def save(self) -> bool:
         """Save where it was saved before, or ask; false if it is not saved after that."""
         path = self._open_project.path
         if path is None:
             return self.save_as()
-        changed = self._open_project.is_changed_outside(path)
-        answer = self.dialogs.overwrite_changed(path.name) if changed else Changed.REPLACE
+        answer = _about_changes(path, self._open_project, self.dialogs)
         if answer is Changed.SAVE_AS:
             return self.save_as(next_version(path).name)
         return answer is Changed.REPLACE and self._save_to(path)
@@ -237,6 +229,21 @@ def _nothing_in(paths: Sequence[Path]) -> str:
         "ProjectActions", "%1: neither a project, a folder of cels, a set nor a picture that can be read"
     )
     return words.replace("%1", names)
+
+
+def _then(load: AnyLoad, do: Callable[[], None]) -> AnyLoad:
+    """Return a load after which something is done once it is put in place."""
+
+    def put(found: object) -> None:
+        load.put(found)
+        do()
+
+    return replace(load, put=put)
+
+
+def _about_changes(path: Path, open_project: OpenProject, dialogs: Dialogs) -> Changed:
+    """Return what to do about what others wrote to the project's file; where nobody did, it is replaced unasked."""
+    return dialogs.overwrite_changed(path.name) if open_project.is_changed_outside(path) else Changed.REPLACE
 
 
 def _load_of(

@@ -58,7 +58,11 @@ class Autosave(QObject):
         self._shortly = QTimer(self)
         self._shortly.setSingleShot(True)
         self._shortly.timeout.connect(self.keep)
-        bridge = open_project.bridge
+        self.listen()
+
+    def listen(self) -> None:
+        """Follow the open project, once again where all its listeners were forgotten."""
+        bridge = self._open_project.bridge
         bridge.document_changed.connect(self._keep_shortly)
         bridge.saved_changed.connect(lambda saved: self.forget() if saved else self._keep_shortly())
         bridge.session_replaced.connect(self.forget)

@@ -11,12 +11,9 @@ from PySide6.QtGui import QImage, QImageWriter, QPainter
 
 from kagezou.errors import Problem
 from kagezou.io.files.atomic import write_bytes
-from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Steps
 from kagezou.io.project import file as project_file
-from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.render.renderer import Renderer
-from kagezou.scene.evaluate import evaluate
+from kagezou.ui.project.small_first_frame import first_frame
 from kagezou.ui.system.background import Queue, Turn
 from kagezou.ui.system.offscreen_context import OffscreenSurface
 from kagezou.ui.system.theme import WELL
@@ -85,21 +82,19 @@ def _draw_all(
 ) -> None:
     """Draw and keep the pictures of projects; on the worker's thread."""
     with surface.open():
-        renderer = Renderer(CelCache())
-        try:
-            for project in projects:
-                if turn.is_unwanted:
-                    return
-                _draw(renderer, project, folder, turn)
-        finally:
-            renderer.close()
+        for project in projects:
+            if turn.is_unwanted:
+                return
+            _draw(project, folder, turn)
 
 
-def _draw(renderer: Renderer, project: Path, folder: Path, turn: Turn[tuple[Path, QImage]]) -> None:
+def _draw(project: Path, folder: Path, turn: Turn[tuple[Path, QImage]]) -> None:
     try:
         place = kept_at(folder, project)
-        renderer.draw_picture(evaluate(project_file.load(project), 1), Backdrop.WHITE)
-        image = small(renderer.read_picture())
+        picture = first_frame(project_file.load(project))
+        if picture is None:
+            return
+        image = small(picture)
         turn.tell((project, image))
         folder.mkdir(parents=True, exist_ok=True)
         write_bytes(place, _png(image))

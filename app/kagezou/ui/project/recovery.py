@@ -46,6 +46,7 @@ class RecoveryDialog(QDialog):
         self._work: dict[Path, RecoveredWork] = {}
         self.list = QListWidget()
         self.list.setAlternatingRowColors(True)
+        self.list.setSpacing(3)
         # A line never grows wider than the list; a long path loses its middle.
         self.list.setWordWrap(True)
         self.list.setTextElideMode(Qt.TextElideMode.ElideMiddle)
