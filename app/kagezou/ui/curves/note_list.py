@@ -48,14 +48,15 @@ class NoteList(QWidget):
         self._bridge, self._annotating, self._at_hand = bridge, annotating, address_at_hand
         self.author = ""
         self.list = QListWidget()
+        self.list.setObjectName("note_list")
         self.list.setWordWrap(True)
         self.list.setAlternatingRowColors(True)
         self.list.setAccessibleName(self.tr("Notes"))
         self.list.itemClicked.connect(self._go_there)
         self.list.itemChanged.connect(self._take_tick)
         self.list.itemActivated.connect(lambda _item: self._ask_change())
-        self.add_button = _button(self.tr("Add Note…"), self.ask_new)
-        self.answer_button = _button(self.tr("Answer…"), self.ask_answer)
+        self.add_button = _button(self.tr("Add…"), self.tr("Pin a note to this frame"), self.ask_new)
+        self.answer_button = _button(self.tr("Answer…"), self.tr("Say something to this note"), self.ask_answer)
         self.more = QToolButton()
         self.more.setText("⋯")
         self.more.setToolTip(self.tr("More"))
@@ -66,6 +67,7 @@ class NoteList(QWidget):
         menu.addAction(self.tr("Delete"), self._delete)
         self.more.setMenu(menu)
         row = QHBoxLayout()
+        row.setSpacing(4)
         for button in (self.add_button, self.answer_button, self.more):
             row.addWidget(button)
         row.addStretch(1)
@@ -182,8 +184,9 @@ class NoteList(QWidget):
             self._bridge.session.go_to(note.frame)
 
 
-def _button(words: str, do: Callable[[], None]) -> QPushButton:
+def _button(words: str, tip: str, do: Callable[[], None]) -> QPushButton:
     button = QPushButton(words)
+    button.setToolTip(tip)
     button.setObjectName("small_button")
     button.setAutoDefault(False)
     button.clicked.connect(do)

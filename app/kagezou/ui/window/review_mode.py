@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QToolBar
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QToolBar
 
 from kagezou.document.note import Note
 from kagezou.ui.curves.remarks import Remark, remark_words, remarks_of
@@ -17,7 +17,7 @@ from kagezou.ui.window.parts import Parts
 if TYPE_CHECKING:
     from kagezou.ui.curves.curve_editor import CurveEditor
 
-_CURVES_SHARE = 44
+_CURVES_SHARE = 38
 """Of 100 parts of the window's height."""
 
 
@@ -38,7 +38,7 @@ class ReviewMode(QObject):
         super().__init__(window)
         self._window, self._parts, self._layout = window, parts, layout
         self._bridge = parts.bridge
-        self._was_locked = False
+        self._was_locked = self._had_handles = False
         self.is_on = False
         self.current: Remark | None = None
         self.escape = QShortcut(QKeySequence(Qt.Key.Key_Escape), window, self._leave)
@@ -70,9 +70,11 @@ class ReviewMode(QObject):
             return
         self.is_on = on
         editor = self._editor
+        handles = self._parts.actions["handles"]
         if on:
-            self._was_locked = self._bridge.is_locked
+            self._was_locked, self._had_handles = self._bridge.is_locked, handles.isChecked()
         self._bridge.lock(on or self._was_locked)
+        handles.setChecked(self._had_handles and not on)
         editor.annotating.review(on=on)
         editor.show_for_review(on=on)
         editor.show_list(notes=True)
@@ -162,6 +164,9 @@ class ReviewMode(QObject):
         if isinstance(dock, QDockWidget):
             dock.show()
             dock.raise_()
+            # Qt leaves the tabs of hidden panels beside it where they were.
+            for tabs in self._window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
+                tabs.hide()
             height = self._window.height() * _CURVES_SHARE // 100
             self._window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
 
