@@ -48,7 +48,7 @@ def test_a_fast_move_is_one_line_with_its_frames(document: Document) -> None:
         (OPACITY, 0.8, 0.3),
         (SOFTNESS, 2.0, 9.0),
         (COLOR, "#202020", "#C02020"),
-        (LIGHT_POSITION, (0.0, 0.0, 0.0), (20.0, 0.0, 0.0)),
+        (LIGHT_POSITION, (0.0, 0.0, 0.0), (70.0, 0.0, 0.0)),
     ],
     ids=str,
 )

@@ -38,6 +38,10 @@ def noted(walking: MainWindow) -> MainWindow:
     return walking
 
 
+def is_locked(window: MainWindow) -> bool:
+    return window.parts.open_project.bridge.session.is_locked
+
+
 def press(window: MainWindow, key: Qt.Key, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
     QTest.keyClick(window, key, modifiers)
 
@@ -71,7 +75,7 @@ def test_nothing_can_be_changed_but_what_is_said(
     parts, before = noted.parts, document_of(noted)
     parts.actions["review"].trigger()
     session = parts.open_project.bridge.session
-    assert parts.open_project.bridge.is_locked
+    assert is_locked(noted)
     session.select_keys(frozenset())
     focus(parts.viewport)
     for name in ("set_keys", "delete", "paste_keys", "undo", "marker", "work_in", "ease_both"):
@@ -86,7 +90,7 @@ def test_nothing_can_be_changed_but_what_is_said(
     qtbot.mouseClick(parts.review_bar.following, Qt.MouseButton.LeftButton)
     qtbot.mouseClick(parts.review_bar.ticked, Qt.MouseButton.LeftButton)
     assert [note.is_done for note in document_of(noted).notes] == [True, False]
-    assert parts.open_project.bridge.is_locked
+    assert is_locked(noted)
     qtbot.mouseClick(parts.review_bar.answer, Qt.MouseButton.LeftButton)
     dialog = parts.curves.made().notes.findChild(QInputDialog)
     assert dialog is not None
@@ -98,7 +102,7 @@ def test_nothing_can_be_changed_but_what_is_said(
     assert parts.review_bar.words.text().endswith("Like this?")
     assert parts.review_bar.ticked.isChecked()
     parts.actions["review"].trigger()
-    assert not parts.open_project.bridge.is_locked
+    assert not is_locked(noted)
     session.undo()
     assert not document_of(noted).notes[0].answers
 
@@ -138,7 +142,7 @@ def test_the_keys_do_it_too_and_escape_leaves(
     qtbot.waitUntil(lambda: document_of(noted).notes[0].is_done)
     press(noted, Qt.Key.Key_Escape)
     qtbot.waitUntil(lambda: not noted.review.is_on)
-    assert not bridge.is_locked
+    assert not is_locked(noted)
     assert not parts.actions["review"].isChecked()
 
 
@@ -147,7 +151,7 @@ def test_who_only_looked_before_goes_on_doing_so(noted: MainWindow) -> None:
     parts.actions["look_only"].trigger()
     parts.actions["review"].trigger()
     parts.actions["review"].trigger()
-    assert parts.open_project.bridge.is_locked
+    assert is_locked(noted)
     assert parts.actions["look_only"].isChecked()
 
 
@@ -155,7 +159,7 @@ def test_unlocking_ends_the_review(noted: MainWindow) -> None:
     noted.parts.actions["review"].trigger()
     noted.parts.actions["look_only"].trigger()
     assert not noted.review.is_on
-    assert not noted.parts.open_project.bridge.is_locked
+    assert not is_locked(noted)
 
 
 def test_walking_needs_no_review_and_says_what_is_there(noted: MainWindow) -> None:

@@ -66,6 +66,7 @@ class CurveEditor(QWidget):
         self._read.setObjectName("readout")
         self._read.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._read.move(72, 2)
+        self._read.hide()
         self._empty = QLabel(
             self.tr("Nothing is keyed yet: move the playhead and click the diamond before a property."), self.graph
         )
