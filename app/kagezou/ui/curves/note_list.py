@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QInputDialog,
@@ -93,7 +93,7 @@ class NoteList(QWidget):
             font.setStrikeOut(note.is_done)
             item.setFont(font)
             self.list.addItem(item)
-            if note == chosen:
+            if chosen is not None and note.is_as(chosen):
                 self.list.setCurrentItem(item)
         self.list.blockSignals(False)
         for button in (self.add_button, self.answer_button, self.more):
@@ -176,7 +176,9 @@ class NoteList(QWidget):
     def _take_tick(self, item: QListWidgetItem) -> None:
         note = item.data(_WHAT)
         if isinstance(note, Note):
-            self.tick(note, done=item.checkState() is Qt.CheckState.Checked)
+            done = item.checkState() is Qt.CheckState.Checked
+            # Later: the click is not at its end, and a tick lists all notes anew.
+            QTimer.singleShot(0, self, lambda: self.tick(note, done=done))
 
     def _go_there(self, item: QListWidgetItem) -> None:
         note = item.data(_WHAT)

@@ -7,7 +7,6 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QToolBar
 
-from kagezou.document.note import Note
 from kagezou.ui.curves.remarks import Remark, remark_words, remarks_of
 from kagezou.ui.curves.review_bar import ReviewBar
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
@@ -134,7 +133,7 @@ class ReviewMode(QObject):
         if self.current is None:
             return
         if self.current.note is not None:
-            now = next((each for each in self._bridge.document.notes if _is_same(each, self.current.note)), None)
+            now = next((each for each in self._bridge.document.notes if each.is_as(self.current.note)), None)
             self.current = None if now is None else Remark(now.frame, note=now)
         if self.is_on:
             self._show()
@@ -186,10 +185,3 @@ class ReviewMode(QObject):
     def _say(self, words: str) -> None:
         bar: MessageBar = self._parts.bar
         bar.say("review", words, Severity.NOTE)
-
-
-def _is_same(note: Note, other: Note) -> bool:
-    """Return whether two notes are one, ticked off or answered meanwhile."""
-    return (note.frame, note.property, note.layer_id, note.text) == (
-        other.frame, other.property, other.layer_id, other.text,
-    )  # fmt: skip
