@@ -26,6 +26,7 @@ from kagezou.document.model import (
 from kagezou.document.note import Note, NoteAnswer
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Kind
+from kagezou.document.slate import Slate
 from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import VanishingLines
 from kagezou.picture_source import Paper
@@ -153,7 +154,8 @@ def brought_lights(draw: st.DrawFn) -> BroughtLight:
 @st.composite
 def documents(draw: st.DrawFn) -> Document:
     rate = Fraction(draw(st.integers(1, 60000)), draw(st.integers(60, 2000)))
-    canvas = Canvas(draw(st.integers(1, 16384)), draw(st.integers(1, 16384)), rate, draw(st.integers(1, 1000)))
+    size = (draw(st.integers(1, 16384)), draw(st.integers(1, 16384)))
+    canvas = Canvas(*size, rate, draw(st.integers(1, 1000)), draw(st.sampled_from([1, 0, 101])))
     chosen = draw(st.lists(names, max_size=3, unique=True))
     drawn = tuple(draw(layers(number, name)) for number, name in enumerate(chosen, start=1))
     marked = sorted(draw(st.sets(st.integers(1, 1000), max_size=3)))
@@ -174,4 +176,5 @@ def documents(draw: st.DrawFn) -> Document:
         draw(st.one_of(st.none(), vanishing_lines)),
         frozenset(linked),
         draw(st.one_of(st.none(), brought_lights())),
+        slate=draw(st.sampled_from([Slate(), Slate(cut="12A"), Slate("第3話", "2", "7")])),
     )

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from kagezou.animation.timecode import Count, counted, parse_frame, sheet_text
+from kagezou.animation.timecode import Count, counted, parse_frame, parse_rate, rate_text, sheet_text
 from kagezou.errors import UsageProblem
 
 
@@ -56,3 +56,34 @@ def test_a_ruler_counts_from_the_first_frame(count: Count, of_24: list[str], of_
 
 def test_a_rate_under_one_frame_a_second_counts_one() -> None:
     assert sheet_text(5, Fraction(1, 4)) == "5+00"
+
+
+def test_numbers_may_begin_elsewhere_and_other_counts_do_not() -> None:
+    assert parse_frame("104", 1, Fraction(24), 101) == 4
+    assert parse_frame("0", 1, Fraction(24), 0) == 1
+    assert parse_frame("+6", 4, Fraction(24), 101) == 10
+    assert parse_frame("1+00", 4, Fraction(24), 101) == 24
+    assert counted(4, Fraction(24), Count.FRAMES, 101) == "104"
+    assert counted(25, Fraction(24), Count.SECONDS, 101) == "1+00"
+
+
+@pytest.mark.parametrize(
+    ("typed", "rate"),
+    [
+        ("24", Fraction(24)),
+        (" 12.5 ", Fraction(25, 2)),
+        ("23.976", Fraction(24000, 1001)),
+        ("29.97", Fraction(30000, 1001)),
+        ("30000/1001", Fraction(30000, 1001)),
+        ("1/3", Fraction(1, 3)),
+    ],
+)
+def test_a_rate_is_exact(typed: str, rate: Fraction) -> None:
+    assert parse_rate(typed) == rate
+    assert parse_rate(rate_text(rate)) == rate or rate == Fraction(1, 3)
+
+
+@pytest.mark.parametrize("typed", ["", "0", "-24", "1001", "24/0", "24/00", "1e3", "²", "fast", "24 fps", "NaN"])
+def test_what_is_no_rate_is_refused(typed: str) -> None:
+    with pytest.raises(UsageProblem, match="frames a second"):
+        parse_rate(typed)

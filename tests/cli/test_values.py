@@ -138,13 +138,15 @@ def test_info_says_what_is_missing_and_keyed(shell: Shell, project: Path) -> Non
 
 
 def test_info_lists_every_property(shell: Shell, project: Path) -> None:
+    from kagezou.document.cut_words import CUT_WORDS
     from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 
     table = [*OF_DOCUMENT.values(), *OF_LAYER.values(), *OF_PIECE.values()]
     shell("piece", project, "add", "back", "wall")
     text = shell.ok("info", project, "--properties")
     rows = shell.json("info", project, "--properties", "--json")["properties"]
-    assert [row["path"] for row in rows[len(table) :]] == ["layers.Hero.joins", "layers.Hero.paper"]
+    others = ["layers.Hero.joins", "layers.Hero.paper", *(word.path for word in CUT_WORDS)]
+    assert [row["path"] for row in rows[len(table) :]] == others
     assert 'layers.Hero.joins = ""  (""; no keys)' in text
     assert 'layers.Hero.paper = "white"  (white | border; no keys)' in text
     assert all(row["help_ja"] != row["help"] for row in rows)

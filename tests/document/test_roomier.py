@@ -9,10 +9,11 @@ from hypothesis import strategies as st
 from kagezou.document.address import Address, addresses, value_of
 from kagezou.document.edits import add_layer, set_constant, set_key
 from kagezou.document.figure_properties import ANCHOR, BACKGROUND_POSITION, POSITION
+from kagezou.document.lengths import PLACES
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, GROUND_POSITION, GROUNDING, LIGHT_POSITION, TABLE
 from kagezou.document.property import Kind
-from kagezou.document.roomier import PLACES, roomier
+from kagezou.document.roomier import roomier
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.vectors import Vector4

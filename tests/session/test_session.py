@@ -9,7 +9,8 @@ from kagezou.document.address import Address
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, OPACITY
 from kagezou.geometry.box import Box
-from kagezou.session.session import MAX_STEPS, Session
+from kagezou.session.history import MAX_STEPS
+from kagezou.session.session import Session
 from kagezou.session.state import State
 
 CELS = Cels((Drawing("1", Path("/c/1.png")),), (Exposure(1, 0),))
@@ -202,11 +203,11 @@ def test_what_was_found_out_is_as_true_of_every_earlier_state(session: Session, 
         return edits.rename_layer(each, "layer-1", "found")
 
     session.mark_saved()
-    steps = session.steps_made
+    steps = session.history.made
     session.amend(renamed)
     assert session.document.layers[0].name == "found"
     assert not session.is_saved
-    assert (session.steps_made, session.undo_name) == (steps, "Field of view")
+    assert (session.history.made, session.undo_name) == (steps, "Field of view")
     session.redo()
     assert session.document == renamed(fov(document, 30.0))
     session.undo()

@@ -1,16 +1,20 @@
 """The camera matched to a picture by floor edges and the horizon."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from kagezou.document import properties
+from kagezou.document.address import Address
+from kagezou.document.edits import set_constant
 from kagezou.document.invariants import check
 from kagezou.document.model import Canvas, Document
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.ground import ground_plane
 from kagezou.geometry.vanishing import VanishingLines, first_lines, horizon_of, laid
 from kagezou.geometry.vectors import Point2
+from kagezou.io.project.file import dumps, loads
 from kagezou.tools.handles import drag_of, matching_handles_of, nudge
 from kagezou.tools.pointer import Modifiers, Pointer
 from tests.tools.tool_scenes import FREE, UNZOOMED, document_with, number
@@ -65,6 +69,30 @@ def test_what_cannot_be_a_floor_keeps_the_camera_and_says_why() -> None:
     document = dragged(document, "match.end.1", start)
     assert numbers(document) == before
     assert matching_handles_of(document, 1, UNZOOMED).note is not None
+
+
+def test_lines_that_do_not_tell_the_field_of_view_keep_the_one_before_and_say_so() -> None:
+    document = document_with((properties.FOV, 35.0), (properties.GROUND_DECLINATION, 70.0))
+    # The first line of a hand makes the lines tell something that was never meant.
+    document = dragged(document, "match.end.0", (180.0, 700.0))
+    assert number(document, properties.FOV) != pytest.approx(35.0, abs=0.5)
+    for index, end in ((4, (600.0, 700.0)), (5, (900.0, 700.0)), (6, (600.0, 850.0)), (7, (900.0, 850.0))):
+        document = dragged(document, f"match.end.{index}", end)
+    for index, end in ((0, (300.0, 900.0)), (1, (400.0, 700.0)), (2, (700.0, 900.0)), (3, (600.0, 700.0))):
+        document = dragged(document, f"match.end.{index}", end)
+    assert number(document, properties.FOV) == pytest.approx(35.0)
+    note = matching_handles_of(document, 1, UNZOOMED).note
+    assert str(note).endswith("it stays at 35.0°")
+    # Lines that tell one again are believed, and then a field of view that was typed is kept from there on.
+    told = dragged(document, "match.end.7", (900.0, 800.0))
+    for index, end in ((0, (200.0, 900.0)), (1, (250.0, 700.0)), (2, (900.0, 900.0))):
+        told = dragged(told, f"match.end.{index}", end)
+    assert number(told, properties.FOV) != pytest.approx(35.0, abs=0.5)
+    typed = set_constant(told, Address(properties.FOV), 28.0)
+    untold = dragged(typed, "match.end.7", (900.0, 850.0))
+    assert number(untold, properties.FOV) == pytest.approx(28.0)
+    read = loads(dumps(untold, Path("/p")), Path("/p"))
+    assert read.vanishing == untold.vanishing
 
 
 def test_the_horizon_sets_the_declination_and_takes_the_lines_along() -> None:

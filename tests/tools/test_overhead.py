@@ -83,12 +83,20 @@ def test_seen_edge_on_the_way_along_the_ground_line_counts() -> None:
     [
         [(p.LIGHT_POSITION, (1200.0, -100.0, 0.0))],
         [(p.LIGHT_POSITION, (500.0, -100.0, 900.0))],
-        [ABOVE, (p.LIGHT_KIND, "sun")],
-        [ABOVE, (p.GROUND_ROLL, 90.0)],
+        [ABOVE, (p.LIGHT_KIND, "sun"), (p.OVERHEAD_RADIUS, 100.0)],
+        [ABOVE, (p.GROUND_ROLL, 90.0), (p.OVERHEAD_RADIUS, 100.0)],
     ],
     ids=["a lamp aside", "a lamp before the figure", "the sun", "a ground on its side"],
 )
 def test_it_is_hidden_where_it_means_nothing(settings: list[tuple[AnyProperty, object]]) -> None:
-    document = document_with(*settings, (p.OVERHEAD_RADIUS, 100.0))
+    document = document_with(*settings)
     assert rim_of(document) == []
     assert handles(document).find(OVERHEAD) is None
+
+
+def test_the_grip_says_when_the_lamp_is_outside() -> None:
+    inside = document_with(ABOVE, (p.OVERHEAD_RADIUS, 200.0))
+    assert str(handle(inside, OVERHEAD).label) == "Overhead radius"
+    aside = document_with((p.LIGHT_POSITION, (900.0, -100.0, 0.0)), (p.OVERHEAD_RADIUS, 150.0))
+    assert str(handle(aside, OVERHEAD).label) == "Overhead radius; the lamp is 250 px outside it"
+    assert len(rim_of(aside)) == 64

@@ -144,7 +144,7 @@ def clipboard() -> OwnClipboard:
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
     store = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    return Settings(store, tmp_path / "styles", tmp_path / "unsaved", tmp_path / "pictures")
+    return Settings(store, tmp_path / "styles", tmp_path / "unsaved", tmp_path / "pictures", tmp_path / "spare")
 
 
 @pytest.fixture

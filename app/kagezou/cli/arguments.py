@@ -8,11 +8,9 @@ from math import isfinite, nan
 from pathlib import Path
 from typing import Final, NoReturn
 
+from kagezou.animation.timecode import parse_rate
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
-
-_BROADCAST: Final = {"23.976": 24000, "23.98": 24000, "29.97": 30000, "47.952": 48000, "59.94": 60000}
-"""Frame rates that people round: so many thousand-and-firsts a second."""
 
 LARGEST_SIDE_PX: Final = 16384
 
@@ -69,15 +67,10 @@ def size(text: str) -> tuple[int, int]:
 
 def frame_rate(text: str) -> Fraction:
     """Return frames a second: ``24``, ``23.976``, ``24000/1001``."""
-    if text in _BROADCAST:
-        return Fraction(_BROADCAST[text], 1001)
     try:
-        rate = Fraction(text) if len(text) <= 20 else Fraction(0)
-    except (ValueError, ZeroDivisionError):
-        rate = Fraction(0)
-    if not 0 < rate <= 1000:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of frames a second such as 24 or 24000/1001")
-    return rate
+        return parse_rate(text)
+    except UsageProblem as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from problem
 
 
 def whole_number(text: str) -> int:

@@ -59,6 +59,35 @@ def move_boundary(exposures: Exposures, index: int, frame: int) -> Exposures:
     return (*exposures[:index], *_from(exposures[index:], frame))
 
 
+def room_of_boundary(exposures: Exposures, index: int, length_frames: int) -> tuple[int, int]:
+    """Return the first and last frame on which an exposure may begin so that no drawing is passed over whole.
+
+    Empty cels may be passed over; a drawing keeps a frame.
+    """
+    before = index - 1
+    while before >= 0 and exposures[before].drawing is None:
+        before -= 1
+    least = 1 if before < 0 else max(exposures[before].frame, 1) + 1
+    if 0 <= before < index - 1:
+        least = exposures[before + 1].frame
+    kept = index
+    while kept < len(exposures) and exposures[kept].drawing is None:
+        kept += 1
+    starts = [each.frame for each in exposures] + [length_frames + 1]
+    most = starts[index + 1] - 1 if kept == index else starts[kept]
+    return (least, max(most, least))
+
+
+def room_of_run(exposures: Exposures, first: int, last: int, length_frames: int) -> tuple[int, int | None]:
+    """Return the first and last frame on which a run may begin so; None where nothing follows, and the cut grows."""
+    least, _ = room_of_boundary(exposures, first, length_frames)
+    if last + 1 == len(exposures):
+        return (least, None)
+    _, end = room_of_boundary(exposures, last + 1, length_frames)
+    start = max(exposures[first].frame, 1)
+    return (min(least, start), max(start + end - exposures[last + 1].frame, start))
+
+
 def ripple(exposures: Exposures, index: int, frame: int) -> Exposures:
     """Let an exposure begin on another frame, and all that follow move along; the one before keeps a frame."""
     least = exposures[index - 1].frame + 1 if index else 1

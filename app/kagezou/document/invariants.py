@@ -5,15 +5,22 @@ from itertools import pairwise
 from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address, addresses, path_of, track_of
 from kagezou.document.linking import LINKABLE
-from kagezou.document.model import Document
+from kagezou.document.model import Canvas, Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
+from kagezou.document.slate import MAX_FIRST_FRAME
 from kagezou.errors import ProjectProblem, UsageProblem
 from kagezou.message import Message
 
 
 def check(document: Document) -> None:
     """Raise ProjectProblem, naming the place, if the document is not sound."""
-    _check_canvas(document)
+    check_structure(document)
+    _check_tracks(document)
+
+
+def check_structure(document: Document) -> None:
+    """Raise ProjectProblem, naming the place, if the document is not sound but for single keys and values."""
+    check_canvas(document.canvas)
     ids = [layer.id for layer in document.layers]
     names = [layer.name for layer in document.layers]
     if len(set(ids)) != len(ids):
@@ -31,7 +38,6 @@ def check(document: Document) -> None:
     _check_paper(document)
     _check_pieces(document)
     _check_links(document)
-    _check_tracks(document)
     _check_review(document)
 
 
@@ -91,8 +97,8 @@ def _check_pieces(document: Document) -> None:
         raise ProjectProblem(Message("set: two pieces have the same name"))
 
 
-def _check_canvas(document: Document) -> None:
-    canvas = document.canvas
+def check_canvas(canvas: Canvas) -> None:
+    """Raise ProjectProblem if size, rate, length or numbering is beyond what a cut can have."""
     if not (1 <= canvas.width_px <= 16384 and 1 <= canvas.height_px <= 16384):
         raise ProjectProblem(
             Message(
@@ -109,6 +115,14 @@ def _check_canvas(document: Document) -> None:
         raise ProjectProblem(
             Message(
                 "canvas: a cut of {length_frames} frames is not within 1 to 1000000", length_frames=canvas.length_frames
+            )
+        )
+    if not 0 <= canvas.first_frame <= MAX_FIRST_FRAME:
+        raise ProjectProblem(
+            Message(
+                "canvas: a first frame of {first} is not within 0 to {most}",
+                first=canvas.first_frame,
+                most=MAX_FIRST_FRAME,
             )
         )
 

@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from kagezou.animation.track import Track
 from kagezou.document.note import Note
+from kagezou.document.slate import NO_SLATE, Slate
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vanishing import VanishingLines
 from kagezou.picture_source import OutlinedPicture, Paper, PicturePart, PictureSource
@@ -22,12 +23,13 @@ NO_TRACKS: Tracks = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class Canvas:
-    """The picture and its time: size in px, frames a second, and the cut's length (its last frame)."""
+    """The picture and its time: size in px, frames a second, the cut's length, and the number its first frame bears."""
 
     width_px: int
     height_px: int
     frame_rate: Fraction = Fraction(24)
     length_frames: int = 1
+    first_frame: int = 1
 
     @property
     def box(self) -> Box:
@@ -217,6 +219,8 @@ class Document:
         The light of the style that was put on last, if it was asked for; None otherwise.
     timesheet
         The text of the sheet that timed the cut, kept for what of it is not used here; empty where there was none.
+    slate
+        What the cut is called.
     """
 
     canvas: Canvas
@@ -231,6 +235,7 @@ class Document:
     linked: frozenset[str] = frozenset()
     brought_light: BroughtLight | None = None
     timesheet: str = ""
+    slate: Slate = NO_SLATE
 
     @property
     def background(self) -> PictureSource | None:

@@ -25,6 +25,11 @@ class Remembered(Generic[T]):
         self._kept: OrderedDict[tuple[int, ...], tuple[tuple[object, ...], T]] = OrderedDict()
         self._lock = threading.Lock()
 
+    def forget(self) -> None:
+        """Keep nothing of before, as when another document is worked on."""
+        with self._lock:
+            self._kept.clear()
+
     def of(self, parts: tuple[object, ...], make: Callable[[], T]) -> T:
         """Return what ``make`` made of these very ``parts``, or what it makes now."""
         key = tuple(map(id, parts))

@@ -1,23 +1,17 @@
 """The same cut, smaller: for previews that look alike at a part of the resolution."""
 
-from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from math import ceil, floor
-from types import MappingProxyType
 from typing import cast
 
-from kagezou.animation.ease import Ease
-from kagezou.animation.track import Key, Track, Value
+from kagezou.animation.track import Track, Value
 from kagezou.document.figure_properties import ANCHOR
-from kagezou.document.model import Canvas, Document, Drawing, Layer, Piece, Tracks, drawing_offset, drawing_size
+from kagezou.document.lengths import LengthMap
+from kagezou.document.model import Canvas, Document, Drawing, Layer, drawing_offset, drawing_size
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
-from kagezou.document.property import AnyProperty, Usual
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.vectors import Point2
 from kagezou.standing.foot import FootPin
-
-_POWERS = MappingProxyType({"px": 1, "px²": 2})
-"""Units of lengths and areas: how often a size divides them."""
 
 
 def usable_divisor(canvas: Canvas, wanted: int) -> int:
@@ -37,13 +31,13 @@ def scaled(document: Document, divisor: int) -> Document:
     """
     if divisor == 1:
         return document
-    canvas = document.canvas
+    canvas, smaller = document.canvas, LengthMap(1 / divisor)
     return replace(
         document,
         canvas=replace(canvas, width_px=canvas.width_px // divisor, height_px=canvas.height_px // divisor),
         layers=tuple(_layer(layer, canvas, divisor) for layer in document.layers),
-        tracks=_tracks(document.tracks, OF_DOCUMENT, divisor),
-        pieces=tuple(_piece(piece, divisor) for piece in document.pieces),
+        tracks=smaller.tracks(document.tracks, OF_DOCUMENT),
+        pieces=tuple(replace(piece, tracks=smaller.tracks(piece.tracks, OF_PIECE)) for piece in document.pieces),
     )
 
 
@@ -55,7 +49,7 @@ def _layer(layer: Layer, canvas: Canvas, divisor: int) -> Layer:
     tracks = dict(layer.tracks)
     if ANCHOR.name in tracks:
         tracks[ANCHOR.name] = _moved(tracks[ANCHOR.name], offset)
-    return replace(layer, cels=cels, figure=figure, tracks=_tracks(tracks, OF_LAYER, divisor))
+    return replace(layer, cels=cels, figure=figure, tracks=LengthMap(1 / divisor).tracks(tracks, OF_LAYER))
 
 
 def _smaller_box(box: Box, divisor: int) -> Box:
@@ -91,43 +85,3 @@ def _moved(track: Track, offset: tuple[int, int]) -> Track:
 
     keys = tuple(replace(key, value=moved(key.value)) for key in track.keys)
     return Track(moved(track.constant), keys)
-
-
-def _piece(piece: Piece, divisor: int) -> Piece:
-    return replace(piece, tracks=_tracks(piece.tracks, OF_PIECE, divisor))
-
-
-def _tracks(tracks: Tracks, table: Mapping[str, AnyProperty], divisor: int) -> Tracks:
-    measures = {name: prop for name, prop in table.items() if prop.unit in _POWERS}
-    # What has no track has its default, which is a length as well; what is usual for the cut follows its canvas.
-    whole = {
-        name: tracks.get(name, Track(prop.default))
-        for name, prop in measures.items()
-        if name in tracks or prop.usual is Usual.DEFAULT
-    }
-    smaller = {name: _track(track, divisor ** _POWERS[measures[name].unit]) for name, track in whole.items()}
-    return MappingProxyType({**tracks, **smaller})
-
-
-def _track(track: Track, divisor: int) -> Track:
-    keys = tuple(_key(key, divisor) for key in track.keys)
-    return Track(_divided(track.constant, divisor), keys)
-
-
-def _key(key: Key, divisor: int) -> Key:
-    return replace(
-        key,
-        value=_divided(key.value, divisor),
-        ease_in=_eases(key.ease_in, divisor),
-        ease_out=_eases(key.ease_out, divisor),
-    )
-
-
-def _eases(eases: Iterable[Ease], divisor: int) -> tuple[Ease, ...]:
-    return tuple(replace(ease, speed=ease.speed / divisor) for ease in eases)
-
-
-def _divided(value: Value, divisor: int) -> Value:
-    if isinstance(value, tuple):
-        return cast("Value", tuple(_divided(part, divisor) for part in value))
-    return value / divisor if isinstance(value, float) else value

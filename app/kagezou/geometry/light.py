@@ -1,15 +1,17 @@
 """Lights: a lamp or the sun, and the four virtual lamps of an overhead light (spec 1, 2; paper 3.7)."""
 
-from math import cos, hypot, radians, sin, sqrt
+from math import asin, atan2, cos, degrees, hypot, radians, sin, sqrt
 
 from kagezou.geometry.ground import Plane
-from kagezou.geometry.vectors import Vector3, Vector4, height_over
+from kagezou.geometry.vectors import Vector3, Vector4, dot, height_over
 
 GRAZING_DARK_DEG = 1.0
 """A light that stands this low over the receiver, or lower, casts nothing."""
 
 GRAZING_FULL_DEG = 3.0
 """From this height over the receiver on, a shadow has its full strength; between the two it fades."""
+
+_STRAIGHT_ABOVE = 1e-12
 
 
 def lamp(position: Vector3) -> Vector4:
@@ -28,6 +30,17 @@ def sun(ground: Plane, azimuth_deg: float, elevation_deg: float) -> Vector4:
     up = sin(elevation)
     x, y, z = (along_u * u + along_v * v + up * n for u, v, n in zip(ground.u, ground.v, ground.normal, strict=True))
     return (x, y, z, 0.0)
+
+
+def sun_angles(ground: Plane, direction: Vector3) -> tuple[float | None, float]:
+    """Return azimuth and elevation, degrees, of a sun in a direction of any length but 0; the way back of :func:`sun`.
+
+    The azimuth is None straight above, where every one is the same.
+    """
+    length = sqrt(dot(direction, direction))
+    right, nearer, up = (dot(direction, axis) / length for axis in (ground.u, ground.v, ground.normal))
+    azimuth = None if abs(right) + abs(nearer) < _STRAIGHT_ABOVE else degrees(atan2(right, nearer))
+    return azimuth, degrees(asin(min(max(up, -1.0), 1.0)))
 
 
 def is_over(ground: Plane, light: Vector4) -> bool:

@@ -5,7 +5,7 @@ roll and declination; that the two directions are square to each other gives the
 from the middle of the canvas, in its height, so that no number depends on the resolution.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from math import atan, atan2, cos, degrees, hypot, pi, radians, sin, sqrt, tan
 from typing import Final, TypeAlias
@@ -34,10 +34,14 @@ _TOO_SHORT: Final = 0.004
 
 @dataclass(frozen=True, slots=True)
 class VanishingLines:
-    """Edges of the floor in a picture: two that are parallel there, and two square to them."""
+    """Edges of the floor in a picture: two that are parallel there, and two square to them.
+
+    ``kept_fov_deg`` is the field of view that is kept while the lines tell none: that of before they told one.
+    """
 
     first: tuple[Line, Line]
     second: tuple[Line, Line]
+    kept_fov_deg: float | None = None
 
     @property
     def all(self) -> tuple[Line, Line, Line, Line]:
@@ -47,16 +51,20 @@ class VanishingLines:
     def with_line(self, index: int, line: Line) -> "VanishingLines":
         """Return the lines with one of the four replaced."""
         a, b, c, d = (line if number == index else old for number, old in enumerate(self.all))
-        return VanishingLines((a, b), (c, d))
+        return replace(self, first=(a, b), second=(c, d))
 
 
 @dataclass(frozen=True, slots=True)
 class CameraMatch:
-    """What the lines tell: ``camera.fov``, ``ground.roll`` and ``ground.declination`` in degrees."""
+    """What the lines tell: ``camera.fov``, ``ground.roll`` and ``ground.declination`` in degrees.
+
+    ``tells_fov`` is false where the field of view is the one that was to be kept.
+    """
 
     fov_deg: float
     roll_deg: float
     declination_deg: float
+    tells_fov: bool = True
 
 
 class Mismatch(StrEnum):
@@ -115,14 +123,16 @@ def matched(lines: VanishingLines, size_px: Point2, fov_deg: float) -> CameraMat
     # Pointing up in the picture, where the sky is.
     sign = -1.0 if b > 0 or (b == 0 and a < 0) else 1.0
     a, b, c = (sign * part / length for part in (a, b, c))
-    if w1 == 0 or w2 == 0:
+    tells_fov = w1 != 0 and w2 != 0
+    if not tells_fov:
         focal = 0.5 / tan(radians(fov_deg or USUAL_FOV_DEG) / 2)
     else:
         square = -(x1 * x2 + y1 * y2) / (w1 * w2)
         if square <= 0:
             return Mismatch.NOT_SQUARE
         focal = max(sqrt(square), 0.5 / tan(radians(_WIDEST_FOV_DEG) / 2))
-    return CameraMatch(degrees(2 * atan(0.5 / focal)), degrees(atan2(a, -b)), degrees(atan2(focal, max(-c, 0.0))))
+    fov, roll, declination = 2 * atan(0.5 / focal), atan2(a, -b), atan2(focal, max(-c, 0.0))
+    return CameraMatch(degrees(fov), degrees(roll), degrees(declination), tells_fov)
 
 
 def azimuth_of(pair: tuple[Line, Line], camera: Camera, ground: Plane) -> float | None:
@@ -157,7 +167,7 @@ def laid(lines: VanishingLines, camera: Camera, ground: Plane, azimuth_deg: floa
         u, v, _ = ground.world_from_plane().T
         turned.append(_toward(line, _vanishing_point(camera, cos(angle) * u + sin(angle) * v)))
     first, second, third, fourth = turned
-    return VanishingLines((first, second), (third, fourth))
+    return replace(lines, first=(first, second), second=(third, fourth))
 
 
 def first_lines(size_px: Point2) -> VanishingLines:

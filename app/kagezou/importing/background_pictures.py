@@ -75,7 +75,10 @@ def _of_file(path: Path, frame_rate: Fraction, layer: str | None) -> NewCels:
     source = PicturePart(path, layer) if layer is not None and is_exr(path) else path
     info = probe(source)
     said = said_once(name, [(path, (*info.notes, *_notes_on_light(source, info)))])
-    return NewCels(name, still(source), (info.width_px, info.height_px), 1, said)
+    size_px = (info.width_px, info.height_px)
+    cels = still(source)
+    cels = replace(cels, drawings=tuple(replace(drawing, size_px=size_px) for drawing in cels.drawings))
+    return NewCels(name, cels, size_px, 1, said)
 
 
 def _notes_on_light(source: PictureSource, info: ImageInfo) -> tuple[Message, ...]:

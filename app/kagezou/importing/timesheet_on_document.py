@@ -116,7 +116,8 @@ def sheet_of(document: Document, name: str) -> Timesheet:
     """Return the timesheet of a document: a column a layer, its drawings by their names."""
     length = document.canvas.length_frames
     tracks = tuple(SheetTrack(layer.name, _entries(layer, length)) for layer in document.layers)
-    return Timesheet(name, length, tracks, kept=document.timesheet)
+    slate = document.slate
+    return Timesheet(name, length, tracks, kept=document.timesheet, scene=slate.scene, cut=slate.cut)
 
 
 def _entries(layer: Layer, length: int) -> tuple[tuple[int, str | None], ...]:

@@ -87,6 +87,11 @@ def stances_of(document: Document, figure_id: str) -> FigureStances | None:
     return _known.of(made_of, lambda: _made(document, parts))
 
 
+def forget_stances() -> None:
+    """Keep nothing of documents that are gone: their drawings would stay in memory with how they stand."""
+    _known.forget()
+
+
 def _moving(layer: Layer) -> Iterator[object]:
     """Yield what decides where a layer's feet are seen beside its cels."""
     return (layer.tracks.get(name) for name in (*sorted(PLACING), VISIBLE.name))

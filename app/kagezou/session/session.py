@@ -2,45 +2,48 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import Final
 
 from kagezou.document.address import Address
 from kagezou.document.key_edits import Refs
 from kagezou.document.model import Document
-from kagezou.session.state import State, are_alike, within_document
+from kagezou.errors import Problem
+from kagezou.session.history import History, Step
+from kagezou.session.state import State, same, within
 
-MAX_STEPS = 500
-
-
-@dataclass(frozen=True, slots=True)
-class _Step:
-    name: str
-    before: State
-    after: State
-
+Ids = frozenset[str]
+NOBODY: Final[Ids] = frozenset()
 
 Listener = Callable[[State, State], None]
 Refusal = Callable[[], None]
+Admission = Callable[[Document, Document], None]
+"""Raises a Problem if the second document may not follow the first as a step."""
 
 
 class Session:
     """One document being worked on. ``changed(before, after)`` is called after every change of state.
 
     While it is locked, nothing that a person does changes the document: whoever tries is refused, and it is told.
+
+    Parameters
+    ----------
+    document
+        The document, taken for saved.
+    admit
+        Asked before a step is taken for made; a Problem that it raises undoes the step and passes through.
     """
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, admit: Admission = lambda _before, _after: None) -> None:
         layers = document.layers
         self._state = State(document, layer_id=layers[-1].id if layers else None)
         self._saved = document
-        self._done: list[_Step] = []
-        self._undone: list[_Step] = []
+        self._history = History()
         self._gesture: Gesture | None = None
         self._listeners: list[Listener] = []
         self._refusals: list[Refusal] = []
         self._is_locked = False
-        self._steps_made = 0
-        self._saved_at = 0
+        self._admit = admit
 
     @property
     def state(self) -> State:
@@ -68,24 +71,19 @@ class Session:
         return self._is_locked
 
     @property
-    def steps_made(self) -> int:
-        """How many steps were made since the session began, those taken back included."""
-        return self._steps_made
-
-    @property
-    def steps_since_saved(self) -> int:
-        """How many steps were made since the document was last saved."""
-        return self._steps_made - self._saved_at
+    def history(self) -> History:
+        """The steps made so far."""
+        return self._history
 
     @property
     def undo_name(self) -> str | None:
         """The name of the step that undo would take back."""
-        return self._done[-1].name if self._done else None
+        return self._history.undo_name
 
     @property
     def redo_name(self) -> str | None:
         """The name of the step that redo would bring back."""
-        return self._undone[-1].name if self._undone else None
+        return self._history.redo_name
 
     def listen(self, listener: Listener) -> None:
         """Call ``listener(before, after)`` after every change of state."""
@@ -102,7 +100,8 @@ class Session:
 
     def mark_saved(self) -> None:
         """Say that the document now is on disk."""
-        self._saved, self._saved_at = self._state.document, self._steps_made
+        self._saved = self._state.document
+        self._history.mark_saved()
         self._tell(self._state)
 
     def edit(self, name: str, document: Document) -> None:
@@ -153,49 +152,45 @@ class Session:
                 known[key] = change(state.document)
             return replace(state, document=known[key])
 
-        for steps in (self._done, self._undone):
-            steps[:] = [replace(each, before=amended(each.before), after=amended(each.after)) for each in steps]
+        self._history.amend(amended)
         self._show(amended(self._state))
 
     def undo(self) -> None:
         """Take the last step back; shows the frame and selection it was made with."""
         self._finish_gesture()
-        if self._done and not self._refuses():
-            self._undone.append(self._done.pop())
-            self._show(self._undone[-1].before)
+        if self.undo_name is not None and not self._refuses():
+            self._show(self._history.back())
 
     def redo(self) -> None:
         """Bring the last undone step back."""
         self._finish_gesture()
-        if self._undone and not self._refuses():
-            self._done.append(self._undone.pop())
-            self._show(self._done[-1].after)
+        if self.redo_name is not None and not self._refuses():
+            self._show(self._history.forth())
 
     def go_to(self, frame: int) -> None:
         """Look at a frame, kept within the cut."""
         length = self.document.canvas.length_frames
         self._show(replace(self._state, frame=min(max(frame, 1), length)))
 
-    def select(self, layer_id: str | None, selection: tuple[Address, ...] = ()) -> None:
-        """Work on a layer and select properties."""
-        self._show(replace(self._state, layer_id=layer_id, selection=selection, piece_id=None, others=frozenset()))
-
-    def select_layers(self, layer_id: str, others: frozenset[str]) -> None:
-        """Work on a layer, and edit others with it."""
-        self._show(replace(self._state, layer_id=layer_id, selection=(), piece_id=None, others=others))
+    def select(self, layer_id: str | None, selection: tuple[Address, ...] = (), others: Ids = NOBODY) -> None:
+        """Work on a layer, edit others with it, and select properties."""
+        self._show(replace(self._state, layer_id=layer_id, selection=selection, piece_id=None, others=others))
 
     def select_piece(self, piece_id: str, selection: tuple[Address, ...] = ()) -> None:
         """Work on a set piece instead of a layer and select properties."""
         self._show(replace(self._state, layer_id=None, selection=selection, piece_id=piece_id, others=frozenset()))
+
+    def select_properties(self, selection: tuple[Address, ...]) -> None:
+        """Select properties of what is worked on."""
+        self._show(replace(self._state, selection=selection))
 
     def select_keys(self, keys: Refs) -> None:
         """Select keys; those that are not there are left out."""
         self._show(replace(self._state, keys=keys))
 
     def _refuses(self) -> bool:
-        if self._is_locked:
-            for listener in self._refusals:
-                listener()
+        for listener in self._refusals if self._is_locked else ():
+            listener()
         return self._is_locked
 
     def _finish_gesture(self) -> None:
@@ -203,23 +198,28 @@ class Session:
             self._gesture.commit()
 
     def _show(self, state: State) -> None:
-        before, self._state = self._state, within_document(state)
-        if not are_alike(before, self._state):
+        before, self._state = self._state, within(state)
+        if not same(before, self._state):
             self._tell(before)
 
     def _tell(self, before: State) -> None:
         for listener in self._listeners:
             listener(before, self._state)
 
+    def _ask(self, before: State) -> None:
+        try:
+            self._admit(before.document, self._state.document)
+        except Problem:
+            self._show(before)
+            raise
+
     def _end(self, name: str, before: State, *, keep: bool) -> None:
         self._gesture = None
         if not keep:
             self._show(before)
         elif self._state.document is not before.document:
-            self._done.append(_Step(name, before, self._state))
-            del self._done[:-MAX_STEPS]
-            self._steps_made += 1
-            self._undone.clear()
+            self._ask(before)
+            self._history.add(Step(name, before, self._state))
             self._tell(self._state)
 
 

@@ -1,4 +1,4 @@
-"""What is seen and selected in a session, as a value."""
+"""What is seen and selected of a document, as one value, kept to what the document has."""
 
 from dataclasses import dataclass
 
@@ -38,7 +38,7 @@ class State:
     others: frozenset[str] = frozenset()
 
 
-def are_alike(a: State, b: State) -> bool:
+def same(a: State, b: State) -> bool:
     """Whether two states look alike; documents are compared by identity, which an edit always changes."""
     return a.document is b.document and _looked_at(a) == _looked_at(b)
 
@@ -47,7 +47,7 @@ def _looked_at(state: State) -> tuple[object, ...]:
     return state.frame, state.layer_id, state.selection, state.keys, state.piece_id, state.others
 
 
-def within_document(state: State) -> State:
+def within(state: State) -> State:
     """Return the state with its frame and selection kept to what the document has."""
     document = state.document
     ids, pieces = {layer.id for layer in document.layers}, {piece.id for piece in document.pieces}

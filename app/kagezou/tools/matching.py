@@ -38,6 +38,7 @@ HORIZON_END = "match.horizon_end"
 
 _FIRST_AZIMUTH_DEG = 45.0
 _HORIZON_END_OF_WIDTH = 0.3
+_SAME_DEG = 1e-6
 
 _END_WORDS = (
     Message("Edge of the floor, running away"),
@@ -94,11 +95,19 @@ def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
 
 
 def note_of(geometry: FrameGeometry) -> Message | None:
-    """Return why the lines tell no camera, None where they tell one."""
-    if geometry.document.vanishing is None:
+    """Return why the lines tell no camera, or no field of view; None where they tell all."""
+    lines = geometry.document.vanishing
+    if lines is None:
         return None
-    match = matched(geometry.document.vanishing, _size(geometry), geometry.camera.fov_deg)
-    return _NOTES[match] if isinstance(match, Mismatch) else None
+    match = matched(lines, _size(geometry), _fov_to_keep(geometry, lines))
+    if isinstance(match, Mismatch):
+        return _NOTES[match]
+    if match.tells_fov:
+        return None
+    return Message(
+        "lines that are parallel in the picture do not tell the field of view: it stays at {fov}°",
+        fov=f"{match.fov_deg:.1f}",
+    )
 
 
 def lines_of(geometry: FrameGeometry) -> VanishingLines:
@@ -114,9 +123,10 @@ def move_end(geometry: FrameGeometry, handle: Handle, aim: Aim) -> Document:
     lines, number, side = lines_of(geometry), handle.index // 2, handle.index % 2
     ends = list(lines.all[number])
     ends[side] = kept_near(aim.target)
-    lines = lines.with_line(number, (ends[0], ends[1]))
+    keep = _fov_to_keep(geometry, lines)
+    lines = replace(lines.with_line(number, (ends[0], ends[1])), kept_fov_deg=keep)
     document = replace(geometry.document, vanishing=lines)
-    match = matched(lines, _size(geometry), geometry.camera.fov_deg)
+    match = matched(lines, _size(geometry), keep)
     if isinstance(match, Mismatch):
         return document
     document = geometry.edited(properties.FOV, match.fov_deg, document)
@@ -149,6 +159,16 @@ def move_horizon_end(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Docu
         aim.angle_or_zero(degrees(atan2(dy, dx)), miss, geometry),
         geometry.value(properties.GROUND_DECLINATION),
     )
+
+
+def _fov_to_keep(geometry: FrameGeometry, lines: VanishingLines) -> float:
+    """Return the field of view for lines that tell none: the present one, unless it is only what the lines told."""
+    now = geometry.camera.fov_deg
+    if lines.kept_fov_deg is None:
+        return now
+    told = matched(lines, _size(geometry), lines.kept_fov_deg)
+    from_lines = not isinstance(told, Mismatch) and abs(told.fov_deg - now) < _SAME_DEG
+    return lines.kept_fov_deg if from_lines or isinstance(told, Mismatch) else now
 
 
 def _turned(geometry: FrameGeometry, roll_deg: float, declination_deg: float) -> Document:

@@ -1,6 +1,6 @@
 """The area over a character within which a lamp is overhead: its rim on the ground, dragged wider and narrower.
 
-It is shown while the lamp is near: of a lamp far off it changes nothing.
+It is shown while there is one, and while the lamp is near: of a lamp far off it changes nothing, and it says so.
 """
 
 from math import cos, pi, sin
@@ -11,6 +11,7 @@ from kagezou.document.model import Document
 from kagezou.geometry.light import horizontal_distance
 from kagezou.geometry.sight import seen
 from kagezou.geometry.vectors import Vector3, dot
+from kagezou.message import Message
 from kagezou.scene.overhead import RADIUS_OF_FIGURE
 from kagezou.tools.drag import Aim
 from kagezou.tools.frame_geometry import FrameGeometry
@@ -32,14 +33,14 @@ _RIM_POINTS = 64
 
 
 def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
-    """Return the grip of the rim while a lamp is near; none for the sun, and without a character."""
+    """Return the grip of the rim while there is one or a lamp is near; none for the sun, and without a character."""
     if not _is_shown(geometry):
         return ()
     assert geometry.layer is not None
     return (
         Handle(
             OVERHEAD, HandleShape.LEVER, seen(geometry.camera, _grip(geometry)),
-            geometry.address(properties.OVERHEAD_RADIUS), properties.OVERHEAD_RADIUS.label, Cursor.HORIZONTAL,
+            geometry.address(properties.OVERHEAD_RADIUS), _words(geometry), Cursor.HORIZONTAL,
             layer_id=geometry.layer.id,
         ),
     )  # fmt: skip
@@ -70,8 +71,18 @@ def _is_shown(geometry: FrameGeometry) -> bool:
     if geometry.is_sun or geometry.layer is None or abs(geometry.ground.normal[1]) < _UPWARD:
         return False
     usual = RADIUS_OF_FIGURE * geometry.figure_box.height
-    near = _NEAR * max(usual, geometry.value(properties.OVERHEAD_RADIUS))
-    return horizontal_distance(geometry.light, geometry.contact) <= near
+    return geometry.value(properties.OVERHEAD_RADIUS) > 0 or _distance(geometry) <= _NEAR * usual
+
+
+def _words(geometry: FrameGeometry) -> Message:
+    radius, distance = geometry.value(properties.OVERHEAD_RADIUS), _distance(geometry)
+    if 0 < radius <= distance:
+        return Message("Overhead radius; the lamp is {away} px outside it", away=f"{distance - radius:.0f}")
+    return properties.OVERHEAD_RADIUS.label
+
+
+def _distance(geometry: FrameGeometry) -> float:
+    return horizontal_distance(geometry.light, geometry.contact)
 
 
 def _grip(geometry: FrameGeometry) -> Vector3:

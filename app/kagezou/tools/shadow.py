@@ -5,14 +5,14 @@ ground. Feet and what is hardly above them say too little about the light, so su
 """
 
 from dataclasses import replace
-from math import asin, atan2, degrees, radians, sin, sqrt
+from math import radians, sin, sqrt
 
 from kagezou.document import properties
 from kagezou.document.figure_properties import SHAPE
 from kagezou.document.model import Document
 from kagezou.document.values import value_at
 from kagezou.geometry.card import Card
-from kagezou.geometry.light import GRAZING_DARK_DEG
+from kagezou.geometry.light import GRAZING_DARK_DEG, sun_angles
 from kagezou.geometry.sight import MIN_DEPTH, depth_of, seen
 from kagezou.geometry.vectors import Point2, Vector3, dot, height_over
 from kagezou.message import Message
@@ -36,7 +36,7 @@ MIN_HEIGHT_OF_FIGURE = 0.1
 
 def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
     """Return the shadow's tip, where there is one."""
-    head, tip = _head(geometry), tip_of(geometry)
+    head, tip = head_of(geometry), tip_of(geometry)
     if geometry.layer is None or head is None or tip is None:
         return ()
     lines = (properties.LIGHT_AZIMUTH, properties.LIGHT_ELEVATION) if geometry.is_sun else (properties.LIGHT_POSITION,)
@@ -51,7 +51,7 @@ def handles(geometry: FrameGeometry) -> tuple[Handle, ...]:
 
 def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
     """Return the line from the head to its shadow."""
-    head, tip = _head(geometry), tip_of(geometry)
+    head, tip = head_of(geometry), tip_of(geometry)
     if head is None or tip is None:
         return ()
     return (Guide(GuideKind.SHADOW_RAY, (seen(geometry.camera, head), seen(geometry.camera, tip))),)
@@ -59,7 +59,7 @@ def guides(geometry: FrameGeometry) -> tuple[Guide, ...]:
 
 def move_tip(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     """Move the light so that the head's shadow falls where it is wanted."""
-    head, tip = _head(geometry), tip_of(geometry)
+    head, tip = head_of(geometry), tip_of(geometry)
     if head is None or tip is None:
         return geometry.document
     wanted = place_seen_at(geometry.camera, tip, geometry.ground.normal, aim.straightened(geometry.along).target)
@@ -69,7 +69,7 @@ def move_tip(geometry: FrameGeometry, _handle: Handle, aim: Aim) -> Document:
     for _ in range(_ROUNDS):
         document = _lit_through(geometry, head, within_reach(tip, wanted) if geometry.is_sun else wanted, aim)
         # In the air the size of the shadow, and so the head, depends on the light.
-        found = _head(replace(geometry, light=light_at(document, geometry.frame, geometry.ground)))
+        found = head_of(replace(geometry, light=light_at(document, geometry.frame, geometry.ground)))
         if found is None or max(map(abs, between(head, found))) < _SETTLED_PX:
             break
         head = found
@@ -88,17 +88,15 @@ def _lit_through(geometry: FrameGeometry, head: Vector3, wanted: Vector3, aim: A
 
 
 def _sun_through(geometry: FrameGeometry, direction: Vector3, aim: Aim) -> Document:
-    ground, length = geometry.ground, sqrt(dot(direction, direction))
-    right, nearer, up = (dot(direction, axis) / length for axis in (ground.u, ground.v, ground.normal))
-    document = geometry.edited(properties.LIGHT_ELEVATION, degrees(asin(min(max(up, -1.0), 1.0))))
-    if abs(right) + abs(nearer) < 1e-12:
+    azimuth, elevation = sun_angles(geometry.ground, direction)
+    document = geometry.edited(properties.LIGHT_ELEVATION, elevation)
+    if azimuth is None:
         return document
     shown = geometry.value(properties.LIGHT_AZIMUTH, aim.shown)
-    azimuth = unwound(degrees(atan2(right, nearer)), shown, properties.LIGHT_AZIMUTH)
-    return geometry.edited(properties.LIGHT_AZIMUTH, azimuth, document)
+    return geometry.edited(properties.LIGHT_AZIMUTH, unwound(azimuth, shown, properties.LIGHT_AZIMUTH), document)
 
 
-def _head(geometry: FrameGeometry) -> Vector3 | None:
+def head_of(geometry: FrameGeometry) -> Vector3 | None:
     """Return the middle of the figure's top on the card it casts from, world px, or None if it says too little."""
     layer, figure = geometry.figure, geometry.figure_box
     if layer is None or figure.is_empty or not geometry.is_figure_shown:
@@ -123,7 +121,7 @@ def _on_card(geometry: FrameGeometry, card: Card, canvas_px: Point2) -> Vector3 
 
 def tip_of(geometry: FrameGeometry) -> Vector3 | None:
     """Return where the head's shadow falls on the ground, world px, or None if it does not, or out of sight."""
-    head = _head(geometry)
+    head = head_of(geometry)
     ground, light = geometry.ground, geometry.light
     if head is None:
         return None

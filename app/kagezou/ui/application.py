@@ -1,6 +1,5 @@
 """The program with a window: makes the application, its one window, and runs until that is closed."""
 
-import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,18 +9,26 @@ from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from kagezou import __version__
-from kagezou.ui.project.autosave import Autosave, left_behind
+from kagezou.document.model import Document
+from kagezou.io.project.recovery_file import RecoveredWork
+from kagezou.ui.project.autosave import Autosave
 from kagezou.ui.project.demo import MakeDemo
+from kagezou.ui.project.keepsakes import left_behind
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system import theme
 from kagezou.ui.system.clipboard import SystemClipboard
+from kagezou.ui.system.ending import EndSignals
 from kagezou.ui.system.icons import application_icon
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.offscreen_context import surface_format
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.unforeseen import UnforeseenErrors
+from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.main_window import MainWindow
+
+_KEEPING = "autosave"
+_RECOVERED = "recovered"
 
 
 def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeDemo | None = None) -> int:
@@ -43,8 +50,11 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     incidents.happened.connect(program.say)
     # Whatever went wrong, the work so far is not to go with it.
     incidents.happened.connect(lambda _: program.autosave.keep())
-    # Python's own handler would only run when the event loop next meets Python.
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    ends = EndSignals()
+    ends.came.connect(program.end)
+    ends.watch()
+    application.commitDataRequest.connect(program.be_ended)
+    application.saveStateRequest.connect(lambda _: program.keep())
     program.show()
     if project is not None:
         program.window.parts.project.open_path(project)
@@ -87,10 +97,16 @@ class Application:
         self._language.speak(settings.language)
         self.open_project = OpenProject()
         self.window = self._make_window()
+        self._left: Document | None = None
         self.autosave = Autosave(
-            self.open_project, settings.recovery_folder, lambda: self.window.parts.project.project_name
+            self.open_project,
+            settings.recovery_folder,
+            lambda: self.window.parts.project.project_name,
+            settings.spare_recovery_folder,
         )
-        self.autosave.failed.connect(lambda sentence: self.window.parts.bar.say("autosave", sentence))
+        self.autosave.failed.connect(lambda sentence: self._say_of_keeping(sentence, Severity.ERROR))
+        self.autosave.kept_elsewhere.connect(lambda sentence: self._say_of_keeping(sentence, Severity.WARNING))
+        self.autosave.kept.connect(lambda: self.window.parts.bar.withdraw(_KEEPING))
 
     def show(self) -> None:
         """Bring the window to the screen."""
@@ -102,16 +118,33 @@ class Application:
 
     def offer_recovery(self) -> None:
         """Ask about work that a program put aside and did not come back for, if there is any."""
-        files = left_behind(self._settings.recovery_folder)
+        files = left_behind(self._settings.recovery_folder, self._settings.spare_recovery_folder)
         if files:
             dialog = RecoveryDialog(files, self.window)
-            dialog.recovered.connect(self.window.parts.project.recover)
+            dialog.recovered.connect(self._recover)
             dialog.failed.connect(self.say)
             dialog.open()
 
+    def keep(self) -> None:
+        """Put unsaved work aside, and wait until it lies there."""
+        self.autosave.keep()
+        self.autosave.wait()
+
+    def end(self, number: int) -> None:
+        """End because a signal of the system says so: nobody is asked, and unsaved work is found at the next start."""
+        self.be_ended()
+        QCoreApplication.exit(128 + number)
+
+    def be_ended(self, _manager: object = None) -> None:
+        """Be ready to be ended from outside, as at logout: the work is kept, and no question holds anybody up."""
+        self.keep()
+        # Whoever goes on after a logout that was called off is asked again when closing.
+        self._left = self.open_project.bridge.document
+        self.window.close_without_question(self._left)
+
     def put_away(self) -> None:
         """Destroy the window before the application goes, with everything that needs it."""
-        self.autosave.finish()
+        self.autosave.finish(leave=self._left is self.open_project.bridge.document)
         self.window.close_unasked()
         self.window.deleteLater()
         QCoreApplication.sendPostedEvents(self.window, QEvent.Type.DeferredDelete)
@@ -132,6 +165,20 @@ class Application:
         self.window.show()
         QGuiApplication.setQuitOnLastWindowClosed(True)
         old.deleteLater()
+
+    def _recover(self, work: RecoveredWork, file: Path) -> None:
+        is_behind = work.is_behind
+        if not self.window.parts.project.recover(work):
+            return
+        self.autosave.adopt(file)
+        if is_behind and work.path is not None:
+            words = QCoreApplication.translate(
+                "Application", "“%1” was saved after this work began from it. Saving asks which of them stays."
+            )
+            self.window.parts.bar.say(_RECOVERED, words.replace("%1", work.path.name), Severity.WARNING)
+
+    def _say_of_keeping(self, sentence: str, severity: Severity) -> None:
+        self.window.parts.bar.say(_KEEPING, sentence, severity)
 
     def _make_window(self) -> MainWindow:
         window = MainWindow(self.open_project, self._settings, SystemClipboard(), self._make_demo)

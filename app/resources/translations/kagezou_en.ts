@@ -2,23 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>Exporting</name>
-    <message numerus="yes">
-        <source>Export stopped; %n file(s) are written and whole.</source>
-        <translation>
-            <numerusform>Export stopped; %n file is written and whole.</numerusform>
-            <numerusform>Export stopped; %n files are written and whole.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported %n file(s) to %1</source>
-        <translation>
-            <numerusform>Exported %n file to %1</numerusform>
-            <numerusform>Exported %n files to %1</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>LayerModel</name>
     <message numerus="yes">
         <source>%n drawing(s)</source>

@@ -2,10 +2,28 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>Application</name>
+    <message>
+        <source>“%1” was saved after this work began from it. Saving asks which of them stays.</source>
+        <translation>「%1」は、この作業が始まった後に保存されています。保存するときに、どちらを残すか確認します。</translation>
+    </message>
+</context>
+<context>
     <name>Asking</name>
     <message>
         <source>the files</source>
         <translation>ファイル</translation>
+    </message>
+</context>
+<context>
+    <name>Autosave</name>
+    <message>
+        <source>Unsaved work is put aside in %1 for now: %2</source>
+        <translation>未保存の作業を、当面は %1 に退避しています: %2</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be put aside (%1). It is tried again; save your project meanwhile.</source>
+        <translation>未保存の作業を退避できません(%1)。自動的に再試行します。その間にプロジェクトを保存してください。</translation>
     </message>
 </context>
 <context>
@@ -37,6 +55,92 @@
     <message>
         <source>value × %1</source>
         <translation>値 × %1</translation>
+    </message>
+</context>
+<context>
+    <name>CanvasOffer</name>
+    <message>
+        <source>Cut Settings…</source>
+        <translation>カット設定…</translation>
+    </message>
+    <message>
+        <source>The picture gets the size of the background; drawings stay in the middle</source>
+        <translation>画面を背景のサイズにします。絵は中央のままです</translation>
+    </message>
+    <message>
+        <source>Choose what becomes of the drawings</source>
+        <translation>絵の扱いを選ぶ</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>The background has %1 × %2 px, the picture %3 × %4.</source>
+        <translation>背景は %1 × %2 px、画面は %3 × %4 です。</translation>
+    </message>
+    <message>
+        <source>Use %1 × %2</source>
+        <translation>%1 × %2 にする</translation>
+    </message>
+    <message>
+        <source>Size of the background</source>
+        <translation>背景のサイズに合わせる</translation>
+    </message>
+</context>
+<context>
+    <name>CanvasSizes</name>
+    <message>
+        <source>HD</source>
+        <translation>HD</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>フルHD</translation>
+    </message>
+    <message>
+        <source>2K cinema</source>
+        <translation>2K シネマ</translation>
+    </message>
+    <message>
+        <source>WQHD</source>
+        <translation>WQHD</translation>
+    </message>
+    <message>
+        <source>4K UHD</source>
+        <translation>4K UHD</translation>
+    </message>
+    <message>
+        <source>4K cinema</source>
+        <translation>4K シネマ</translation>
+    </message>
+    <message>
+        <source>B5 scan, 150 dpi</source>
+        <translation>B5 スキャン 150 dpi</translation>
+    </message>
+    <message>
+        <source>B5 scan, 200 dpi</source>
+        <translation>B5 スキャン 200 dpi</translation>
+    </message>
+    <message>
+        <source>A4 scan, 150 dpi</source>
+        <translation>A4 スキャン 150 dpi</translation>
+    </message>
+    <message>
+        <source>Upright HD</source>
+        <translation>縦型 HD</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>正方形</translation>
+    </message>
+    <message>
+        <source>The drawings</source>
+        <translation>絵のサイズ</translation>
+    </message>
+    <message>
+        <source>The background</source>
+        <translation>背景のサイズ</translation>
     </message>
 </context>
 <context>
@@ -248,8 +352,16 @@
         <translation>背景の連番を設定…</translation>
     </message>
     <message>
+        <source>&amp;Cut Settings…</source>
+        <translation>カット設定(&amp;C)…</translation>
+    </message>
+    <message>
         <source>&amp;Export…</source>
         <translation>書き出し (&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Export N&amp;otes…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Copy Look</source>
@@ -274,6 +386,10 @@
     <message>
         <source>Previous Doubtful Drawing</source>
         <translation>前の疑わしい絵</translation>
+    </message>
+    <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>環境設定(&amp;F)…</translation>
     </message>
     <message>
         <source>Edit &amp;Keyboard Shortcuts…</source>
@@ -400,6 +516,10 @@
         <translation>背景にカメラを合わせる(&amp;M)</translation>
     </message>
     <message>
+        <source>&amp;Review</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Look Onl&amp;y</source>
         <translation>閲覧のみ(&amp;Y)</translation>
     </message>
@@ -466,6 +586,18 @@
     <message>
         <source>Add or Name &amp;Marker</source>
         <translation>マーカーを追加/名前を変更 (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Previous Note or Flag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next Note or Flag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick Note Off</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Previous Marker</source>
@@ -766,6 +898,106 @@
     </message>
 </context>
 <context>
+    <name>CutSettingsDialog</name>
+    <message>
+        <source>Cut Settings</source>
+        <translation>カット設定</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>～ %1</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>タイトル</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>シーン</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <comment>its number</comment>
+        <translation>カット</translation>
+    </message>
+    <message>
+        <source>Picture size</source>
+        <translation>画面サイズ</translation>
+    </message>
+    <message>
+        <source>What is on it</source>
+        <translation>絵の扱い</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>フレームレート</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>seconds + frames</source>
+        <translation>秒＋コマ</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>尺</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>開始フレーム</translation>
+    </message>
+    <message>
+        <source>What will change</source>
+        <translation>変更される内容</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Length in frames</source>
+        <translation>尺（フレーム数）</translation>
+    </message>
+    <message>
+        <source>Length in seconds and frames</source>
+        <translation>尺（秒＋コマ）</translation>
+    </message>
+    <message>
+        <source>Stay at Top Left</source>
+        <translation>左上を基準に固定</translation>
+    </message>
+    <message>
+        <source>Everything keeps its distance from the upper left corner.</source>
+        <translation>すべてが画面の左上からの距離を保ちます。</translation>
+    </message>
+    <message>
+        <source>To the Middle</source>
+        <translation>中央に置く</translation>
+    </message>
+    <message>
+        <source>What is in the middle stays there; margins come or go.</source>
+        <translation>中央にあるものは中央のまま。周囲の余白だけが増減します。</translation>
+    </message>
+    <message>
+        <source>Scale with It</source>
+        <translation>一緒に拡大・縮小</translation>
+    </message>
+    <message>
+        <source>Drawings, light, set and all lengths are scaled alike.</source>
+        <translation>絵・光源・セットとすべての長さを同じ比率で拡大・縮小します。</translation>
+    </message>
+    <message>
+        <source>Change cut settings</source>
+        <translation>カット設定を変更</translation>
+    </message>
+</context>
+<context>
     <name>DemoOpener</name>
     <message>
         <source>Drawing the demo: %1 of %2</source>
@@ -863,24 +1095,24 @@
         <translation>それでも開く</translation>
     </message>
     <message>
-        <source>“%1” was changed outside this window. Save over it?</source>
-        <translation>「%1」はこのウィンドウの外で変更されています。上書きしますか？</translation>
-    </message>
-    <message>
-        <source>What was changed there is kept only as its backup copy (NAME~).</source>
-        <translation>外での変更はバックアップ (名前~) としてのみ残ります。</translation>
-    </message>
-    <message>
-        <source>Save Anyway</source>
-        <translation>それでも保存</translation>
-    </message>
-    <message>
         <source>“%1” is there already. Replace it?</source>
         <translation>「%1」はすでにあります。置き換えますか？</translation>
     </message>
     <message>
         <source>Replace</source>
         <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>“%1” was changed outside this window. Replace it?</source>
+        <translation>「%1」はこのウィンドウの外で変更されています。置き換えますか?</translation>
+    </message>
+    <message>
+        <source>What was changed there would be kept only as its backup (%1~).</source>
+        <translation>外で変更された内容は、バックアップ(%1~)としてのみ残ります。</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>名前を付けて保存…</translation>
     </message>
     <message>
         <source>Kagezou projects</source>
@@ -1083,8 +1315,20 @@
         <translation>書き出される内容</translation>
     </message>
     <message>
+        <source>How to Add It…</source>
+        <translation>追加のしかた…</translation>
+    </message>
+    <message>
         <source>Choose a folder.</source>
         <translation>フォルダーを選択してください。</translation>
+    </message>
+    <message>
+        <source>The project is not saved yet, so a folder in your documents is proposed.</source>
+        <translation>プロジェクトがまだ保存されていないので、書類フォルダーの中を提案しています。</translation>
+    </message>
+    <message>
+        <source>Another folder than the one beside the project is remembered for this project.</source>
+        <translation>プロジェクトの隣以外を選ぶと、このプロジェクトの書き出し先として記憶されます。</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1207,6 +1451,61 @@
     </message>
 </context>
 <context>
+    <name>ExportResult</name>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>フォルダーに表示</translation>
+    </message>
+    <message>
+        <source>Copy Path</source>
+        <translation>パスをコピー</translation>
+    </message>
+    <message>
+        <source>The export was stopped: %1 of %2 files are there, all whole.</source>
+        <translation>書き出しを中止しました。%2 ファイル中 %1 ファイルがあり、どれも完全です。</translation>
+    </message>
+    <message>
+        <source>The export is not complete: %1 of %2 files are there, all whole.</source>
+        <translation>書き出しは完了していません。%2 ファイル中 %1 ファイルがあり、どれも完全です。</translation>
+    </message>
+    <message>
+        <source>The export is complete.</source>
+        <translation>書き出しが完了しました。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>次にすること</translation>
+    </message>
+    <message>
+        <source>How to go on</source>
+        <translation>続けるには</translation>
+    </message>
+    <message>
+        <source>Already there, and left as they were: %1</source>
+        <translation>すでにあり、そのまま残したもの：%1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>No program of this desktop opens folders; the path can be copied.</source>
+        <translation>フォルダーを開くソフトがありません。パスはコピーできます。</translation>
+    </message>
+</context>
+<context>
     <name>Exporting</name>
     <message>
         <source>Exporting</source>
@@ -1217,6 +1516,10 @@
         <translation>書き出しを中止</translation>
     </message>
     <message>
+        <source>Preparing the export</source>
+        <translation>書き出しを準備中</translation>
+    </message>
+    <message>
         <source>An export is still running.</source>
         <translation>書き出しはまだ実行中です。</translation>
     </message>
@@ -1225,20 +1528,16 @@
         <translation>停止中</translation>
     </message>
     <message>
+        <source>Every file that was written before is whole and stays.</source>
+        <translation>それまでに書き出したファイルはどれも完全で、そのまま残ります。</translation>
+    </message>
+    <message>
         <source>Exporting, %1 s left</source>
         <translation>書き出し中、残り %1 秒</translation>
     </message>
-    <message numerus="yes">
-        <source>Export stopped; %n file(s) are written and whole.</source>
-        <translation>
-            <numerusform>書き出しを中止しました。%n 個のファイルは完全に書き込まれています。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported %n file(s) to %1</source>
-        <translation>
-            <numerusform>%n 個のファイルを %1 に書き出しました</numerusform>
-        </translation>
+    <message>
+        <source>Exporting, %1 min left</source>
+        <translation>書き出し中、残り %1 分</translation>
     </message>
 </context>
 <context>
@@ -1282,20 +1581,31 @@
         <translation>注意点</translation>
     </message>
     <message>
-        <source>Jumps farther than, a frame:</source>
-        <translation>1フレームでこれより大きく動いたら:</translation>
+        <source>Too fast, a frame:</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing stands out.</source>
         <translation>目立つ点はありません。</translation>
     </message>
+</context>
+<context>
+    <name>Flags</name>
     <message>
-        <source>jumps by %1 px</source>
-        <translation>%1 px 跳んでいます</translation>
+        <source>and %1 more: keys between two drawings</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>key between two drawings</source>
-        <translation>動画の途中にあるキー</translation>
+        <translation type="unfinished">動画の途中にあるキー</translation>
+    </message>
+    <message>
+        <source>jumps by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves by up to %1 a frame, to frame %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1424,6 +1734,10 @@
         <translation>%1を微調整</translation>
     </message>
     <message>
+        <source>Double-click on the character itself to say where it touches the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add foot</source>
         <translation>足を追加</translation>
     </message>
@@ -1454,6 +1768,13 @@
     <message>
         <source>Unpin foot</source>
         <translation>足の固定を解除</translation>
+    </message>
+</context>
+<context>
+    <name>HandleMenu</name>
+    <message>
+        <source>Type Values…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1616,6 +1937,14 @@
     <message>
         <source>Light</source>
         <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Place and size</source>
+        <translation type="unfinished">位置と寸法</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation type="unfinished">はたらき</translation>
     </message>
     <message>
         <source>Shadow</source>
@@ -3673,8 +4002,16 @@ Drop a folder of cels here.</source>
         <translation>1 で地面に立つ体として映し、0 で影を落とす板として映します。</translation>
     </message>
     <message>
+        <source>AWS Deadline Cloud: deadline bundle submit {folder}</source>
+        <translation>AWS Deadline Cloud：deadline bundle submit {folder}</translation>
+    </message>
+    <message>
         <source>After Effects</source>
         <translation>After Effects</translation>
+    </message>
+    <message>
+        <source>After the next export run it again: it brings the composition up to date and keeps your changes.</source>
+        <translation>書き出し直したらもう一度実行します。変更した内容を残したまま、コンポジションが更新されます。</translation>
     </message>
     <message>
         <source>At this distance from the feet the reflection has faded away; 0 does not fade.</source>
@@ -3713,8 +4050,24 @@ Drop a folder of cels here.</source>
         <translation>円</translation>
     </message>
     <message>
+        <source>Each file is one frame with a part for each layer, linear and with premultiplied alpha.</source>
+        <translation>1 ファイルが 1 フレームで、レイヤーごとにパートがあります。リニアで、アルファは乗算済みです。</translation>
+    </message>
+    <message>
+        <source>Each file is one frame; Photoshop and Clip Studio Paint open it with its layers.</source>
+        <translation>1 ファイルが 1 フレームです。Photoshop や Clip Studio Paint でレイヤーごと開けます。</translation>
+    </message>
+    <message>
         <source>Edges</source>
         <translation>縁</translation>
+    </message>
+    <message>
+        <source>Every file that is there is whole and stays.</source>
+        <translation>書き出し済みのファイルはどれも完全で、そのまま残ります。</translation>
+    </message>
+    <message>
+        <source>Export again with “Leave frames alone that would come out the same” ticked: it goes on where it was.</source>
+        <translation>「変わらないフレームは書き出さない」にチェックを入れてもう一度書き出すと、続きから進みます。</translation>
     </message>
     <message>
         <source>Fade in a jump</source>
@@ -3733,6 +4086,10 @@ Drop a folder of cels here.</source>
         <translation>足 (接地)</translation>
     </message>
     <message>
+        <source>Frames a second: 24, 23.976, 24000/1001; keys and drawings stay on their frames.</source>
+        <translation>フレームレート：24、23.976、24000/1001。キーと絵のフレーム位置は変わりません。</translation>
+    </message>
+    <message>
         <source>From one row of gaps to the next on the ground; 0 is the length of wave 1.</source>
         <translation>地面上での切れ目の列の間隔。0では波1の波長になります。</translation>
     </message>
@@ -3743,6 +4100,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Ground line</source>
         <translation>接地線</translation>
+    </message>
+    <message>
+        <source>H.264 has no alpha; for compositing, export shadow layers or a MOV.</source>
+        <translation>H.264 にはアルファがありません。合成には影レイヤーか MOV を書き出します。</translation>
     </message>
     <message>
         <source>Hard</source>
@@ -3759,6 +4120,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>How large the drawings are; below 0 they are mirrored.</source>
         <translation>作画の大きさ。0 より小さいと反転します。</translation>
+    </message>
+    <message>
+        <source>How many frames the cut has; what lies behind its end is kept.</source>
+        <translation>カットのフレーム数。終わりより後ろにあるものも残ります。</translation>
     </message>
     <message>
         <source>How much of its opacity the shadow loses at a height of one figure over the ground.</source>
@@ -3801,6 +4166,50 @@ Drop a folder of cels here.</source>
         <translation>影の幅。1 は身長の 10 分の 1、靴くらいです。</translation>
     </message>
     <message>
+        <source>Import each folder as one sequence of {rate} frames a second, with straight (unmatted) alpha.</source>
+        <translation>フォルダーごとに 1 本の連番（{rate} fps）として読み込み、アルファは「ストレート - マットなし」にします。</translation>
+    </message>
+    <message>
+        <source>Import each folder as one sequence of {rate} frames a second; EXR is linear, its alpha premultiplied.</source>
+        <translation>フォルダーごとに 1 本の連番（{rate} fps）として読み込みます。EXR はリニアで、アルファは乗算済み（合成チャンネル）です。</translation>
+    </message>
+    <message>
+        <source>Import it as footage of {rate} frames a second, with straight (unmatted) alpha.</source>
+        <translation>{rate} fps のフッテージとして読み込み、アルファは「ストレート - マットなし」にします。</translation>
+    </message>
+    <message>
+        <source>In After Effects: File &gt; Import &gt; File…, choose the first picture of a folder and tick “{format} Sequence”.</source>
+        <translation>After Effects では［ファイル］＞［読み込み］＞［ファイル…］でフォルダーの先頭の画像を選び、「{format} シーケンス」にチェックを入れます。</translation>
+    </message>
+    <message>
+        <source>In After Effects: File &gt; Import &gt; File…; one file as “Composition” has the layers, a “Photoshop Sequence” is the finished picture.</source>
+        <translation>After Effects では［ファイル］＞［読み込み］＞［ファイル…］。1 ファイルを「コンポジション」で読み込むとレイヤーが、「Photoshop シーケンス」にすると完成した絵が入ります。</translation>
+    </message>
+    <message>
+        <source>In After Effects: File &gt; Scripts &gt; Run Script File…, and choose {script}.</source>
+        <translation>After Effects で［ファイル］＞［スクリプト］＞［スクリプトファイルを実行…］を選び、{script} を開きます。</translation>
+    </message>
+    <message>
+        <source>It builds the composition: frame rate, alpha, order, Multiply and opacity are set.</source>
+        <translation>コンポジションが組み上がります。フレームレート、アルファ、重ね順、乗算、不透明度は設定済みです。</translation>
+    </message>
+    <message>
+        <source>It is there as a whole or not at all: export again to make it.</source>
+        <translation>途中までのファイルは残りません。もう一度書き出すと作られます。</translation>
+    </message>
+    <message>
+        <source>It plays in any player and browser: look at it, or send it round.</source>
+        <translation>どのプレーヤーやブラウザーでも再生できます。確認や回覧に使います。</translation>
+    </message>
+    <message>
+        <source>Lay each shadow under its character and set it to Multiply.</source>
+        <translation>影をそれぞれのキャラクターの下に置き、描画モードを「乗算」にします。</translation>
+    </message>
+    <message>
+        <source>Lay each shadow under its character, in the blend mode that it has here.</source>
+        <translation>影をそれぞれのキャラクターの下に置き、描画モードをここと同じにします。</translation>
+    </message>
+    <message>
         <source>Layered frames</source>
         <translation>レイヤー付きフレーム</translation>
     </message>
@@ -3817,12 +4226,28 @@ Drop a folder of cels here.</source>
         <translation>ライトの刻み</translation>
     </message>
     <message>
+        <source>Nuke, Natron and Blender read the parts as layers.</source>
+        <translation>Nuke、Natron、Blender はパートをレイヤーとして読み込みます。</translation>
+    </message>
+    <message>
+        <source>Opacity and blend mode of every layer are kept: nothing has to be set.</source>
+        <translation>不透明度と描画モードはそのまま入っているので、設定は要りません。</translation>
+    </message>
+    <message>
         <source>Opacity of a small dark patch under each foot on the ground, in the colour of the shadow; 0 is none.</source>
         <translation>地面についた足の下の小さな濃い影の不透明度。影の色で描きます。0 でなし。</translation>
     </message>
     <message>
         <source>Opacity of the figure mirrored in the ground, moved by the waves of its shadow; 0 is none.</source>
         <translation>地面に映るキャラクターの不透明度。影と同じ波で揺れます。0 でなし。</translation>
+    </message>
+    <message>
+        <source>Other farms: openjd run {template} --step Render</source>
+        <translation>そのほかのファーム：openjd run {template} --step Render</translation>
+    </message>
+    <message>
+        <source>Overhead radius; the lamp is {away} px outside it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Overhead simplify</source>
@@ -3913,6 +4338,14 @@ Drop a folder of cels here.</source>
         <translation>立ち方</translation>
     </message>
     <message>
+        <source>The blend mode of each stands in its attribute kagezou:blend; shadows are usually Multiply.</source>
+        <translation>各レイヤーの描画モードは属性 kagezou:blend にあります。影は通常「乗算」です。</translation>
+    </message>
+    <message>
+        <source>The farm renders the saved project, into {output}: save it before you send the job.</source>
+        <translation>ファームは保存済みのプロジェクトを {output} に書き出します。ジョブを送る前に保存してください。</translation>
+    </message>
+    <message>
         <source>The lamp moves by whole steps of this length, so that pixel art does not shimmer; 0 moves freely.</source>
         <translation>ランプがこの長さの刻みで動き、ドット絵の影がちらつきません。0 で自由に動きます。</translation>
     </message>
@@ -3921,8 +4354,28 @@ Drop a folder of cels here.</source>
         <translation>このレイヤーが属する人物のレイヤー。空なら独立した人物になります。</translation>
     </message>
     <message>
+        <source>The name of the production or the episode.</source>
+        <translation>作品または話数の名前。</translation>
+    </message>
+    <message>
+        <source>The number of the cut, which may have letters; a timesheet that is written bears it.</source>
+        <translation>カット番号（文字も使えます）。書き出すタイムシートに記されます。</translation>
+    </message>
+    <message>
+        <source>The number of the scene, which may have letters.</source>
+        <translation>シーン番号（文字も使えます）。</translation>
+    </message>
+    <message>
+        <source>The number that the window shows for the first frame; files and --frame count from 1.</source>
+        <translation>画面で先頭のフレームに表示する番号。ファイルと --frame は 1 から数えます。</translation>
+    </message>
+    <message>
         <source>The point of the drawing that is laid on the position; drawings turn and grow about it.</source>
         <translation>位置に置かれる作画上の点。作画はこの点を中心に回転・拡大します。</translation>
+    </message>
+    <message>
+        <source>The script is written last, when all it needs is there.</source>
+        <translation>スクリプトは、必要なものがそろった最後に書き出されます。</translation>
     </message>
     <message>
         <source>The shadow that the light casts, or a disc under the figure.</source>
@@ -3939,10 +4392,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>Upright</source>
         <translation>直立</translation>
-    </message>
-    <message>
-        <source>Video needs PyAV: pip install &apos;kagezou[video]&apos;</source>
-        <translation>動画の書き出しには PyAV が必要です: pip install &apos;kagezou[video]&apos;</translation>
     </message>
     <message>
         <source>Video</source>
@@ -3989,6 +4438,10 @@ Drop a folder of cels here.</source>
         <translation>同じ見た目の影が重なる所で一つになるか。オフでは重なるほど濃くなります。</translation>
     </message>
     <message>
+        <source>Width and height of the picture in px; --drawings says what becomes of what is on it.</source>
+        <translation>画面の幅と高さ（px）。画面上のものをどう扱うかは --drawings で指定します。</translation>
+    </message>
+    <message>
         <source>a canvas of {width} × {height} px needs about {needed} MB of memory to be drawn, of which {free} MB are free</source>
         <translation>{width} × {height} px のキャンバスを描くには約 {needed} MB のメモリーが必要ですが、空きは {free} MB です</translation>
     </message>
@@ -3997,12 +4450,40 @@ Drop a folder of cels here.</source>
         <translation>番号の前のハイフンをマイナスとみなしました：{first}</translation>
     </message>
     <message>
+        <source>a file to look at, or one with alpha</source>
+        <translation>確認用の動画、またはアルファ付きの動画</translation>
+    </message>
+    <message>
         <source>a layered frame holds the shadows of a look as a group; ask for one of the two</source>
         <translation>レイヤー付きフレームには同じ見た目の影がグループとして入っています。どちらか一方を選んでください</translation>
     </message>
     <message>
         <source>a point [{axes}] in {unit}</source>
         <translation>点 [{axes}] ({unit})</translation>
+    </message>
+    <message>
+        <source>a project holds at most {megabytes} MB and {most} values</source>
+        <translation>1 つのプロジェクトに入るのは {megabytes} MB、値 {most} 個までです</translation>
+    </message>
+    <message>
+        <source>a script that builds the whole composition</source>
+        <translation>コンポジションを組み立てるスクリプト</translation>
+    </message>
+    <message>
+        <source>an answer needs words, and a note has at most {most} answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {rate} frames a second the cut lasts {after} instead of {before} s; keys and drawings stay on their frames</source>
+        <translation>{rate} fps では尺が {before} 秒から {after} 秒になります。キーと絵のフレーム位置は変わりません</translation>
+    </message>
+    <message>
+        <source>author</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>background: {names}</source>
@@ -4017,12 +4498,44 @@ Drop a folder of cels here.</source>
         <translation>カメラ {name}: {kind}、{moving}</translation>
     </message>
     <message>
+        <source>canvas: a first frame of {first} is not within 0 to {most}</source>
+        <translation>canvas：開始フレーム {first} は 0～{most} の範囲にありません</translation>
+    </message>
+    <message>
         <source>character {name}{joins}: {drawings} of {width} × {height} px, seen to frame {last}: {names}</source>
         <translation>キャラクター {name}{joins}: {width} × {height} px の{drawings}、{last} コマ目まで表示: {names}</translation>
     </message>
     <message>
         <source>column {name!r}: {count} entries of {cels} cels: {names}</source>
         <translation>列 {name!r}: 記入 {count} 個、セル {cels} 枚: {names}</translation>
+    </message>
+    <message>
+        <source>composites</source>
+        <translation>合成画像</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>接地影</translation>
+    </message>
+    <message>
+        <source>copies of the background</source>
+        <translation>背景のコピー</translation>
+    </message>
+    <message>
+        <source>copies of the drawings</source>
+        <translation>作画のコピー</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawings and all lengths become {percent:.4g} % of what they were</source>
+        <translation>絵とすべての長さが元の {percent:.4g} % になります</translation>
+    </message>
+    <message>
+        <source>drawings exposed behind the new end, kept and not seen: {count}</source>
+        <translation>新しい終わりより後ろの絵（残りますが表示されません）：{count} 枚</translation>
     </message>
     <message>
         <source>drawings of {column}: {path}</source>
@@ -4033,8 +4546,20 @@ Drop a folder of cels here.</source>
         <translation>追加のチャンネルは使いません: {names}</translation>
     </message>
     <message>
+        <source>files of the job</source>
+        <translation>ジョブのファイル</translation>
+    </message>
+    <message>
         <source>folders beside its pictures are left out: {names}</source>
         <translation>画像と同じ場所にあるフォルダーは使いません：{names}</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames made by other machines</source>
+        <translation>ほかのマシンでフレームを書き出すジョブ</translation>
     </message>
     <message>
         <source>groups are clipped to the layer below them, as Clip Studio Paint does: {names}</source>
@@ -4043,6 +4568,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>guides are drawn into composites; ask for those as well</source>
         <translation>ガイドは合成画像に描かれます。合成画像も指定してください</translation>
+    </message>
+    <message>
+        <source>it belongs to somebody else</source>
+        <translation>ほかのユーザーのものです</translation>
     </message>
     <message>
         <source>it cannot be read as USD: the file is damaged, or too large for the memory</source>
@@ -4115,6 +4644,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>it requires the extensions {names}, which are not read</source>
         <translation>拡張機能 {names} を必要としていますが、対応していません</translation>
+    </message>
+    <message>
+        <source>it would come back as something else</source>
+        <translation>別の内容として復元されてしまいます</translation>
     </message>
     <message>
         <source>its alpha is 0 everywhere; its colours are seen as if there were none</source>
@@ -4269,8 +4802,20 @@ Drop a folder of cels here.</source>
         <translation>{kinds} は使いません</translation>
     </message>
     <message>
+        <source>keys behind the new end, kept and not reached: {count}</source>
+        <translation>新しい終わりより後ろのキー（残りますが使われません）：{count} 個</translation>
+    </message>
+    <message>
         <source>layer {name}: {drawings}</source>
         <translation>レイヤー {name}: {drawings}</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layered frames</source>
+        <translation>レイヤー付きフレーム</translation>
     </message>
     <message>
         <source>layers.{layer}: it joins a layer that is no figure of its own</source>
@@ -4279,6 +4824,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>layers.{layer}: its drawings are on different paper</source>
         <translation>layers.{layer}: 動画ごとに紙の扱いが違います</translation>
+    </message>
+    <message>
+        <source>lengths that would leave their range and are kept at its end: {count}</source>
+        <translation>範囲を超えるため上限・下限にとどめた長さの値：{count} 個</translation>
     </message>
     <message>
         <source>light and ground</source>
@@ -4297,12 +4846,28 @@ Drop a folder of cels here.</source>
         <translation>{number} 行目の数値にコンマがあります：{text!r}。小数点にはピリオドを使って書き出し直してください</translation>
     </message>
     <message>
+        <source>lines that are parallel in the picture do not tell the field of view: it stays at {fov}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>markers and notes behind the new end: {count}</source>
+        <translation>新しい終わりより後ろのマーカーとメモ：{count} 個</translation>
+    </message>
+    <message>
         <source>marks of a kind not known here are passed over: {count}</source>
         <translation>未知の記号は使いません：{count} 個</translation>
     </message>
     <message>
         <source>marks of inbetweens and reverse sheets (○ ●) are not used: {count}</source>
         <translation>中割り・逆シートの記号（○ ●）は使いません：{count} 個</translation>
+    </message>
+    <message>
+        <source>mattes</source>
+        <translation>マット</translation>
+    </message>
+    <message>
+        <source>more than {most} layers</source>
+        <translation>レイヤーが {most} 枚を超えています</translation>
     </message>
     <message>
         <source>moving for {frames} frames</source>
@@ -4333,8 +4898,16 @@ Drop a folder of cels here.</source>
         <translation>使わないもの: {names}</translation>
     </message>
     <message>
+        <source>note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nothing is drawn</source>
         <translation>何も描かれていません</translation>
+    </message>
+    <message>
+        <source>numbered frames for any compositing program</source>
+        <translation>どの合成ソフトでも使える連番画像</translation>
     </message>
     <message>
         <source>of its variants these are used: {names}</source>
@@ -4361,6 +4934,10 @@ Drop a folder of cels here.</source>
         <translation>同じ番号のものは一方だけを使います：{names}</translation>
     </message>
     <message>
+        <source>one PSD or EXR a frame with all layers, to paint on</source>
+        <translation>全レイヤー入りの PSD / EXR を 1 フレーム 1 枚で。加筆用</translation>
+    </message>
+    <message>
         <source>one sequence, although the words in its names differ: {first}, {last}</source>
         <translation>名前の語は違いますが 1 つの連番とみなしました：{first}、{last}</translation>
     </message>
@@ -4381,12 +4958,32 @@ Drop a folder of cels here.</source>
         <translation>透視投影</translation>
     </message>
     <message>
+        <source>printable text without spaces around it</source>
+        <translation>前後に空白のない表示可能な文字列</translation>
+    </message>
+    <message>
         <source>project of {width} × {height} px, frames {frames} at {rate:g} a second</source>
         <translation>{width} × {height} px のプロジェクト、コマ {frames}、毎秒 {rate:g} コマ</translation>
     </message>
     <message>
+        <source>property</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>reading it takes longer than {seconds} seconds: given up</source>
         <translation>読み込みに {seconds} 秒以上かかるため中止しました</translation>
+    </message>
+    <message>
+        <source>received shadows</source>
+        <translation>受けた影</translation>
+    </message>
+    <message>
+        <source>reflections</source>
+        <translation>映り込み</translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation>スクリプト</translation>
     </message>
     <message>
         <source>set of {count} triangles, {x:.6g} × {y:.6g} × {z:.6g} units, {up} points up</source>
@@ -4401,6 +4998,14 @@ Drop a folder of cels here.</source>
         <translation>変化する番号が複数あります。{first} では {number} を絵の番号とみなしました</translation>
     </message>
     <message>
+        <source>shadow frames of the set</source>
+        <translation>セットの影の連番</translation>
+    </message>
+    <message>
+        <source>shadow frames</source>
+        <translation>影の連番</translation>
+    </message>
+    <message>
         <source>standing still</source>
         <translation>静止</translation>
     </message>
@@ -4411,6 +5016,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has keys on its frames instead</source>
         <translation>{layer!r} のアンカーは x と y が別々のイーズで動きますが、After Effects のアンカーポイントにはそれがないため、代わりに各フレームにキーを打ちました</translation>
+    </message>
+    <message>
+        <source>the camera looks at the middle of the new picture: shadows in perspective change a little</source>
+        <translation>カメラは新しい画面の中央を向くため、遠近のある影が少し変わります</translation>
     </message>
     <message>
         <source>the extensions {names} are not used</source>
@@ -4427,6 +5036,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the file is damaged (a colour is not in its palette)</source>
         <translation>ファイルが壊れています（パレットにない色があります）</translation>
+    </message>
+    <message>
+        <source>the first frame is shown as {first}; files that are exported and the command line count from 1</source>
+        <translation>先頭のフレームを {first} と表示します。書き出すファイルとコマンドラインでは 1 から数えます</translation>
     </message>
     <message>
         <source>the head of {figure}&apos;s long shadow falls beside the picture on frame {frame}, as it does under any sun</source>
@@ -4473,6 +5086,10 @@ Drop a folder of cels here.</source>
         <translation>最新の版を使います。使わない古い絵：{count} 枚（{names}）</translation>
     </message>
     <message>
+        <source>the picture of the background keeps its own size in px</source>
+        <translation>背景の画像は元のピクセルサイズのままです</translation>
+    </message>
+    <message>
         <source>the picture saved with its layers is empty, so they could not be compared with it</source>
         <translation>保存済みの統合画像が空のため、レイヤーを比べられませんでした</translation>
     </message>
@@ -4491,6 +5108,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
         <translation>{layers} の影は画面では一つに重なりますが、レイヤーでは別々のままで、重なる所が濃くなります。見た目がフレームによって違うか、2色の影だからです</translation>
+    </message>
+    <message>
+        <source>the sides have another proportion: what was the picture is now the middle {width} × {height} px</source>
+        <translation>縦横比が異なるため、これまでの画面は中央の {width} × {height} px になります</translation>
     </message>
     <message>
         <source>the soft edges of drawn shapes are not done: {names}</source>
@@ -4573,6 +5194,14 @@ Drop a folder of cels here.</source>
         <translation>このプロジェクトには新しい Kagezou が要ります（形式のバージョン {number}）。これは Kagezou {own} です</translation>
     </message>
     <message>
+        <source>this was not done, as the project could not be saved any more: {cause}</source>
+        <translation>プロジェクトを保存できなくなるため、この操作は行いませんでした: {cause}</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>timed by {path}</source>
         <translation>タイミングは {path} から取りました</translation>
     </message>
@@ -4585,8 +5214,16 @@ Drop a folder of cels here.</source>
         <translation>true または false</translation>
     </message>
     <message>
+        <source>united shadows</source>
+        <translation>まとめた影</translation>
+    </message>
+    <message>
         <source>video needs PyAV, which is not installed: pip install &apos;kagezou[video]&apos;</source>
         <translation>動画には PyAV が要りますが、入っていません：pip install &apos;kagezou[video]&apos;</translation>
+    </message>
+    <message>
+        <source>video</source>
+        <translation>動画</translation>
     </message>
     <message>
         <source>what could be its alpha is 0 everywhere and was taken as unused</source>
@@ -4597,6 +5234,10 @@ Drop a folder of cels here.</source>
         <translation>最後のコマより後の記入は使いません：{count} 件</translation>
     </message>
     <message>
+        <source>what lies beyond the smaller picture is kept and not seen</source>
+        <translation>小さくなった画面からはみ出した部分は残りますが、表示されません</translation>
+    </message>
+    <message>
         <source>what looks like a version is taken as the drawing&apos;s number: {first}</source>
         <translation>版に見える数字を絵の番号とみなしました：{first}</translation>
     </message>
@@ -4605,12 +5246,20 @@ Drop a folder of cels here.</source>
         <translation>末尾の後ろにあるものは使いません</translation>
     </message>
     <message>
+        <source>what was written reads otherwise</source>
+        <translation>書き込んだ内容と読み込んだ内容が一致しません</translation>
+    </message>
+    <message>
         <source>with {megabytes} MB it is larger than can be read</source>
         <translation>{megabytes} MB は大きすぎて読み込めません</translation>
     </message>
     <message>
         <source>work_area: frames {first} to {last} are not a range of frames</source>
         <translation>work_area：フレーム {first} から {last} は時間の範囲になっていません</translation>
+    </message>
+    <message>
+        <source>writing videos needs a part that is not installed</source>
+        <translation>動画の書き出しに必要な部品が入っていません</translation>
     </message>
     <message>
         <source>{cause}</source>
@@ -4873,6 +5522,10 @@ Drop a folder of cels here.</source>
         <translation>{path}：読み込めません：{cause}</translation>
     </message>
     <message>
+        <source>{path} cannot be {word!r}</source>
+        <translation>{path} を {word!r} にはできません</translation>
+    </message>
+    <message>
         <source>{path} does not hold shortcuts: {cause}</source>
         <translation>{path} はショートカットのファイルではありません：{cause}</translation>
     </message>
@@ -5029,6 +5682,10 @@ Drop a folder of cels here.</source>
         <translation>{path}: {note}</translation>
     </message>
     <message>
+        <source>{path}: {text!r} is not a whole number</source>
+        <translation>{path}：{text!r} は整数ではありません</translation>
+    </message>
+    <message>
         <source>{path}: {where}: {problem}</source>
         <translation>{path}：{where}：{problem}</translation>
     </message>
@@ -5073,6 +5730,10 @@ Drop a folder of cels here.</source>
         <translation>{text!r} は数ではありません。12.5、*2、/3、+10、-=10、50% のように入力してください</translation>
     </message>
     <message>
+        <source>{text!r} is not a size such as 1920x1080</source>
+        <translation>{text!r} は 1920x1080 のようなサイズではありません</translation>
+    </message>
+    <message>
         <source>{text!r} is not one of {words}</source>
         <translation>{text!r} は使えません。次のどれかにしてください：{words}</translation>
     </message>
@@ -5083,6 +5744,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{typed!r} is not a frame; type 84, 3+12, 3:12 or +6</source>
         <translation>{typed!r} はフレームではありません。84、3+12、3:12、+6 のように入力してください</translation>
+    </message>
+    <message>
+        <source>{typed!r} is not a number of frames a second such as 24 or 24000/1001</source>
+        <translation>{typed!r} はフレームレートではありません（例：24、24000/1001）</translation>
     </message>
     <message>
         <source>{value} is not {wanted}</source>
@@ -5099,6 +5764,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{width} × {height} px need {needed} MB of memory to be read, of which {free} MB are free</source>
         <translation>{width} × {height} px の読み込みには {needed} MB のメモリが必要ですが、空きは {free} MB です</translation>
+    </message>
+    <message>
+        <source>{word!r} cannot stand on a slate: at most {most} printable characters</source>
+        <translation>{word!r} は使えません。表示できる文字で {most} 文字までです</translation>
     </message>
     <message>
         <source>{words}</source>
@@ -5128,6 +5797,41 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>MissingPartDialog</name>
+    <message>
+        <source>Add a Missing Part</source>
+        <translation>足りない部品の追加</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>1.  Copy this line.</source>
+        <translation>1.  下の行をコピーします。</translation>
+    </message>
+    <message>
+        <source>2.  Open a terminal (in Windows: PowerShell), paste it there and press Enter.</source>
+        <translation>2.  ターミナル（Windows では PowerShell）を開き、貼り付けて Enter を押します。</translation>
+    </message>
+    <message>
+        <source>3.  When it is done, close this window: the part is there at once.</source>
+        <translation>3.  終わったらこのウィンドウを閉じます。すぐに使えます。</translation>
+    </message>
+    <message>
+        <source>%1. It costs nothing and is added once:</source>
+        <translation>%1。無料で、追加は一度だけです：</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+</context>
+<context>
     <name>NoteList</name>
     <message>
         <source>Notes</source>
@@ -5136,6 +5840,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>Add Note…</source>
         <translation>メモを追加…</translation>
+    </message>
+    <message>
+        <source>Answer…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit…</source>
@@ -5154,8 +5866,20 @@ Drop a folder of cels here.</source>
         <translation>フレーム %1、%2 のメモ</translation>
     </message>
     <message>
+        <source>Answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add note</source>
         <translation>メモを追加</translation>
+    </message>
+    <message>
+        <source>Answer note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick note</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Change note</source>
@@ -5168,6 +5892,29 @@ Drop a folder of cels here.</source>
     <message>
         <source>Note</source>
         <translation>メモ</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>There are no notes to export.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The notes are in %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5216,17 +5963,6 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
-    <name>PieceSections</name>
-    <message>
-        <source>Place and size</source>
-        <translation>位置と寸法</translation>
-    </message>
-    <message>
-        <source>What it does</source>
-        <translation>はたらき</translation>
-    </message>
-</context>
-<context>
     <name>PointsEditor</name>
     <message>
         <source>Double-click on the character in the picture to add a grounding point</source>
@@ -5245,6 +5981,133 @@ Drop a folder of cels here.</source>
     <message>
         <source>none</source>
         <translation>なし</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>環境設定</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>Own colour…</source>
+        <translation>カスタム…</translation>
+    </message>
+    <message>
+        <source>Colour around the picture</source>
+        <translation>画面の周囲の色</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1：このフォルダーはありません</translation>
+    </message>
+    <message>
+        <source>Choose a Folder</source>
+        <translation>フォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>The window speaks it when this dialog is closed.</source>
+        <translation>このダイアログを閉じると切り替わります。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>Preview resolution</source>
+        <translation>プレビュー解像度</translation>
+    </message>
+    <message>
+        <source>Around the picture</source>
+        <translation>画面の周囲</translation>
+    </message>
+    <message>
+        <source>of at most %1 MB on this machine</source>
+        <translation>このマシンでの上限 %1 MB</translation>
+    </message>
+    <message>
+        <source>Memory for drawings</source>
+        <translation>絵に使うメモリー</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>未保存の作業</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>the folder last used</source>
+        <translation>前回使ったフォルダー</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>参照…</translation>
+    </message>
+    <message>
+        <source>Where unsaved work is put aside</source>
+        <translation>未保存の作業の退避先</translation>
+    </message>
+    <message>
+        <source>Unsaved work is put aside by itself while you work, and offered after a crash</source>
+        <translation>未保存の作業は作業中に自動で退避され、異常終了後に復元できます</translation>
+    </message>
+    <message>
+        <source>Show Folder</source>
+        <translation>フォルダーを表示</translation>
+    </message>
+    <message>
+        <source>Dark grey</source>
+        <translation>暗いグレー</translation>
+    </message>
+    <message>
+        <source>Middle grey</source>
+        <translation>中間グレー</translation>
+    </message>
+    <message>
+        <source>Light grey</source>
+        <translation>明るいグレー</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白</translation>
+    </message>
+    <message>
+        <source>Projects begin in</source>
+        <translation>プロジェクトの開始フォルダー</translation>
+    </message>
+    <message>
+        <source>Cels begin in</source>
+        <translation>セルの開始フォルダー</translation>
+    </message>
+    <message>
+        <source>Backgrounds begin in</source>
+        <translation>背景の開始フォルダー</translation>
+    </message>
+    <message>
+        <source>Exports begin in</source>
+        <translation>書き出しの開始フォルダー</translation>
+    </message>
+    <message>
+        <source>Automatic: lower while dragging</source>
+        <translation>自動（ドラッグ中は下げる）</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>フル</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>1/2</translation>
+    </message>
+    <message>
+        <source>Quarter</source>
+        <translation>1/4</translation>
     </message>
 </context>
 <context>
@@ -5358,6 +6221,64 @@ Drop a folder of cels here.</source>
         <translation>
             <numerusform>%n 回の操作</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The project was saved after this work began from it; nothing replaces it unasked.</source>
+        <translation>この作業が始まった後にプロジェクトが保存されています。確認なしに置き換えることはありません。</translation>
+    </message>
+    <message>
+        <source>Another window has recovered this work already.</source>
+        <translation>この作業は、すでに別のウィンドウで復元されています。</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewBar</name>
+    <message>
+        <source>Previous note or flag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next note or flag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished">完了</translation>
+    </message>
+    <message>
+        <source>Answer…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Note…</source>
+        <translation type="unfinished">メモを追加…</translation>
+    </message>
+    <message>
+        <source>Leave Review (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReviewMode</name>
+    <message>
+        <source>There are no notes, and nothing stands out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the last one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the first one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a note first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes: %1, flags: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5475,6 +6396,17 @@ Drop a folder of cels here.</source>
     <message>
         <source>Set work area</source>
         <translation>ワークエリアを設定</translation>
+    </message>
+</context>
+<context>
+    <name>Section</name>
+    <message>
+        <source>Less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5797,6 +6729,25 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>SizeRow</name>
+    <message>
+        <source>Usual size</source>
+        <translation>定番のサイズ</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">高さ</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>カスタム</translation>
+    </message>
+</context>
+<context>
     <name>Snapshot</name>
     <message>
         <source>Snapshot</source>
@@ -5808,6 +6759,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>How high the figure is over the ground on this frame</source>
         <translation>このフレームで人物が地面からどれだけ離れているか</translation>
+    </message>
+    <message>
+        <source>Size of the picture; a click opens the settings of the cut</source>
+        <translation>画面サイズ（クリックでカット設定を開く）</translation>
     </message>
     <message>
         <source>Preview resolution; exports are always full</source>
@@ -5907,6 +6862,13 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>TargetList</name>
+    <message>
+        <source>What for</source>
+        <translation>書き出し先</translation>
+    </message>
+</context>
+<context>
     <name>Timeline</name>
     <message>
         <source>Nothing is keyed yet: move the playhead and click the diamond before a property.</source>
@@ -5966,6 +6928,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Frames a second</source>
         <translation>フレームレート</translation>
+    </message>
+    <message>
+        <source>Frames a second; a click opens the settings of the cut</source>
+        <translation>フレームレート（クリックでカット設定を開く）</translation>
     </message>
     <message>
         <source>(slow)</source>

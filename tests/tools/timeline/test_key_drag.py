@@ -85,3 +85,33 @@ def test_a_closed_drag_takes_no_more(document: Document) -> None:
     drag.close()
     with pytest.raises(StopIteration):
         drag.send(to(1))
+
+
+def test_a_key_stops_at_the_first_frame_and_says_so(document: Document) -> None:
+    drag = begun(document, KeyGrip(refs(10, 20), 20, ()))
+    shown = drag.send(to(-15))
+    assert (frames_of(shown.document), shown.frame) == ([1, 5, 11], 11)
+    assert str(shown.note) == "no key goes before the first frame"
+    assert drag.send(to(-9)).note is None
+
+
+@pytest.mark.parametrize(
+    ("frame", "about", "way", "stopped_at", "said"),
+    [
+        (20, 5, -30, 6, "it cannot go past the key that stays"),
+        (5, 20, 30, 19, "no key goes before the first frame, nor past the key that stays"),
+        (5, 20, -30, 1, "no key goes before the first frame, nor past the key that stays"),
+    ],
+)
+def test_stretched_keys_stop_at_the_key_that_stays(
+    document: Document, frame: int, about: int, way: int, stopped_at: int, said: str
+) -> None:
+    drag = begun(document, KeyGrip(refs(5, 10, 20), frame, (), about))
+    shown = drag.send(to(way))
+    assert (shown.frame, str(shown.note)) == (stopped_at, said)
+    assert stopped_at in frames_of(shown.document)
+
+
+def test_keys_that_are_landed_on_are_counted(document: Document) -> None:
+    shown = begun(document, KeyGrip(refs(10), 10, ())).send(to(10))
+    assert (frames_of(shown.document), str(shown.note)) == ([5, 20], "replaced keys: 1")

@@ -175,7 +175,7 @@ def test_layers_that_are_chosen_together_have_their_curves_and_linked_ones_once(
     for address in of_layers:
         document = edits.set_key(document, address, 5, 0.5)
     session.edit("Layers", link(document, of_layers[1]))
-    session.select_layers("layer-1", frozenset({"layer-2"}))
+    session.select("layer-1", others=frozenset({"layer-2"}))
     shown = [(each.curve.address.property, each.curve.address.layer_id) for each in editor.graph.pictures]
     assert shown[1:] == [(SIMPLIFY, "layer-1"), (OPACITY, "layer-1"), (OPACITY, "layer-2")]
 

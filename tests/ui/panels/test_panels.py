@@ -272,5 +272,5 @@ def test_the_rate_shown_is_the_rate_seen(qtbot: QtBot, filled: OpenProject) -> N
         player.picture_shown()
         player.picture_shown()
     assert rates[-1] == pytest.approx(12.0)
-    assert "12.0 / 24 fps (slow)" in transport.findChildren(type(transport._rate))[-1].text()
+    assert "12.0 / 24 fps (slow)" in transport.rate.text()
     player.stop()

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QGuiApplication
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu, QToolButton
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import edits, properties
@@ -13,6 +13,7 @@ from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.invariants import check
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.clips.style_files import loads_style
+from kagezou.ui.panels.groups import Group
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.layer_model import Role
@@ -57,7 +58,7 @@ def opacities(open_project: OpenProject) -> list[float]:
 
 def choose_all(open_project: OpenProject) -> None:
     first, *others = [layer.id for layer in reversed(open_project.bridge.document.layers)]
-    open_project.bridge.session.select_layers(first, frozenset(others))
+    open_project.bridge.session.select(first, others=frozenset(others))
 
 
 def field_of(inspector: Inspector, name: str) -> ScrubField:
@@ -98,7 +99,7 @@ def test_the_eye_stands_for_all_that_are_chosen_and_lets_none_go(
     qtbot: QtBot, layers: LayerList, trio: OpenProject
 ) -> None:
     ids = [layer.id for layer in trio.bridge.document.layers]
-    trio.bridge.session.select_layers(ids[2], frozenset({ids[1]}))
+    trio.bridge.session.select(ids[2], others=frozenset({ids[1]}))
 
     def click(row: int) -> list[bool]:
         place = layers.view.visualRect(layers.model.index(row))
@@ -316,7 +317,7 @@ def test_a_look_is_pasted_on_all_chosen_layers(
     assert style is not None
     assert style.name.en == "Third"
     lower = [layer.id for layer in session.document.layers[:2]]
-    session.select_layers(lower[0], frozenset(lower[1:]))
+    session.select(lower[0], others=frozenset(lower[1:]))
     noted: list[str] = []
     layers.looks.noted.connect(noted.append)
     layers.looks.paste()
@@ -344,13 +345,13 @@ def test_a_changed_row_says_so_in_words_too(inspector: Inspector) -> None:
     assert row.label.toolTip().endswith("layers.Third.shadow.fade")
 
 
-def test_folded_sections_stay_folded_on_the_next_layer(inspector: Inspector, trio: OpenProject) -> None:
-    shape = next(each for each in inspector._layer_sections if each.title == "Shape")
-    shape.open(opened=False)
+def test_folded_sections_stay_folded_on_the_next_layer(qtbot: QtBot, inspector: Inspector, trio: OpenProject) -> None:
+    header = inspector.sections[Group.SHAPE].findChild(QToolButton, "section_header")
+    qtbot.mouseClick(header, Qt.MouseButton.LeftButton)
+    before = {group: each.is_open for group, each in inspector.sections.items()}
+    assert not before[Group.SHAPE]
     trio.bridge.session.select(trio.bridge.document.layers[0].id)
-    states = {each.title: each.is_open for each in inspector._layer_sections}
-    assert not states.pop("Shape")
-    assert all(states.values())
+    assert {group: each.is_open for group, each in inspector.sections.items()} == before
 
 
 def test_the_row_of_the_list_that_is_worked_on_stays_current(layers: LayerList, trio: OpenProject) -> None:
@@ -386,6 +387,9 @@ def test_a_part_of_a_figure_shows_what_is_its_own(inspector: Inspector, trio: Op
     below, _, top = session.document.layers
     session.select(top.id)
     session.edit("Join", edits.join_layer(session.document, top.id, below.id))
+    for section in inspector.sections.values():
+        section.open(opened=True)
+        section.more.setChecked(True)
     shown = [
         row.address.property.name
         for row in inspector.rows

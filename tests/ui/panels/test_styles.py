@@ -91,10 +91,10 @@ def test_what_changed_is_said_and_which_keyed_ones_got_a_key(walking: MainWindow
     styles.apply(1)
     assert bar.text.splitlines()[0].startswith("Simple: ")
     assert bar.text.splitlines()[1] == "1 keyed property got a key on frame 3: Simplify"
-    steps = bridge.session.steps_made
+    steps = bridge.session.history.made
     styles.apply(1)
     assert bar.text == "Simple: nothing looks otherwise than before"
-    assert bridge.session.steps_made == steps
+    assert bridge.session.history.made == steps
 
 
 class TestLight:
@@ -126,7 +126,7 @@ class TestLight:
         assert bridge.document.tracks == before
         assert "only some are meant" in walking.parts.bar.text
         first, second = bridge.document.layers
-        bridge.session.select_layers(first.id, frozenset({second.id}))
+        bridge.session.select(first.id, others=frozenset({second.id}))
         styles.apply(row_of(styles, "Long evening"))
         assert bridge.document.tracks != before
 
@@ -184,11 +184,11 @@ class TestLookingAtOne:
         self, qtbot: QtBot, walking: MainWindow, styles: StyleList
     ) -> None:
         bridge, viewport = walking.parts.bridge, walking.parts.viewport
-        document, steps = bridge.document, bridge.session.steps_made
+        document, steps = bridge.document, bridge.session.history.made
         before = picture(walking)
         rest_on(qtbot, walking, 1)
         assert bridge.document is document
-        assert (bridge.session.steps_made, bridge.session.undo_name) == (steps, "Import character")
+        assert (bridge.session.history.made, bridge.session.undo_name) == (steps, "Import character")
         assert bridge.session.is_saved
         assert not walking.isWindowModified()
         assert not np.array_equal(picture(walking), before)
@@ -227,13 +227,13 @@ class TestLookingAtOne:
     def test_a_click_puts_it_on_as_one_step(self, qtbot: QtBot, walking: MainWindow, styles: StyleList) -> None:
         bridge = walking.parts.bridge
         rest_on(qtbot, walking, 1)
-        seen, steps = bridge.shown, bridge.session.steps_made
+        seen, steps = bridge.shown, bridge.session.history.made
         place = styles.list.visualItemRect(styles.list.item(1)).center()
         QTest.mouseClick(styles.list.viewport(), Qt.MouseButton.LeftButton, pos=place)
         assert bridge.document == seen
         assert bridge.shown is bridge.document
         QTest.mouseDClick(styles.list.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        assert bridge.session.steps_made == steps + 1
+        assert bridge.session.history.made == steps + 1
 
     def test_the_arrows_go_through_the_list(
         self, qtbot: QtBot, walking: MainWindow, styles: StyleList, focus: Callable[[QWidget], None]

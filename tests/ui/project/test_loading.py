@@ -26,7 +26,7 @@ from kagezou.ui.project import loading
 from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.project.load import Load
 from kagezou.ui.project.loading import Loading
-from kagezou.ui.project.open_project import played_drawings
+from kagezou.ui.project.reading_ahead import played_drawings
 from kagezou.ui.viewport import reading
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import picture, write_garbage
@@ -142,7 +142,7 @@ def test_events_are_handled_while_hundreds_of_slow_files_are_read(
 
 def test_a_load_given_up_leaves_everything_as_it_was(qtbot: QtBot, walking: MainWindow, cels: Path, gate: Gate) -> None:
     session, document = walking.parts.open_project.bridge.session, walking.parts.open_project.bridge.document
-    steps = session.steps_made
+    steps = session.history.made
 
     walking.parts.project.bring([cels])
     qtbot.waitUntil(gate.reached.is_set)
@@ -151,7 +151,7 @@ def test_a_load_given_up_leaves_everything_as_it_was(qtbot: QtBot, walking: Main
     assert not walking.parts.project.loading.isVisible()
     end_of_reading(gate)
     assert walking.parts.open_project.bridge.document is document
-    assert session.steps_made == steps
+    assert session.history.made == steps
     assert walking.parts.bar.text == ""
 
 

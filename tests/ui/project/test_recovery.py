@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QSettings, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document.address import Address, value_of
@@ -17,7 +17,8 @@ from kagezou.document.properties import GROUND_DECLINATION
 from kagezou.io.project.file import load
 from kagezou.io.project.recovery_file import SUFFIX, read_recovery_file, recovery_files_in
 from kagezou.ui.application import Application
-from kagezou.ui.project.autosave import EVERY_STEPS, Autosave, left_behind, lock_of
+from kagezou.ui.project.dialogs import Changed, Dialogs
+from kagezou.ui.project.keepsakes import left_behind
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.project_lock import ProjectLock
 from kagezou.ui.project.recovery import RecoveryDialog
@@ -63,57 +64,9 @@ def saved(filled: OpenProject, tmp_path: Path) -> OpenProject:
     return filled
 
 
-@pytest.fixture
-def autosave(saved: OpenProject, settings: Settings) -> Autosave:
-    return Autosave(saved, settings.recovery_folder, lambda: "walk")
-
-
 def turn(open_project: OpenProject, degrees: float) -> None:
     session = open_project.bridge.session
     session.edit("Turn", set_constant(session.document, DECLINATION, degrees))
-
-
-def test_unsaved_work_is_put_aside_and_goes_when_it_is_saved(saved: OpenProject, autosave: Autosave) -> None:
-    autosave.keep()
-    assert recovery_files_in(autosave.file.parent) == (), "nothing is unsaved"
-    turn(saved, 33.0)
-    autosave.keep()
-    autosave.wait()
-    work = read_recovery_file(autosave.file)
-    assert work.document == saved.bridge.document
-    assert (work.name, work.path, work.edits) == ("walk", saved.path, 1)
-    assert saved.path is not None
-    saved.save(saved.path)
-    autosave.wait()
-    assert recovery_files_in(autosave.file.parent) == ()
-    autosave.finish()
-
-
-def test_it_is_put_aside_after_so_many_steps(qtbot: QtBot, saved: OpenProject, autosave: Autosave) -> None:
-    for step in range(EVERY_STEPS):
-        turn(saved, 10.0 + step)
-    qtbot.waitUntil(lambda: len(recovery_files_in(autosave.file.parent)) == 1, timeout=5000)
-    assert read_recovery_file(autosave.file).edits == EVERY_STEPS
-    autosave.finish()
-    assert recovery_files_in(autosave.file.parent) == (), "a program that ends as it should leaves nothing"
-    assert not lock_of(autosave.file).exists()
-
-
-def test_where_it_cannot_be_put_aside_that_is_said(qtbot: QtBot, saved: OpenProject, tmp_path: Path) -> None:
-    folder = tmp_path / "kept"
-    kept = Autosave(saved, folder, lambda: "walk")
-    turn(saved, 44.0)
-    kept.keep()
-    kept.wait()
-    kept.file.unlink()
-    kept.file.mkdir()
-    turn(saved, 45.0)
-    with qtbot.waitSignal(kept.failed) as failed:
-        kept.keep()
-    assert failed.args is not None
-    assert kept.file.name in failed.args[0]
-    kept.file.rmdir()
-    kept.finish()
 
 
 @pytest.mark.skipif(os.name != "posix", reason="SIGKILL is POSIX's")
@@ -144,8 +97,13 @@ def test_a_killed_program_loses_nothing(qtbot: QtBot, saved: OpenProject, settin
     assert program.open_project.bridge.document == wanted.document
     assert program.open_project.path == saved.path
     assert not program.open_project.is_saved
-    assert left_behind(settings.recovery_folder) == ()
+    assert left_behind(settings.recovery_folder) == (), "this program holds it"
+    program.autosave.wait()
+    (kept,) = recovery_files_in(settings.recovery_folder)
+    assert kept == program.autosave.file, "under the name of this program"
+    assert read_recovery_file(kept).document == wanted.document
     program.put_away()
+    assert recovery_files_in(settings.recovery_folder) == (), "nobody was asked, as nothing but closing was left"
 
 
 def test_damaged_work_is_a_sentence_and_can_be_discarded(qtbot: QtBot, tmp_path: Path) -> None:
@@ -195,9 +153,15 @@ def test_what_others_saved_meanwhile_is_not_overwritten_unasked(
     turn(saved, 12.0)
     saved.save(saved.path)
     turn(window.parts.open_project, 77.0)
-    agreed: list[bool] = [False, True]
-    monkeypatch.setattr(window.parts.project.dialogs, "overwrite_changed", lambda _name: agreed.pop(0))
+    dialogs, beside = window.parts.project.dialogs, saved.path.with_name("walk_002.kage")
+    answers = [Changed.CANCEL, Changed.SAVE_AS, Changed.REPLACE]
+    monkeypatch.setattr(dialogs, "overwrite_changed", lambda _name: answers.pop(0))
     assert not window.parts.project.save()
+    assert value_of(load(saved.path), DECLINATION, 1) == 12.0
+    suggested: list[str] = []
+    monkeypatch.setattr(dialogs, "project_to_save", suggested.append)
+    assert not window.parts.project.save(), "no name was chosen"
+    assert suggested == [beside.name]
     assert value_of(load(saved.path), DECLINATION, 1) == 12.0
     assert window.parts.project.save()
     assert value_of(load(saved.path), DECLINATION, 1) == 77.0
@@ -235,7 +199,29 @@ def test_another_language_keeps_watching_over_the_same_work(settings: Settings, 
     program.put_away()
 
 
+@pytest.mark.parametrize(
+    ("button", "answer"),
+    [("Save As…", Changed.SAVE_AS), ("Replace", Changed.REPLACE), ("Cancel", Changed.CANCEL)],
+)
+def test_the_question_about_a_changed_file_offers_another_place(
+    qtbot: QtBot, settings: Settings, button: str, answer: Changed
+) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+
+    def press() -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        assert "walk.kage~" in box.informativeText()
+        (found,) = [each for each in box.buttons() if each.text() == button]
+        found.click()
+
+    QTimer.singleShot(0, press)
+    assert Dialogs(window, settings).overwrite_changed("walk.kage") is answer
+
+
 def test_settings_say_where_unsaved_work_goes(tmp_path: Path) -> None:
     store = QSettings(str(tmp_path / "a.ini"), QSettings.Format.IniFormat)
     assert Settings(store).recovery_folder.name == "unsaved"
     assert "kagezou" in Settings(store).recovery_folder.parts
+    assert Settings(store).spare_recovery_folder.name.startswith("kagezou-unsaved")

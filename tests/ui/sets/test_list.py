@@ -186,7 +186,6 @@ class TestInspector:
         standing.parts.open_project.bridge.session.select("layer-1")
         assert standing.parts.panels.inspector.owner is None
         assert self.shown(standing) == []
-        qtbot.waitUntil(lambda: top(color) > top(fov))
 
     def test_a_piece_that_goes_takes_its_rows_with_it(self, standing: MainWindow) -> None:
         standing.parts.open_project.bridge.session.undo()

@@ -1,9 +1,10 @@
 """The set in the picture: outlines that are touched, handles that are dragged, and what keys do to them."""
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
@@ -14,7 +15,9 @@ from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
 from kagezou.document.property import AnyProperty
 from kagezou.document.set_pieces import add_piece
+from kagezou.scene.set_outlines import outlines_of
 from kagezou.tools.handle import GuideKind
+from kagezou.ui.viewport.figure_touch import is_on_figure
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, move, place_of
 
@@ -84,8 +87,18 @@ def test_an_outline_is_dragged_as_the_place_it_stands_on(qtbot: QtBot, furnished
 
 def test_a_double_click_on_an_outline_still_adds_a_grounding_point(qtbot: QtBot, furnished: MainWindow) -> None:
     viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
-    edge = at(furnished, 20, 80)
+    view, cels = viewport.viewpoint.view, furnished.parts.open_project.cels
+    edges = [
+        (ax + (bx - ax) * step / 50, ay + (by - ay) * step / 50)
+        for outline in outlines_of(bridge.document, 1)
+        for line in outline.seen
+        for (ax, ay), (bx, by) in pairwise(line)
+        for step in range(51)
+    ]
+    x, y = next(each for each in edges if is_on_figure(bridge.document, "layer-1", 1, each, 1.0, cels))
+    edge = QPointF(*view.view_from_canvas((x, y))).toPoint()
     qtbot.mouseClick(viewport, LEFT, pos=edge)
+    assert bridge.piece_id is not None
     qtbot.mouseDClick(viewport, LEFT, pos=edge)
     assert bridge.layer_id == "layer-1"
     points = value_of(bridge.document, Address(properties.GROUNDING, "layer-1"), 1)
@@ -104,7 +117,7 @@ def test_handles_are_dragged_typed_and_nudged(qtbot: QtBot, furnished: MainWindo
     qtbot.keyClicks(viewport, "66")
     qtbot.keyClick(viewport, Qt.Key.Key_Return)
     assert value(bridge.document, s.PIECE_HEIGHT) == 66
-    viewport.controller.selected_id = "piece.position"
+    viewport.controller.select("piece.position")
     viewport.setFocus()
     qtbot.keyClick(viewport, Qt.Key.Key_Left)
     assert value(bridge.document, s.PIECE_POSITION) == (199, 165)
@@ -117,7 +130,7 @@ def test_delete_takes_away_the_piece_whose_handle_is_selected_and_no_other(
     viewport, bridge = furnished.parts.viewport, furnished.parts.open_project.bridge
     focus(viewport)
     bridge.session.select_piece("piece-2")
-    viewport.controller.selected_id = "light.lamp"
+    viewport.controller.select("light.lamp")
     furnished.parts.actions["delete"].trigger()
     assert len(bridge.document.pieces) == 2
     qtbot.mouseClick(viewport, LEFT, pos=place_of(viewport, "piece.depth"))

@@ -31,15 +31,16 @@ def test_lines_take_the_place_of_the_handles_and_find_the_camera(qtbot: QtBot, w
     assert session.document is before
 
 
-def test_escape_lets_go_of_the_handle_and_then_of_the_lines(qtbot: QtBot, walking: MainWindow) -> None:
+def test_escape_ends_it_wherever_the_keyboard_is(qtbot: QtBot, walking: MainWindow) -> None:
     viewport, action = walking.parts.viewport, walking.parts.actions["match_camera"]
     action.trigger()
     qtbot.mouseClick(viewport, Qt.MouseButton.LeftButton, pos=place_of(viewport, "match.end.0"))
     qtbot.keyClick(viewport, Qt.Key.Key_Escape)
-    assert action.isChecked()
-    qtbot.keyClick(viewport, Qt.Key.Key_Escape)
     assert not action.isChecked()
     assert walking.parts.bar.text == ""
+    action.trigger()
+    qtbot.keyClick(walking, Qt.Key.Key_Escape)
+    assert not action.isChecked()
     assert viewport.controller.handles.find("light.lamp") is not None
 
 

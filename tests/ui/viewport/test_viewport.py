@@ -1,16 +1,20 @@
 """The picture in the real window: handles dragged by the mouse, zoom and pan, and a context that is made anew."""
 
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent, QWheelEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.edits import set_value
 from kagezou.document.invariants import check
+from kagezou.io.clips.shortcut_files import bundled_key_sets
 from kagezou.tools.grounding import add_grounding
 from kagezou.ui.viewport.overlay import pill_corner
 from kagezou.ui.window.main_window import MainWindow
@@ -103,6 +107,30 @@ def test_a_double_click_adds_a_grounding_point_and_delete_removes_it(qtbot: QtBo
     assert value_of(bridge.document, grounding, 1) == ()
 
 
+def test_a_double_click_beside_the_character_adds_nothing_and_says_so(qtbot: QtBot, walking: MainWindow) -> None:
+    viewport, bridge = walking.parts.viewport, walking.parts.open_project.bridge
+    before = bridge.document
+    x, y = viewport.viewpoint.view.view_from_canvas((20.0, 30.0))
+    qtbot.mouseDClick(viewport, Qt.MouseButton.LeftButton, pos=QPoint(round(x), round(y)))
+    assert bridge.document is before
+    assert walking.parts.bar.text.startswith("Double-click on the character itself")
+
+
+def test_arrows_step_frames_with_keys_in_which_they_do_though_a_handle_is_selected(
+    qtbot: QtBot, walking: MainWindow, focus: Callable[[QWidget], None]
+) -> None:
+    viewport, bridge, keyboard = walking.parts.viewport, walking.parts.bridge, walking.parts.keyboard
+    blender = next(each for each in bundled_key_sets() if "blender" in each.code)
+    keyboard.use(replace(keyboard.shortcuts, key_set=blender))
+    focus(viewport)
+    viewport.controller.select("ground.position")
+    before = bridge.document
+    qtbot.keyClick(viewport, Qt.Key.Key_Right)
+    assert (bridge.frame, bridge.document) == (2, before)
+    qtbot.keyClick(viewport, Qt.Key.Key_Down)
+    assert bridge.document is not before, "an arrow that lies on no command moves the handle"
+
+
 def test_tab_reaches_every_handle_and_arrows_nudge_it(qtbot: QtBot, walking: MainWindow) -> None:
     viewport, bridge = walking.parts.viewport, walking.parts.open_project.bridge
     viewport.setFocus()
@@ -112,7 +140,7 @@ def test_tab_reaches_every_handle_and_arrows_nudge_it(qtbot: QtBot, walking: Mai
         qtbot.keyClick(viewport, Qt.Key.Key_Tab)
         reached.append(viewport.controller.selected_id)
     assert sorted(map(str, reached)) == sorted(ids)
-    viewport.controller.selected_id = "ground.position"
+    viewport.controller.select("ground.position")
     assert value_of(bridge.document, Address(properties.GROUND_POSITION), 1) == (120.0, 170.0)
     qtbot.keyClick(viewport, Qt.Key.Key_Right)
     qtbot.keyClick(viewport, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)

@@ -117,9 +117,9 @@ def test_a_foot_is_dragged_and_added_by_a_double_click(qtbot: QtBot, stepping: M
 def test_what_a_person_said_survives_a_new_search(qtbot: QtBot, stepping: MainWindow) -> None:
     parts = stepping.parts
     session = parts.bridge.session
-    foot = parts.viewport.controller.contacts.foot_of(hand(stepping, "foot.0"))
+    foot = parts.viewport.contacts.contacts.foot_of(hand(stepping, "foot.0"))
     assert foot is not None
-    parts.viewport.controller.contacts.judge(foot, Verdict.LIFTED)
+    parts.viewport.contacts.contacts.judge(foot, Verdict.LIFTED)
     with qtbot.waitSignal(parts.feet.found, timeout=60_000):
         parts.actions["find_feet"].trigger()
     pin = pin_of(session.document.layers[0].cels.drawings[0], foot.track)

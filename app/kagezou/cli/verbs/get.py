@@ -31,13 +31,18 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load the project and print the value."""
+    from kagezou.document.cut_settings import CutSettings
+    from kagezou.document.cut_words import cut_word_at
     from kagezou.document.whole_cut import saying_at
     from kagezou.io.project.file import load
 
     document = load(options.project)
     said = saying_at(document, options.path)
     about: dict[str, Json] = {"path": options.path, "unit": "", "frame": options.frame}
-    if said is None:
+    word = cut_word_at(options.path)
+    if word is not None:
+        found = about | {"value": word.value(CutSettings.of(document)), "keys": []}
+    elif said is None:
         found = about | _of_property(document, options.path, options.frame)
     else:
         found = about | {"value": said.value, "keys": []}

@@ -11,6 +11,7 @@ from kagezou.cli.terminal import Json, give, give_json, one_line
 
 if TYPE_CHECKING:
     from kagezou.document.address import Address
+    from kagezou.document.cut_words import CutWord
     from kagezou.document.model import Document, Layer, Piece
     from kagezou.document.whole_cut import SaidOf
     from kagezou.message import Message, Translate
@@ -56,6 +57,8 @@ def _about(document: "Document") -> dict[str, Json]:
         "frame_rate": str(canvas.frame_rate),
         "first_frame": 1,
         "last_frame": canvas.length_frames,
+        "shown_first_frame": canvas.first_frame,
+        "slate": {"name": document.slate.name, "scene": document.slate.scene, "cut": document.slate.cut},
         "background": _background(document),
         "background_pictures": len(document.behind.drawings),
         "layers": [_about_layer(document, layer) for layer in document.layers],
@@ -149,7 +152,11 @@ def _lines(document: "Document") -> Iterator[str]:
     seconds = float(canvas.length_frames / canvas.frame_rate)
     rate = f"{float(canvas.frame_rate):g}"
     yield f"canvas      {canvas.width_px} x {canvas.height_px} px"
-    yield f"frames      1-{canvas.length_frames} at {rate} frames/s ({seconds:.2f} s)"
+    numbers = f", shown from {canvas.first_frame}" if canvas.first_frame != 1 else ""
+    yield f"frames      1-{canvas.length_frames} at {rate} frames/s ({seconds:.2f} s){numbers}"
+    slate = {"name": document.slate.name, "scene": document.slate.scene, "cut": document.slate.cut}
+    if any(slate.values()):
+        yield "slate       " + ", ".join(f"{key} {word}" for key, word in slate.items() if word)
     count = len(document.behind.drawings)
     more = f" and {count - 1} more picture{'s' * (count > 2)}" if count > 1 else ""
     yield f"background  {_background(document) or 'none'}{more}"
@@ -186,6 +193,7 @@ def _notes(document: "Document") -> "tuple[Message, ...]":
 def _property_table(document: "Document") -> Json:
     from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import addresses, path_of, track_of, usual_value
+    from kagezou.document.cut_words import CUT_WORDS
     from kagezou.document.property import Kind
     from kagezou.document.whole_cut import sayings
     from kagezou.io.clips.catalogues import messages_in
@@ -209,7 +217,23 @@ def _property_table(document: "Document") -> Json:
         if prop.choices:
             row["choices"] = list(prop.choices)
         table.append(row)
-    return [*table, *(_said_row(said, japanese) for said in sayings(document))]
+    settings = [_setting_row(document, word, japanese) for word in CUT_WORDS]
+    return [*table, *(_said_row(said, japanese) for said in sayings(document)), *settings]
+
+
+def _setting_row(document: "Document", word: "CutWord", japanese: "Translate") -> Json:
+    from kagezou.document.cut_settings import CutSettings
+
+    return {
+        "path": word.path,
+        "kind": "setting",
+        "unit": "",
+        "default": word.usual,
+        "value": word.value(CutSettings.of(document)),
+        "keys": [],
+        "help": str(word.help),
+        "help_ja": word.help.formatted(japanese),
+    }
 
 
 def _said_row(said: "SaidOf", japanese: "Translate") -> Json:
@@ -231,9 +255,14 @@ def _property_lines(document: "Document") -> Iterator[str]:
 
     from kagezou.cli.values import json_of_value
     from kagezou.document.address import addresses, path_of, track_of
+    from kagezou.document.cut_settings import CutSettings
+    from kagezou.document.cut_words import CUT_WORDS
     from kagezou.document.property import Kind
     from kagezou.document.whole_cut import sayings
 
+    for word in CUT_WORDS:
+        yield f"{word.path} = {json.dumps(word.value(CutSettings.of(document)), ensure_ascii=False)}  (no keys)"
+        yield f"    {word.help}"
     for address in addresses(document):
         prop, track = address.property, track_of(document, address)
         count = len(track.keys)

@@ -12,10 +12,12 @@ from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.animation.track import Interpolation
+    from kagezou.document.cut_words import CutWord
     from kagezou.document.model import Document
 
 DESCRIPTION = """\
 Set properties. Without --frame a value holds for the whole cut and its keys go; with it, it becomes a key.
+What is said of the canvas comes first; properties are then meant on the new one.
 Everything is checked before anything is written."""
 EXAMPLES = """\
   kagezou set walk.kage light.position=[1400,-300,900]
@@ -26,6 +28,8 @@ EXAMPLES = """\
   kagezou set walk.kage 'layers.Hero.grounding=[[420,900],[510,900]]'
   kagezou set walk.kage layers.arm.joins=Hero      one more cel of Hero; "" makes it a character of its own
   kagezou set walk.kage layers.Hero.paper=border        drawings without alpha: white inside outlines stays (or white)
+  kagezou set walk.kage canvas.size=3840x2160 --drawings scale      or centre (the usual), or stay at the top left
+  kagezou set walk.kage canvas.fps=25 canvas.length=48 canvas.first_frame=101 canvas.scene=3 canvas.cut=12
   kagezou info walk.kage --properties        lists every PATH
 """
 
@@ -44,6 +48,11 @@ def add_arguments(parser: Parser) -> None:
         action="store_true",
         help="set the speeds of all waves to the nearest at which the last frame of the cut leads into the first",
     )
+    parser.add_argument(
+        "--drawings",
+        choices=("stay", "centre", "scale"),
+        help="with canvas.size: drawings, light and set stay at the top left, go to the middle (usual) or scale",
+    )
     parser.add_argument("--frame", type=whole_number, metavar="N", help="set a key on this frame, counted from 1")
     parser.add_argument(
         "--interp", choices=("hold", "linear", "bezier"), help="how the value goes on from the key (as its neighbours)"
@@ -59,18 +68,20 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
 
     _check(options)
     interpolation = None if options.interp is None else Interpolation(options.interp)
-    before = document = load(options.project)
-    for text in options.assignments:
+    before = load(options.project)
+    on_canvas, others = _canvas_first(options.assignments)
+    canvas_set = document = _cut_set(before, on_canvas, options)
+    for text in others:
         document = _assigned(document, text, options.frame, interpolation)
     if options.loop_waves:
         document = _looping(document)
     if document is before:
         return 0
-    if _are_moved(before, document):
+    if _are_moved(canvas_set, document):
         from kagezou.importing.lighting import relit, turning_note
 
         document, said = relit(document)
-        turning = turning_note(before, document)
+        turning = turning_note(canvas_set, document)
         for sentence in said if turning is None else (*said, turning):
             note(sentence)
     misfits = new_misfits(misfits_of(before), misfits_of(document))
@@ -88,6 +99,41 @@ def _check(options: Namespace) -> None:
         raise UsageProblem(Message("--loop-waves is for the whole cut and goes without --frame"))
     if options.interp is not None and options.frame is None:
         raise UsageProblem(Message("--interp says how a key goes on and needs --frame"))
+
+
+def _canvas_first(assignments: list[str]) -> tuple[list[tuple["CutWord", str]], list[str]]:
+    """Return what is said of the cut itself, and the other assignments."""
+    from kagezou.document.cut_words import cut_word_at
+
+    on_canvas: list[tuple[CutWord, str]] = []
+    others: list[str] = []
+    for text in assignments:
+        path, sign, value = text.partition("=")
+        word = cut_word_at(path.strip()) if sign else None
+        if word is None:
+            others.append(text)
+        else:
+            on_canvas.append((word, value.strip()))
+    return on_canvas, others
+
+
+def _cut_set(document: "Document", words: list[tuple["CutWord", str]], options: Namespace) -> "Document":
+    """Return the document with other settings of the cut, and say what comes of them."""
+    from kagezou.cli.values import value_of_text
+    from kagezou.document.cut_settings import CutSettings, with_settings
+    from kagezou.document.refitting import Refit
+
+    if options.drawings is not None and not any(word.path == "canvas.size" for word, _ in words):
+        raise UsageProblem(Message("--drawings says what becomes of drawings on another canvas.size, which is needed"))
+    if words and options.frame is not None:
+        raise UsageProblem(Message("{path} is the same on every frame and has no keys", path=words[0][0].path))
+    settings = CutSettings.of(document)
+    for word, text in words:
+        settings = word.said(settings, value_of_text(word.path, text) if text[:1] in ('"', "[") else text)
+    changed = with_settings(document, settings, Refit(options.drawings or Refit.CENTRE))
+    for sentence in changed.notes:
+        note(sentence)
+    return changed.document
 
 
 def _looping(document: "Document") -> "Document":

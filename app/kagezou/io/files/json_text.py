@@ -24,18 +24,18 @@ _PLAIN_NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _LONE_SURROGATE: Final = re.compile("[\ud800-\udfff]")
 
 
-def parse(text: str) -> object:
+def parse(text: str, most_values: int = MOST_VALUES) -> object:
     """Return the JSON value that ``text`` holds; a byte order mark before it is allowed.
 
     Raises
     ------
     ProjectProblem
         If it is not JSON, a number is not finite or too long, a key stands twice, it is nested too deep, or it has more
-        than `MOST_VALUES` values.
+        than ``most_values`` lists, objects and commas.
     """
     # Each value takes far more memory than its text; commas within texts are counted as well, which is no matter.
-    if text.count(",") + text.count("[") + text.count("{") > MOST_VALUES:
-        raise ProjectProblem(Message("it has more than {most} values", most=MOST_VALUES))
+    if value_count(text) > most_values:
+        raise ProjectProblem(Message("it has more than {most} values", most=most_values))
     try:
         return json.loads(
             text.removeprefix("\ufeff"),
@@ -54,6 +54,11 @@ def parse(text: str) -> object:
         ) from error
     except RecursionError as error:
         raise ProjectProblem(Message("it is nested too deep")) from error
+
+
+def value_count(text: str) -> int:
+    """Return how many lists, objects and commas are in a text."""
+    return text.count(",") + text.count("[") + text.count("{")
 
 
 def _members(pairs: list[tuple[str, object]]) -> dict[str, object]:

@@ -118,6 +118,13 @@ class CelCache:
         """The memory that kept drawings may take together."""
         return self._limit_bytes
 
+    def limit(self, limit_bytes: int) -> None:
+        """Let kept drawings take other memory together; what is too much then goes at once."""
+        with self._lock:
+            self._limit_bytes = limit_bytes
+            while self._nbytes > self._limit_bytes:
+                self._drop(next(iter(self._kept)))
+
     def is_kept(self, source: PictureSource) -> bool:
         """Whether the picture from ``source``, as it is now, is kept whole."""
         try:

@@ -7,6 +7,7 @@ from typing import Final
 
 from kagezou.document.review import MAX_ANSWERS, MAX_TEXT_CHARACTERS
 from kagezou.document.set_pieces import MAX_PIECES
+from kagezou.document.slate import MAX_FIRST_FRAME, MAX_WORD_CHARACTERS
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,12 +53,22 @@ PROJECT: Final[Fields] = MappingProxyType({
     "vanishing": Field("list of four [[x, y], [x, y]]",
                        "Edges of the floor in the background picture by which the camera was matched, canvas px: two "
                        "that run one way, and two square to them.", optional=True),
+    "vanishing_fov": Field("number", "The field of view in degrees that is kept while these edges tell none.",
+                           optional=True),
     "linked": Field("list of names", "The layer properties that are the same for all layers; missing where there are "
                     "none. Every layer has them in its own tracks too.", optional=True),
     "brought_light": Field("object", "The light that a style brought; missing where none did.", optional=True),
     "timesheet": Field(f"text of at most {MAX_SHEET_CHARACTERS} characters",
                        "The timesheet that timed the cut, as JSON text: keeps dialogue, camera work and marks for the "
                        "sheet that is written.", optional=True),
+    "slate": Field("object", "What the cut is called; missing where nothing is said.", optional=True),
+})  # fmt: skip
+
+SLATE: Final[Fields] = MappingProxyType({
+    "name": Field(f"text of at most {MAX_WORD_CHARACTERS} characters", "Of the production or the episode.",
+                  optional=True),
+    "scene": Field(f"text of at most {MAX_WORD_CHARACTERS} characters", "The scene's number.", optional=True),
+    "cut": Field(f"text of at most {MAX_WORD_CHARACTERS} characters", "The cut's number.", optional=True),
 })  # fmt: skip
 
 BROUGHT_LIGHT: Final[Fields] = MappingProxyType({
@@ -75,6 +86,9 @@ CANVAS: Final[Fields] = MappingProxyType({
     "height_px": Field("whole number, 1 to 16384", "Height."),
     "frame_rate": Field('text such as "24" or "24000/1001"', "Frames a second, exact; at most 1000."),
     "length_frames": Field("whole number, 1 to 1000000", "The last frame of the cut; the first one is 1."),
+    "first_frame": Field(f"whole number, 0 to {MAX_FIRST_FRAME}",
+                         "The number that people read for the first frame, 1 where it is missing; all frames in this "
+                         "file count from 1.", optional=True),
 })  # fmt: skip
 
 LAYER: Final[Fields] = MappingProxyType({

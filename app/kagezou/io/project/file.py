@@ -8,6 +8,7 @@ names that Unicode can write in two ways are looked for, as the project may come
 import hashlib
 import os
 import re
+import time
 from pathlib import Path
 from typing import Final
 
@@ -18,6 +19,7 @@ from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import cause_of, shown
 from kagezou.io.files.json_text import Reader, formatted, parse
 from kagezou.io.files.spellings import on_disk
+from kagezou.io.project.file_state import FileState
 from kagezou.io.project.path_changes import as_on_disk
 from kagezou.io.project.paths import absolute
 from kagezou.io.project.reading import document_of
@@ -49,15 +51,6 @@ def load(path: Path) -> Document:
         raise ProjectProblem(Message("{path}: {cause}", path=shown(path), cause=problem)) from problem
 
 
-def fingerprint(path: Path) -> str:
-    """Return what tells the content of a file from another, whatever its clock says; empty if there is no such file."""
-    try:
-        with path.open("rb") as stream:
-            return hashlib.file_digest(stream, "sha256").hexdigest()
-    except OSError:
-        return ""
-
-
 def next_version(path: Path) -> Path:
     """Return the path of the next version of a project that is not there yet: ``walk`` → ``walk_002``, and so on."""
     found = _VERSION.fullmatch(path.stem)
@@ -69,8 +62,8 @@ def next_version(path: Path) -> Path:
             return wanted
 
 
-def save(document: Document, path: Path) -> None:
-    """Write the project as a whole or not at all; what was there is kept as ``NAME~``.
+def save(document: Document, path: Path) -> FileState:
+    """Write the project as a whole or not at all, and return what its file is like; the old one stays as ``NAME~``.
 
     Raises
     ------
@@ -85,7 +78,10 @@ def save(document: Document, path: Path) -> None:
         loads(text, folder)
     except ProjectProblem as problem:
         raise ProjectProblem(Message("{path}: cannot be saved: {cause}", path=shown(path), cause=problem)) from problem
-    write_bytes(path, text.encode("utf-8"), keep_previous=True)
+    data = text.encode("utf-8")
+    write_bytes(path, data, keep_previous=True)
+    # Of what was written, not of what lies there by now.
+    return FileState(len(data), hashlib.sha256(data).hexdigest(), int(time.time()))
 
 
 def dumps(document: Document, folder: Path) -> str:
@@ -94,9 +90,13 @@ def dumps(document: Document, folder: Path) -> str:
     Raises
     ------
     ProjectProblem
-        A picture lies where a project cannot name it.
+        A picture lies where a project cannot name it, or the text is larger than a project may be.
     """
-    return formatted(tree_of(document, absolute(folder)))
+    text = formatted(tree_of(document, absolute(folder)))
+    # Bytes are counted only where they could be too many: a character has at most four.
+    if len(text) > MAX_BYTES // 4 and len(text.encode("utf-8")) > MAX_BYTES:
+        raise ProjectProblem(_too_large())
+    return text
 
 
 def loads(text: str, folder: Path) -> Document:
@@ -118,11 +118,13 @@ def _text_at(path: Path) -> str:
             raise ProjectProblem(Message("it is not a file"))
         with path.open("rb") as stream:
             if os.fstat(stream.fileno()).st_size > MAX_BYTES:
-                raise ProjectProblem(
-                    Message("it is larger than {megabytes} MB, too large for a project", megabytes=MAX_BYTES >> 20)
-                )
+                raise ProjectProblem(_too_large())
             return stream.read(MAX_BYTES + 1).decode("utf-8")
     except UnicodeDecodeError as error:
         raise ProjectProblem(Message("it is not UTF-8 text (byte {start})", start=error.start + 1)) from error
     except ValueError as error:  # a NUL in the name
         raise ProjectProblem(Message("it cannot be the name of a file")) from error
+
+
+def _too_large() -> Message:
+    return Message("it is larger than {megabytes} MB, too large for a project", megabytes=MAX_BYTES >> 20)

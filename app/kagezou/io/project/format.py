@@ -71,6 +71,7 @@ _PROPERTIES: Final = MappingProxyType({
 _OBJECTS: Final = MappingProxyType({
     "The project": fields.PROJECT,
     "`canvas`": fields.CANVAS,
+    "`slate`": fields.SLATE,
     "`brought_light`": fields.BROUGHT_LIGHT,
     "A layer": fields.LAYER,
     "A set piece": fields.PIECE,

@@ -14,9 +14,10 @@ from kagezou.document.edits import still
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import BroughtLight, Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.paper import on_paper
-from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
+from kagezou.document.properties import FOV, OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, ValueProblem
 from kagezou.document.set_pieces import MAX_PIECES
+from kagezou.document.slate import MAX_FIRST_FRAME, MAX_WORD_CHARACTERS, NO_SLATE, Slate
 from kagezou.errors import ProjectProblem
 from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import Line, VanishingLines
@@ -55,12 +56,13 @@ def document_of(project: Reader, folder: Path) -> Document:
         markers=review.markers,
         notes=review.notes,
         pieces=tuple(_piece(each, folder) for each in found["set"].items(MAX_PIECES)) if "set" in found else (),
-        vanishing=_vanishing(found["vanishing"]) if "vanishing" in found else None,
+        vanishing=_vanishing(found["vanishing"], found.get("vanishing_fov")) if "vanishing" in found else None,
         linked=_linked(found["linked"]) if "linked" in found else frozenset(),
         brought_light=_brought_light(found["brought_light"]) if "brought_light" in found else None,
         timesheet=found["timesheet"].text(fields.MAX_SHEET_CHARACTERS) if "timesheet" in found else "",
+        slate=_slate(found["slate"]) if "slate" in found else NO_SLATE,
     )
-    if _row_count(document) > fields.MAX_ROWS:
+    if row_count(document) > fields.MAX_ROWS:
         raise project.problem(Message("more than {most_rows} drawings, exposures and keys", most_rows=fields.MAX_ROWS))
     return document
 
@@ -70,7 +72,8 @@ def _record(reader: Reader, known: fields.Fields) -> dict[str, Reader]:
     return reader.record(required, [name for name, field in known.items() if field.optional])
 
 
-def _row_count(document: Document) -> int:
+def row_count(document: Document) -> int:
+    """Return how many drawings, exposures and keys a document has."""
     brought = document.brought_light
     set_aside = [] if brought is None else [brought.tracks, brought.before]
     owned = [
@@ -94,7 +97,19 @@ def _canvas(reader: Reader) -> Canvas:
         height_px=found["height_px"].whole(1, 16384),
         frame_rate=_ratio(rate),
         length_frames=found["length_frames"].whole(1, _MAX_FRAME),
+        first_frame=found["first_frame"].whole(0, MAX_FIRST_FRAME) if "first_frame" in found else 1,
     )
+
+
+def _slate(reader: Reader) -> Slate:
+    return Slate(**{key: _word(word) for key, word in _record(reader, fields.SLATE).items()})
+
+
+def _word(reader: Reader) -> str:
+    text = reader.text(MAX_WORD_CHARACTERS)
+    if not text.isprintable() or text != text.strip() or not text:
+        raise reader.refused(Message("printable text without spaces around it"))
+    return text
 
 
 def _ratio(text: str) -> Fraction:
@@ -135,9 +150,10 @@ def _piece(reader: Reader, folder: Path) -> Piece:
     return Piece(_name(found["id"]), _name(found["name"]), _tracks(found["tracks"], OF_PIECE), source)
 
 
-def _vanishing(reader: Reader) -> VanishingLines:
+def _vanishing(reader: Reader, kept_fov: Reader | None) -> VanishingLines:
     first, second, third, fourth = (_line(each) for each in reader.items(4, least=4))
-    return VanishingLines((first, second), (third, fourth))
+    fov = None if kept_fov is None else kept_fov.number(FOV.low, FOV.high)
+    return VanishingLines((first, second), (third, fourth), fov)
 
 
 def _line(reader: Reader) -> Line:

@@ -10,6 +10,8 @@ from kagezou.document.model import BroughtLight, Cels, Document, Drawing, Exposu
 from kagezou.document.paper import paper_of
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
+from kagezou.document.slate import NO_SLATE, Slate
+from kagezou.geometry.vanishing import VanishingLines
 from kagezou.io.files.json_text import JsonRow
 from kagezou.io.project.feet import feet_tree
 from kagezou.io.project.paths import stored_path
@@ -30,6 +32,7 @@ def tree_of(document: Document, folder: Path) -> Tree:
             "height_px": canvas.height_px,
             "frame_rate": str(canvas.frame_rate),
             "length_frames": canvas.length_frames,
+            **({"first_frame": canvas.first_frame} if canvas.first_frame != 1 else {}),
         },
         "background": _background(document.behind, folder),
         "tracks": _tracks(document.tracks, OF_DOCUMENT),
@@ -38,10 +41,21 @@ def tree_of(document: Document, folder: Path) -> Tree:
         # Left out where there is none, so that a cut without a set reads as it always did.
         **({"set": [_piece(piece, folder) for piece in document.pieces]} if document.pieces else {}),
         **({"vanishing": [JsonRow(line) for line in document.vanishing.all]} if document.vanishing else {}),
+        **_kept_fov(document.vanishing),
         **({"linked": JsonRow([name for name in OF_LAYER if name in document.linked])} if document.linked else {}),
         **({"brought_light": _brought_light(document.brought_light)} if document.brought_light else {}),
         **({"timesheet": document.timesheet} if document.timesheet else {}),
+        **({"slate": JsonRow(_slate(document.slate))} if document.slate != NO_SLATE else {}),
     }
+
+
+def _kept_fov(lines: VanishingLines | None) -> dict[str, object]:
+    return {} if lines is None or lines.kept_fov_deg is None else {"vanishing_fov": lines.kept_fov_deg}
+
+
+def _slate(slate: Slate) -> dict[str, str]:
+    words = {"name": slate.name, "scene": slate.scene, "cut": slate.cut}
+    return {key: word for key, word in words.items() if word}
 
 
 def _brought_light(brought: BroughtLight) -> dict[str, object]:

@@ -27,7 +27,7 @@ class Timesheet:
 
     ``notes`` say what of the file is not used and what had to be assumed, without the file's name. ``kept`` is what the
     file says of this sheet, as JSON text, so that a sheet that is written has what is not used here; it is no part of
-    what makes two sheets equal.
+    what makes two sheets equal. ``scene`` and ``cut`` are the numbers of its head; empty where nothing is said.
     """
 
     name: str
@@ -35,3 +35,5 @@ class Timesheet:
     tracks: tuple[SheetTrack, ...]
     notes: tuple[Message, ...] = ()
     kept: str = field(default="", compare=False, repr=False)
+    scene: str = field(default="", compare=False)
+    cut: str = field(default="", compare=False)

@@ -35,9 +35,16 @@ def xdts_text(sheet: Timesheet) -> str:
         "timeTableHeaders": [{"fieldId": CELS, "names": names}, *_others(table, "timeTableHeaders")],
         "fields": [{"fieldId": CELS, "tracks": tracks}, *_others(table, "fields")],
     }
-    whole = {"header": {"cut": "1", "scene": "1"}, **tree, TABLES: [made]}
+    whole = {**tree, "header": _header(sheet, tree), TABLES: [made]}
     whole["version"] = tree.get("version", _VERSION)
     return f"{FIRST_LINE}\n{json.dumps(whole, ensure_ascii=False, indent=1)}\n"
+
+
+def _header(sheet: Timesheet, tree: Tree) -> Tree:
+    """Return the head: what is said of scene and cut wins over what was kept."""
+    kept = tree.get("header")
+    said = {key: word for key, word in (("cut", sheet.cut), ("scene", sheet.scene)) if word}
+    return {**(kept if isinstance(kept, dict) else {"cut": "1", "scene": "1"}), **said}
 
 
 def _kept(text: str) -> tuple[Tree, Tree]:

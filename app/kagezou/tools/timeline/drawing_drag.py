@@ -6,8 +6,17 @@ from enum import StrEnum
 from typing import TypeAlias
 
 from kagezou.document.edits import set_exposures
-from kagezou.document.exposure_edits import Exposures, end_at, move_boundary, move_run, ripple
+from kagezou.document.exposure_edits import (
+    Exposures,
+    end_at,
+    move_boundary,
+    move_run,
+    ripple,
+    room_of_boundary,
+    room_of_run,
+)
 from kagezou.document.model import Document
+from kagezou.message import Message
 from kagezou.tools.timeline.lane_pointer import LanePointer
 from kagezou.tools.timeline.snapping import snap_frames, snapped
 
@@ -74,15 +83,18 @@ class DraggedDrawings:
         To be put into the document with :func:`with_exposures` when the hand lets go: then the cut grows too, which
         before that would move the frames under the hand.
     frame
-        Where the dragged edge is wanted.
+        Where the dragged edge is.
     caught_by
         The frame that caught it, if one did.
+    note
+        Why the edge is not where the hand is.
     """
 
     document: Document
     exposures: Exposures
     frame: int
     caught_by: int | None = None
+    note: Message | None = None
 
 
 DrawingDrag: TypeAlias = Generator[DraggedDrawings, LanePointer, None]
@@ -113,9 +125,31 @@ def _drag(start: Document, grip: DrawingGrip) -> DrawingDrag:
     while True:
         pointer = yield shown
         catching = grip.catching if pointer.catches else ()
-        frame, caught_by = snapped(grip.edge + pointer.frames_since(press), catching, pointer.cell_px)
+        wanted, caught_by = snapped(grip.edge + pointer.frames_since(press), catching, pointer.cell_px)
+        frame = wanted if pointer.ripples or pointer.goes_over else _within_room(grip, wanted)
         exposures = _dragged(grip, frame, ripples=pointer.ripples)
-        shown = DraggedDrawings(set_exposures(start, grip.layer_id, exposures), exposures, frame, caught_by)
+        caught_by = caught_by if frame == wanted else None
+        document = set_exposures(start, grip.layer_id, exposures)
+        shown = DraggedDrawings(document, exposures, frame, caught_by, _stopped(grip) if frame != wanted else None)
+
+
+def _within_room(grip: DrawingGrip, frame: int) -> int:
+    """Return the frame nearest to the one wanted at which every neighbour is still seen."""
+    exposures, length = grip.exposures, grip.length_frames
+    if grip.part is BarPart.MIDDLE:
+        least, most = room_of_run(exposures, grip.index, grip.last, length)
+        return max(frame, least) if most is None else min(max(frame, least), most)
+    boundary = grip.index + 1 if grip.part is BarPart.END else grip.index
+    if boundary == len(exposures):
+        return min(max(frame, max(exposures[-1].frame, 1) + 1), length + 1)
+    least, most = room_of_boundary(exposures, boundary, length)
+    return min(max(frame, least), most)
+
+
+def _stopped(grip: DrawingGrip) -> Message:
+    if grip.part is BarPart.END and grip.index + 1 == len(grip.exposures):
+        return Message("the cut ends here")
+    return Message("stops at its neighbour; Alt or A goes over it")
 
 
 def _dragged(grip: DrawingGrip, frame: int, *, ripples: bool) -> Exposures:

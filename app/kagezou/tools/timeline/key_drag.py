@@ -4,8 +4,10 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from kagezou.document.address import track_of
 from kagezou.document.key_edits import Refs, move_keys, stretch_keys
 from kagezou.document.model import Document
+from kagezou.message import Message
 from kagezou.tools.timeline.lane_pointer import LanePointer
 from kagezou.tools.timeline.snapping import snapped
 
@@ -41,15 +43,18 @@ class DraggedKeys:
     document, refs
         The document, and the dragged keys in it.
     frame
-        Where the key under the hand is wanted.
+        Where the key under the hand is.
     caught_by
         The frame that caught it, if one did.
+    note
+        Why it is not where the hand is, or what else happened.
     """
 
     document: Document
     refs: Refs
     frame: int
     caught_by: int | None = None
+    note: Message | None = None
 
 
 KeyDrag: TypeAlias = Generator[DraggedKeys, LanePointer, None]
@@ -69,9 +74,35 @@ def _drag(start: Document, grip: KeyGrip) -> KeyDrag:
     while True:
         pointer = yield shown
         catching = grip.catching if pointer.catches else ()
-        frame, caught_by = snapped(grip.frame + pointer.frames_since(press), catching, pointer.cell_px)
+        wanted, caught_by = snapped(grip.frame + pointer.frames_since(press), catching, pointer.cell_px)
+        frame = _possible(grip, wanted)
         document, refs = _dragged(start, grip, frame)
-        shown = DraggedKeys(document, refs, frame, caught_by)
+        stopped = _stopped(grip) if frame != wanted else None
+        gone = _key_count(start, grip) - _key_count(document, grip)
+        replaced = Message("replaced keys: {count}", count=gone) if gone > 0 else None
+        shown = DraggedKeys(document, refs, frame, None if stopped else caught_by, stopped or replaced)
+
+
+def _possible(grip: KeyGrip, frame: int) -> int:
+    """Return the frame nearest to the one wanted where the key can be: no key lies before the first frame."""
+    first, about = min(ref.frame for ref in grip.refs), grip.stretches_about
+    if about is None:
+        return max(frame, grip.frame - first + 1)
+    if grip.frame > about:
+        return max(frame, about + 1)
+    return min(max(frame, 1), about - 1)
+
+
+def _stopped(grip: KeyGrip) -> Message:
+    if grip.stretches_about is None:
+        return Message("no key goes before the first frame")
+    if grip.frame < grip.stretches_about:
+        return Message("no key goes before the first frame, nor past the key that stays")
+    return Message("it cannot go past the key that stays")
+
+
+def _key_count(document: Document, grip: KeyGrip) -> int:
+    return sum(len(track_of(document, address).keys) for address in {ref.address for ref in grip.refs})
 
 
 def _dragged(start: Document, grip: KeyGrip, frame: int) -> tuple[Document, Refs]:

@@ -17,12 +17,15 @@ class LanePointer:
         Whether what is dragged is drawn to frames that mean something.
     ripples
         Whether what follows a drawing moves along.
+    goes_over
+        Whether a drawing may take the place of its neighbours.
     """
 
     x_px: float
     cell_px: float
     catches: bool = True
     ripples: bool = False
+    goes_over: bool = False
 
     def frames_since(self, press: "LanePointer") -> float:
         """Return how far the hand has gone since the press, in frames."""

@@ -5,6 +5,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QKeySequenceEdit, QLabel, QPushButton, QVBoxLayout
 
 from kagezou.ui.system.icons import icon, icon_size
+from kagezou.ui.widgets.retiring import retire
 
 RESERVED = frozenset({"Space", "Esc", "Tab", "Shift+Tab", "Return", "Enter"})
 """Keys that the picture and the fields need for themselves."""
@@ -53,10 +54,8 @@ class KeysOfCommand(QFrame):
         """Show the keys of a command; ``owner_of`` names in words what every key of the others does."""
         self._owner_of = owner_of
         self._title.setText(self.tr("Keys of “%1”").replace("%1", words) if words else self.tr("Choose a command"))
-        while (item := self._caps.takeAt(0)) is not None:
-            if (old := item.widget()) is not None:
-                old.hide()
-                old.deleteLater()
+        items = iter(lambda: self._caps.takeAt(0), None)
+        retire([old for item in items if (old := item.widget()) is not None])
         for key in keys:
             self._caps.addWidget(self._cap(key))
         self.field.setEnabled(bool(words))

@@ -86,6 +86,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("background", translate("Commands", "Set &Background…")),
         Command("background_pictures", translate("Commands", "Set Background Sequence…")),
         Command("no_background", translate("Commands", "Remove Background")),
+        Command("cut_settings", translate("Commands", "&Cut Settings…"), ("Ctrl+K",)),
         Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),
         Command("export_notes", translate("Commands", "Export Notes…")),
         Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),
@@ -105,6 +106,7 @@ def edit_commands() -> tuple[Command, ...]:
         Command("find_feet", translate("Commands", "Find &Feet")),
         Command("doubtful_next", translate("Commands", "Next Dou&btful Drawing"), ("Ctrl+Alt+.",)),
         Command("doubtful_previous", translate("Commands", "Previous Doubtful Drawing"), ("Ctrl+Alt+,",)),
+        Command("preferences", translate("Commands", "Pre&ferences…"), ("Ctrl+Alt+Shift+P",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
     )
 

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDoubleSpinBox, QHBoxLayout, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.key_edits import KeyRef
 from kagezou.ui.curves.flags import Flag, flags_of, keyed_addresses
 from kagezou.ui.curves.remarks import flag_words
@@ -57,8 +58,9 @@ class FlagList(QWidget):
         """List what stands out now."""
         self.list.clear()
         for flag in self.flags:
-            owner = owner_words(self._bridge.document, flag.address)
-            item = QListWidgetItem(f"{flag.frame}   {owner}   {flag_words(flag)}")
+            document = self._bridge.document
+            owner, number = owner_words(document, flag.address), number_of(document.canvas, flag.frame)
+            item = QListWidgetItem(f"{number}   {owner}   {flag_words(flag)}")
             item.setData(_WHAT, flag)
             self.list.addItem(item)
         if not self.list.count():

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import pyqtgraph as pg
 
 from kagezou.animation.timecode import sheet_text
+from kagezou.document.frame_numbers import number_of
 from kagezou.ui.system.bridge import Bridge
 
 
@@ -16,8 +17,12 @@ class FrameAxis(pg.AxisItem):
         self._bridge = bridge
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
-        rate = self._bridge.document.canvas.frame_rate
+        canvas = self._bridge.document.canvas
         del scale
         if spacing < 1:
             return ["" for _ in values]
-        return [f"{value:.0f}  ({sheet_text(int(value), rate)})" if value >= 1 else "" for value in values]
+        frames = [int(value) for value in values]
+        return [
+            f"{number_of(canvas, frame)}  ({sheet_text(frame, canvas.frame_rate)})" if frame >= 1 else ""
+            for frame in frames
+        ]

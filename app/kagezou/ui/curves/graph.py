@@ -17,6 +17,7 @@ from kagezou.ui.curves.frame_axis import FrameAxis
 from kagezou.ui.curves.graph_controller import GraphController, HandShown
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, DIM, WELL
+from kagezou.ui.system.window_keys import lies_on_command
 
 
 class Graph(pg.PlotWidget):
@@ -142,6 +143,7 @@ class Graph(pg.PlotWidget):
             event.type() is QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
             and self.controller.wants(event)
+            and not lies_on_command(event, self)
         ):
             event.accept()
             return True

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 
 from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address
+from kagezou.document.frame_numbers import frame_of, number_of
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.ui.curves.choice import Choice
@@ -16,6 +17,7 @@ from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.words import translated
 
+_FRAME_COLUMN = 0
 _FIXED_COLUMNS = (1,)
 _INTERPOLATION_COLUMN = 3
 
@@ -101,13 +103,16 @@ class KeyTable(QTableWidget):
         row, column = self._rows[item.row()], item.column()
         spoken = {self._word(each): each.value for each in Interpolation}
         text = spoken.get(item.text().strip(), item.text()) if column == _INTERPOLATION_COLUMN else item.text()
+        if column == _FRAME_COLUMN and text.strip().isdecimal():
+            text = str(frame_of(self._bridge.document.canvas, int(text)))
         self._edit(self.tr("Type key"), lambda: with_cell(self._bridge.document, address, row, column, text))
 
     def _shown(self, row: KeyRow, address: Address | None) -> tuple[str, ...]:
         """Return a row's cells as they are read: its axis by name, how it goes on in the window's language."""
-        frame, part, value, _, *eases = row.cells
+        _, part, value, _, *eases = row.cells
         axes = address.property.components if address is not None else ()
         axis = axes[row.component] if row.component < len(axes) and len(axes[row.component]) == 1 else part
+        frame = str(number_of(self._bridge.document.canvas, row.frame))
         return (frame, axis, value, self._word(row.interpolation), *eases)
 
     def _word(self, interpolation: Interpolation) -> str:

@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication
 
 from kagezou.animation.timecode import sheet_text
 from kagezou.document.address import track_of
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.model import Document
 from kagezou.tools.curves.curve_list import same_in
 from kagezou.tools.curves.picture import CurvePicture, value_in
@@ -13,7 +14,8 @@ from kagezou.ui.system.words import translated
 
 def readout(document: Document, choice: Choice, picture: CurvePicture | None, frame: int) -> str:
     """Return the frame, and of a curve its value, speed, way from the key before, and difference from its ghost."""
-    where = f"{frame}  ({sheet_text(frame, document.canvas.frame_rate)})"
+    canvas = document.canvas
+    where = f"{number_of(canvas, frame)}  ({sheet_text(frame, canvas.frame_rate)})"
     if picture is None:
         return where
     curve = picture.curve
@@ -29,7 +31,9 @@ def readout(document: Document, choice: Choice, picture: CurvePicture | None, fr
     if earlier:
         start = value_in(track, curve.component, earlier[-1].frame) or 0.0
         since = QCoreApplication.translate("Readout", "%1 since key %2")
-        words.append(since.replace("%1", f"{value - start:+.4g}").replace("%2", str(earlier[-1].frame)))
+        words.append(
+            since.replace("%1", f"{value - start:+.4g}").replace("%2", str(number_of(canvas, earlier[-1].frame)))
+        )
     if choice.ghost is not None and (other := same_in(choice.ghost, curve, document)) is not None:
         there = value_in(other, curve.component, frame)
         if there is not None:

@@ -17,8 +17,10 @@ from kagezou.document.common_edits import (
 )
 from kagezou.document.linking import LINKABLE, is_linked, link, unlink
 from kagezou.document.model import Document
+from kagezou.document.properties import LIGHT_KIND
 from kagezou.document.typed_number import evaluate
 from kagezou.session.session import Gesture
+from kagezou.tools.light_kind import with_light_kind
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
 
@@ -87,7 +89,14 @@ class EditedProperty:
         return len(self.bridge.document.layers) > 1 or self.is_linked
 
     def enter(self, raw: Value) -> None:
-        """Set a value at the frame looked at, everywhere, as one step; a Problem if it cannot be."""
+        """Set a value at the frame looked at, everywhere, as one step; a Problem if it cannot be.
+
+        Another kind of light takes over the shadow where it is.
+        """
+        if self.address.property is LIGHT_KIND:
+            layer_id, frame = self.bridge.layer_id, self.bridge.frame
+            self._change(lambda document: with_light_kind(document, layer_id, frame, str(raw)))
+            return
         self._change(lambda document: set_all(document, self.addresses, raw, self.bridge.frame))
 
     def calculate(self, text: str) -> None:

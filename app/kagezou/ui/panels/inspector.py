@@ -1,28 +1,29 @@
-"""The inspector: every property of the table, for the scene and for the layer or set piece worked on."""
+"""The inspector: every property of the table, the light first, for the scene and the layer or set piece worked on."""
 
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
+from collections.abc import Iterable
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
 from kagezou.document.address import Address
-from kagezou.document.figure_properties import HOLD, LEAST_PART, LIFT_LINES, PLACEMENT_LINES, SHADOWS_UNITE
+from kagezou.document.figure_properties import PLACEMENT_LINES
 from kagezou.document.piece_kinds import kind_of, matters
 from kagezou.document.properties import TABLE
 from kagezou.document.property import AnyProperty, Scope
-from kagezou.document.set_properties import SET_BLEND, SET_COLOR, SET_OPACITY
 from kagezou.document.values import value_at
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.figure_card import card_at
-from kagezou.ui.panels.piece_sections import PieceName, piece_sections
+from kagezou.ui.panels.folds import Folds
+from kagezou.ui.panels.groups import Group, group_of, is_rare
+from kagezou.ui.panels.piece_name import PieceName
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.widgets.retiring import retire
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
@@ -34,32 +35,20 @@ _ONLY_FOR_LIGHT = {
 }
 """Properties that mean nothing for the other kind of light and are hidden then."""
 
-_SHAPE = (
-    properties.SIMPLIFY_ON, properties.SIMPLIFY, properties.DISTANCE, properties.ELONGATION, HOLD, LEAST_PART,
-    properties.GROW, properties.SOFTNESS, properties.PENUMBRA,
-)  # fmt: skip
-_SHADOW_OF_SET = (SET_COLOR, SET_OPACITY, SET_BLEND)
-_FADING = (properties.FADE, properties.FADE_CURVE, properties.TIP_COLOR, properties.TIP_DISTANCE)
 _OF_A_PART = frozenset((properties.VISIBLE, properties.RECEIVES, *PLACEMENT_LINES))
 """What a part of another layer's figure has of its own."""
-
-_GROUPS: Mapping[str, tuple[AnyProperty, ...]] = MappingProxyType({
-    "placement": PLACEMENT_LINES, "shape": _SHAPE, "fading": _FADING, "jump": LIFT_LINES, "light": (SHADOWS_UNITE,),
-})  # fmt: skip
-"""Sections whose lines are not told by the names of their properties."""
 
 
 class Inspector(QScrollArea):
     """Iterates the property table; a new line there appears here by itself."""
 
-    def __init__(self, bridge: Bridge, clipboard: Clipboard) -> None:
+    def __init__(self, bridge: Bridge, clipboard: Clipboard, folds: Folds | None = None) -> None:
         super().__init__()
-        self._bridge = bridge
+        self._bridge, self._folds = bridge, folds or Folds()
         self.menus = PropertyMenus(clipboard)
         self._built_for: tuple[object, ...] | None = None
-        self._folded: frozenset[str] = frozenset()
-        self._scene_sections: list[Section] = []
-        self._layer_sections: list[Section] = []
+        self.sections: dict[Group, Section] = {}
+        """The sections there are now, in the order in which they stand."""
         self.owner: PieceName | None = None
         self.waves: WaveNote | None = None
         self._inner = QWidget()
@@ -70,22 +59,21 @@ class Inspector(QScrollArea):
         self.chosen.setObjectName("several_layers")
         self.chosen.setWordWrap(True)
         self.chosen.hide()
-        self._column.addWidget(self.chosen)
-        self._column.addStretch(1)
         self.setWidget(self._inner)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._inner.installEventFilter(self)
         bridge.document_changed.connect(self._refresh)
         bridge.frame_changed.connect(self._refresh)
         bridge.selection_changed.connect(self._refresh)
-        self._scene_sections = self._sections(Scope.DOCUMENT, None)
+        self._fill(Scope.DOCUMENT, (None,))
         self._refresh()
 
     @property
     def rows(self) -> list[PropertyRow]:
         """Every row there is now, hidden ones included."""
-        return [row for section in (*self._layer_sections, *self._scene_sections) for row in section.rows]
+        return [row for section in self.sections.values() for row in section.rows]
 
     def row(self, name: str) -> PropertyRow:
         """Return the row of a property by its name in the table."""
@@ -97,6 +85,29 @@ class Inspector(QScrollArea):
             bar = self.verticalScrollBar().sizeHint().width()
             self.setMinimumWidth(self._inner.minimumSizeHint().width() + bar)
         return super().eventFilter(watched, event)
+
+    def reveal(self, addresses: Iterable[Address]) -> None:
+        """Open the sections of properties, bring their rows into sight and mark them; none marks nothing."""
+        wanted = set(addresses)
+        shown: list[PropertyRow] = []
+        for section in self.sections.values():
+            found = [row for row in section.rows if row.address in wanted]
+            if found:
+                section.open(opened=True)
+                section.show_more(shown=section.more.isChecked() or any(is_rare(row.address.property) for row in found))
+            shown += found
+        for row in self.rows:
+            row.show_chosen(chosen=row in shown)
+        if shown:
+            self._show_relevant()
+            self._scroll_to(shown[-1].editor)
+            self._scroll_to(shown[0].label)
+
+    def _scroll_to(self, widget: QWidget) -> None:
+        # What was just opened has its place only once it is laid out.
+        self._column.activate()
+        self._inner.adjustSize()
+        self.ensureWidgetVisible(widget, 0, 12)
 
     def _refresh(self) -> None:
         self._follow_selection()
@@ -110,77 +121,70 @@ class Inspector(QScrollArea):
         self._show_measured_tilt()
 
     def _follow_selection(self) -> None:
-        ids = self._bridge.layer_ids
+        ids, piece_id = self._bridge.layer_ids, self._bridge.piece_id
         joins = tuple(self._bridge.document.layer(each).joins for each in ids)
-        wanted = (self._bridge.session, ids, joins, self._bridge.piece_id)
-        if wanted == self._built_for:
+        wanted = (self._bridge.session, ids, joins, piece_id)
+        before, self._built_for = self._built_for, wanted
+        if wanted == before:
             return
-        self._built_for = wanted
-        for section in self._layer_sections:
-            self._folded = self._folded - {section.title} if section.is_open else self._folded | {section.title}
-        for part in (*self._layer_sections, *([self.owner] if self.owner else [])):
-            self._column.removeWidget(part)
-            part.hide()
-            part.deleteLater()
-        layer_id = self._bridge.layer_id
-        self._layer_sections = [] if layer_id is None else self._sections(Scope.LAYER, layer_id)
-        self._show_several()
-        self.waves = None if layer_id is None else WaveNote(self._bridge, self._bridge.layer_ids)
-        if self.waves is not None:
-            of_waves = [each for each in self._layer_sections if each.rows[0].address.property is properties.WAVES_ON]
-            of_waves[0].add_note(self.waves)
-        self._follow_piece()
-        for section in self._layer_sections:
-            section.open(opened=section.title not in self._folded)
-        _align([*self._scene_sections, *self._layer_sections])
-
-    def _follow_piece(self) -> None:
-        """Put the piece worked on before the scene, and the shadow of the set, which is its too, behind it."""
-        piece_id = self._bridge.piece_id
+        self._drop_owned()
         self.owner = None if piece_id is None else PieceName(self._bridge, piece_id)
-        of_set = next(each for each in self._scene_sections if each.rows[0].address.property in _SHADOW_OF_SET)
-        self._column.removeWidget(of_set)
-        if piece_id is None or self.owner is None:
-            self._column.insertWidget(self._column.count() - 1, of_set)
-            return
-        self._layer_sections = piece_sections(self._bridge, piece_id, self.menus)
-        for at, part in enumerate((self.owner, *self._layer_sections, of_set), 1):
-            self._column.insertWidget(at, part)
+        self._fill(Scope.PIECE, () if piece_id is None else (piece_id,))
+        self._fill(Scope.LAYER, ids)
+        self._show_several()
+        self.waves = WaveNote(self._bridge, ids) if ids else None
+        if self.waves is not None:
+            self.sections[Group.WAVES].add_note(self.waves)
+        self._put_in_order()
+        _align(list(self.sections.values()))
+        shown = self.sections.get(Group.CHARACTER if ids else Group.PIECE_PLACE)
+        if shown is not None and before is not None and before[0] is self._bridge.session and (before[1] or before[3]):
+            # Another layer or piece was chosen by hand: it is shown, wherever the panel was.
+            self._scroll_to(shown)
 
-    def _sections(self, scope: Scope, layer_id: str | None) -> list[Section]:
-        made: dict[str, Section] = {}
-        # Behind the line that says how many layers are chosen.
-        before_scene = 1 if scope is Scope.LAYER else self._column.count() - 1
-        others = self._bridge.layer_ids[1:] if scope is Scope.LAYER else ()
-        for prop in TABLE:
+    def _drop_owned(self) -> None:
+        """Take away what was about the layer or piece worked on before."""
+        scene = {group: each for group, each in self.sections.items() if _is_of_scene(each)}
+        gone = [each for each in self.sections.values() if not _is_of_scene(each)]
+        old = (*gone, *([self.owner] if self.owner else []))
+        for part in old:
+            self._column.removeWidget(part)
+        retire(old)
+        self.sections = scene
+
+    def _fill(self, scope: Scope, ids: tuple[str | None, ...]) -> None:
+        """Add the sections of the scene, or of layers or a piece: rows of the first, editing the others with it."""
+        for prop in TABLE if ids else ():
             if prop.scope is not scope:
                 continue
-            title = self._title(prop)
-            if title not in made:
-                made[title] = Section(title, self.menus)
-                self._column.insertWidget(before_scene + len(made) - 1, made[title])
-            twins = tuple(Address(prop, other) for other in others)
-            made[title].add(PropertyRow(self._bridge, Address(prop, layer_id), self.menus, twins))
-        return list(made.values())
+            group = group_of(prop)
+            if group not in self.sections:
+                self.sections[group] = self._new_section(group)
+            first, *others = (
+                Address(prop, piece_id=each) if scope is Scope.PIECE else Address(prop, each) for each in ids
+            )
+            self.sections[group].add(PropertyRow(self._bridge, first, self.menus, tuple(others)))
 
-    def _title(self, prop: AnyProperty) -> str:
-        titles: dict[str, Callable[[], str]] = {
-            "camera": lambda: self.tr("Camera"),
-            "background": lambda: self.tr("Background"),
-            "ground": lambda: self.tr("Ground"),
-            "light": lambda: self.tr("Light"),
-            "shadow": lambda: self.tr("Shadow"),
-            "shape": lambda: self.tr("Shape"),
-            "fading": lambda: self.tr("Fading"),
-            "placement": lambda: self.tr("Placement"),
-            "jump": lambda: self.tr("In a jump"),
-            "waves": lambda: self.tr("Waves"),
-            "contact": lambda: self.tr("Contact with the ground"),
-            "reflection": lambda: self.tr("Reflection"),
-            "set.shadow": lambda: self.tr("Shadow of the set"),
-            "": lambda: self.tr("Character"),
-        }
-        return titles[_group_of(prop)]()
+    def _new_section(self, group: Group) -> Section:
+        section, folds = Section(group, self.menus), self._folds
+        section.open(opened=folds.is_open(group))
+        section.show_more(shown=folds.shows_more(group))
+        section.folded.connect(lambda opened: folds.set_open(group, opened=opened))
+        section.more_asked.connect(lambda shown: folds.set_more(group, shown=shown))
+        section.more.toggled.connect(self._show_relevant)
+        return section
+
+    def _put_in_order(self) -> None:
+        while self._column.count():
+            self._column.takeAt(0)
+        self.sections = {group: self.sections[group] for group in Group if group in self.sections}
+        for group, section in self.sections.items():
+            if group is Group.PIECE_PLACE and self.owner is not None:
+                self._column.addWidget(self.owner)
+            if group is Group.CHARACTER:
+                self._column.addWidget(self.chosen)
+            self._column.addWidget(section)
+        self._column.addStretch(1)
 
     def _show_several(self) -> None:
         ids = self._bridge.layer_ids
@@ -197,13 +201,14 @@ class Inspector(QScrollArea):
     def _show_relevant(self) -> None:
         document, frame = self._bridge.document, self._bridge.frame
         kind = value_at(document.tracks, properties.LIGHT_KIND, frame)
-        for row in self.rows:
+
+        def means_something(row: PropertyRow) -> bool:
             prop, piece_id = row.address.property, row.address.piece_id
-            needed = _ONLY_FOR_LIGHT.get(prop.name, kind)
             is_of_kind = piece_id is None or matters(prop, kind_of(document.piece(piece_id), frame))
-            row.set_visible(visible=needed == kind and is_of_kind and self._is_its_own(prop))
-        for section in self._layer_sections:
-            section.setVisible(any(self._is_its_own(row.address.property) for row in section.rows))
+            return _ONLY_FOR_LIGHT.get(prop.name, kind) == kind and is_of_kind and self._is_its_own(prop)
+
+        for section in self.sections.values():
+            section.show_rows(means_something)
 
     def _is_its_own(self, prop: AnyProperty) -> bool:
         """Return whether a property means anything for the layers chosen: a part shares its figure's shadow."""
@@ -226,13 +231,8 @@ class Inspector(QScrollArea):
             row.editor.show_value(cards[0].tilt_deg)
 
 
-def _group_of(prop: AnyProperty) -> str:
-    """Return which section a property is shown in."""
-    group, _, last = prop.name.rpartition(".")
-    for title, lines in _GROUPS.items():
-        if prop in lines:
-            return title
-    return "waves" if last.startswith(("wave", "slit")) or group.startswith("shadow.wave") else group
+def _is_of_scene(section: Section) -> bool:
+    return section.rows[0].address.property.scope is Scope.DOCUMENT
 
 
 def _align(sections: list[Section]) -> None:

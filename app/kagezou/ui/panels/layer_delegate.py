@@ -50,7 +50,7 @@ class LayerDelegate(EyeDelegate):
         area = _words_area(QRect(option.rect), _indent(index))
         metrics = painter.fontMetrics()
         middle = area.center().y()
-        name = metrics.elidedText(str(index.data()), Qt.TextElideMode.ElideRight, area.width())
+        name = metrics.elidedText(str(index.data()), Qt.TextElideMode.ElideMiddle, area.width())
         painter.setPen(name_tone)
         painter.drawText(area.left(), middle - 2, name)
         painter.setPen(DIM)

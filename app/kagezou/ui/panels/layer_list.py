@@ -133,7 +133,7 @@ class LayerList(QWidget):
         ids = [str(index.data(Role.LAYER_ID)) for index in indexes]
         # The one that was there before stays the one worked on, so that more are added to it.
         first = self._bridge.layer_id if self._bridge.layer_id in ids else ids[-1]
-        self._bridge.session.select_layers(str(first), frozenset(ids) - {first})
+        self._bridge.session.select(str(first), others=frozenset(ids) - {first})
 
     def _follow_selection(self) -> None:
         self._pages.setCurrentIndex(0 if self.model.rowCount() else 1)

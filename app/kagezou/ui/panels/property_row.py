@@ -51,6 +51,8 @@ class PropertyRow(QObject):
         self.edited = EditedProperty(bridge, address, others)
         self._shown: tuple[object, ...] | None = None
         self._is_visible = True
+        self.is_changed = False
+        """Whether it was set by someone, or is keyed."""
         self.mates: list[EditedProperty] = [self.edited]
         self.key = KeyButton()
         self.link = LinkButton()
@@ -91,7 +93,8 @@ class PropertyRow(QObject):
         self.link.show_linked(linked=linked)
         self.link.setVisible(self._is_visible and edited.can_be_linked)
         default = self.edited.usual
-        self._show_changed(changed=keyed or any(track.constant != default for track in tracks))
+        self.is_changed = keyed or any(track.constant != default for track in tracks)
+        self._show_changed(changed=self.is_changed)
 
     def set_visible(self, *, visible: bool) -> None:
         """Show or hide the whole line."""
@@ -99,6 +102,12 @@ class PropertyRow(QObject):
         for widget in self.widgets:
             widget.setVisible(visible)
         self.link.setVisible(visible and self.edited.can_be_linked)
+
+    def show_chosen(self, *, chosen: bool) -> None:
+        """Show whether the handle that the hand chose in the picture is about it."""
+        self.label.setProperty("chosen", chosen)
+        self.label.style().unpolish(self.label)
+        self.label.style().polish(self.label)
 
     def set_editable(self, *, editable: bool) -> None:
         """Allow editing, or only show."""

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from kagezou.document.address import Address
+from kagezou.document.frame_numbers import at_shown_number
 from kagezou.document.style import Style
 from kagezou.document.styling import Styled, notes_on, put_style
 from kagezou.message import Message
@@ -24,7 +25,9 @@ def words_on(styled: Styled) -> str:
     name = named(styled.style.name)
     asking = translate("StyleUse", "“With its light” in the Styles panel")
     notes = notes_on(styled, name, asking, _label)
-    return "\n".join(map(translated, (_count(name, len(styled.changes)), *notes)))
+    canvas = styled.document.canvas
+    said = (_count(name, len(styled.changes)), *(at_shown_number(note, canvas) for note in notes))
+    return "\n".join(map(translated, said))
 
 
 def _count(name: str, count: int) -> Message:

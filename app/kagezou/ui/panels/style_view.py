@@ -30,7 +30,7 @@ class StyleView(QListWidget):
         self.setMovement(QListView.Movement.Static)
         self.setIconSize(QSize(side, side))
         self.setGridSize(QSize(side + 2 * letter, side + round(1.8 * self.fontMetrics().height())))
-        self.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.setMouseTracking(True)
         self._pointed: int | None = None
         self._is_by_keys = False

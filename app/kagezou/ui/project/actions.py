@@ -14,9 +14,10 @@ from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import next_version
-from kagezou.io.project.recovery_file import RecoveredWork, forget
+from kagezou.io.project.recovery_file import RecoveredWork
 from kagezou.ui.project.asking import Asking
-from kagezou.ui.project.dialogs import Answer, Dialogs
+from kagezou.ui.project.cut_names import output_name
+from kagezou.ui.project.dialogs import Answer, Changed, Dialogs
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX, DroppedFiles, dropped_files_of
 from kagezou.ui.project.load import AnyLoad
 from kagezou.ui.project.loading import Loading
@@ -51,13 +52,10 @@ class ProjectActions(QObject):
 
     def __init__(self, open_project: OpenProject, dialogs: Dialogs, bar: MessageBar, settings: Settings) -> None:
         super().__init__()
-        self._open_project = open_project
+        self._open_project, self._bar, self._settings = open_project, bar, settings
         self.dialogs = dialogs
-        self._bar = bar
-        self._settings = settings
         self.loading = Loading(self._say, lambda: _is_free(open_project, self.loading.window()))
-        self._asking = Asking(self.loading, dialogs, self._load)
-        self._lock = ProjectLock()
+        self._asking, self._lock = Asking(self.loading, dialogs, self._load), ProjectLock()
         open_project.path_changed.connect(lambda: self._lock.hold(open_project.path))
         self._lock.hold(open_project.path)
 
@@ -102,30 +100,34 @@ class ProjectActions(QObject):
         path = self._open_project.path
         if path is None:
             return self.save_as()
-        if self._open_project.is_changed_outside(path) and not self.dialogs.overwrite_changed(path.name):
-            return False
-        return self._save_to(path)
+        changed = self._open_project.is_changed_outside(path)
+        answer = self.dialogs.overwrite_changed(path.name) if changed else Changed.REPLACE
+        if answer is Changed.SAVE_AS:
+            return self.save_as(next_version(path).name)
+        return answer is Changed.REPLACE and self._save_to(path)
 
     def save_increment(self) -> bool:
         """Save as the next version beside the old one; false if it is not saved after that."""
         path = self._open_project.path
         return self._save_to(next_version(path)) if path else self.save_as()
 
-    def recover(self, work: RecoveredWork, file: Path) -> None:
-        """Open unsaved work again; what was put aside goes once it is there."""
-        if self.may_leave():
-            self.loading.cancel()
-            self._try(partial(_bring_back, self._open_project, work, file))
+    def recover(self, work: RecoveredWork) -> bool:
+        """Open unsaved work again; false if what is open is not to be left."""
+        if not self.may_leave():
+            return False
+        self.loading.cancel()
+        return self._try(partial(self._open_project.recover, work))
 
     def put_away(self) -> None:
         """Leave the project to others."""
         self._lock.release()
 
-    def save_as(self) -> bool:
-        """Ask where to save."""
-        suggested = self._open_project.path.name if self._open_project.path else self.project_name + PROJECT_SUFFIX
-        path = self.dialogs.project_to_save(suggested)
-        return self._save_to(path) if path else False
+    def save_as(self, suggested: str = "") -> bool:
+        """Ask where to save; without a suggestion the project's own name is one."""
+        path = self._open_project.path
+        own = path.name if path else self.project_name + PROJECT_SUFFIX
+        chosen = self.dialogs.project_to_save(suggested or own)
+        return self._save_to(chosen) if chosen else False
 
     def import_folder(self) -> None:
         """Bring in a folder of cels as a layer."""
@@ -166,7 +168,8 @@ class ProjectActions(QObject):
 
     def export_timesheet(self) -> None:
         """Ask where to write the timesheet."""
-        if path := self.dialogs.timesheet_to_save(f"{self.project_name}.xdts"):
+        name = output_name(self._open_project.bridge.document, self.project_name)
+        if path := self.dialogs.timesheet_to_save(f"{name}.xdts"):
             self._try(lambda: self._open_project.write_timesheet(path, self.project_name))
 
     def bring(self, paths: Iterable[Path]) -> None:
@@ -237,11 +240,6 @@ def _nothing_in(paths: Sequence[Path]) -> str:
         "ProjectActions", "%1: neither a project, a folder of cels, a set nor a picture that can be read"
     )
     return words.replace("%1", names)
-
-
-def _bring_back(open_project: OpenProject, work: RecoveredWork, file: Path) -> None:
-    open_project.recover(work)
-    forget(file)
 
 
 def _load_of(

@@ -24,6 +24,14 @@ class Answer(Enum):
     CANCEL = auto()
 
 
+class Changed(Enum):
+    """What to do about a file that others wrote since it was read."""
+
+    SAVE_AS = auto()
+    REPLACE = auto()
+    CANCEL = auto()
+
+
 class Dialogs:
     """Asks with the system's own dialogs and remembers the folders used.
 
@@ -138,11 +146,18 @@ class Dialogs:
             QCoreApplication.translate("Dialogs", "Open Anyway"),
         )
 
-    def overwrite_changed(self, name: str) -> bool:
-        """Ask whether to save over a project that others changed since it was opened."""
-        question = QCoreApplication.translate("Dialogs", "“%1” was changed outside this window. Save over it?")
-        note = QCoreApplication.translate("Dialogs", "What was changed there is kept only as its backup copy (NAME~).")
-        return self._agrees(question.replace("%1", name), note, QCoreApplication.translate("Dialogs", "Save Anyway"))
+    def overwrite_changed(self, name: str) -> Changed:
+        """Ask where to save what would go over a project that others changed since it was opened."""
+        question = QCoreApplication.translate("Dialogs", "“%1” was changed outside this window. Replace it?")
+        note = QCoreApplication.translate("Dialogs", "What was changed there would be kept only as its backup (%1~).")
+        box, buttons = self._box(question.replace("%1", name), note.replace("%1", name)), QMessageBox.StandardButton
+        box.setStandardButtons(buttons.Save | buttons.Yes | buttons.Cancel)
+        box.setDefaultButton(buttons.Save)
+        box.button(buttons.Save).setText(QCoreApplication.translate("Dialogs", "Save As…"))
+        box.button(buttons.Yes).setText(QCoreApplication.translate("Dialogs", "Replace"))
+        box.button(buttons.Cancel).setText(QCoreApplication.translate("Dialogs", "Cancel"))
+        answers = {buttons.Save.value: Changed.SAVE_AS, buttons.Yes.value: Changed.REPLACE}
+        return answers.get(box.exec(), Changed.CANCEL)
 
     def _whole(self, chosen: str, suffix: str) -> str:
         """Return a chosen name with its suffix, or nothing; the system asked only about the name as typed."""

@@ -3,7 +3,7 @@
 What takes time comes as a ``Load``: read beside the window, then put in place at once.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -20,19 +20,21 @@ from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.importing.staging import Brought, CharacterSource, Imported, brought, exposed, new_document, put_in
 from kagezou.importing.timesheet_on_document import sheet_of
 from kagezou.io.images.cel_cache import CelCache
-from kagezou.io.images.reading import Cel
 from kagezou.io.project import file as project_file
+from kagezou.io.project.file_state import FileState, state_of
 from kagezou.io.project.recovery_file import RecoveredWork
+from kagezou.io.project.savable import Savable
 from kagezou.io.sets.cameras import cameras_of
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts_writing import write_xdts
 from kagezou.message import Message
-from kagezou.picture_source import PictureSource
+from kagezou.scene.stances import forget_stances
 from kagezou.session.session import Session
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
 from kagezou.ui.project.load import AnyLoad, Load
+from kagezou.ui.project.reading_ahead import played_backgrounds, played_drawings, read_ahead
 from kagezou.ui.system.bridge import Bridge
 
 BLANK_SIZE_PX = (1920, 1080)
@@ -54,14 +56,19 @@ class OpenProject(QObject):
         super().__init__()
         self.cels = CelCache()
         self.meshes = MeshCache()
-        self.bridge = Bridge(Session(blank_document()))
+        self.bridge = Bridge(_session(blank_document()))
         self._path: Path | None = None
-        self._seen = ""
+        self._seen: FileState | None = None
 
     @property
     def path(self) -> Path | None:
         """Where the project was opened from or saved to."""
         return self._path
+
+    @property
+    def seen(self) -> FileState | None:
+        """What its file was like when it was opened or last saved; None while it has none."""
+        return self._seen
 
     @property
     def is_blank(self) -> bool:
@@ -75,7 +82,7 @@ class OpenProject(QObject):
 
     def clear(self) -> None:
         """Begin with nothing."""
-        self._put(Session(blank_document()), None)
+        self._put(_session(blank_document()), None)
 
     def new(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
         """Begin a project with characters; it has no file yet and counts as unsaved."""
@@ -90,36 +97,30 @@ class OpenProject(QObject):
     def open(self, path: Path) -> AnyLoad:
         """Open a project file."""
 
-        def read(progress: Progress) -> tuple[Document, str]:
+        def read(progress: Progress) -> tuple[Session, FileState | None]:
             progress(LoadPhase.FINDING, 0, 0)
-            seen, document = project_file.fingerprint(path), project_file.load(path)
+            seen, document = state_of(path), project_file.load(path)
             _read_first(document, self.cels, self.meshes, progress)
-            return document, seen
+            return _session(document), seen
 
-        def put(found: tuple[Document, str]) -> None:
-            self._put(Session(found[0]), path)
-            self._seen = found[1]
+        def put(found: tuple[Session, FileState | None]) -> None:
+            self._put(found[0], path, found[1])
 
         return Load(path.name, read, put, replaces=True)
 
     def recover(self, work: RecoveredWork) -> None:
         """Put unsaved work back as it was put aside; it counts as unsaved."""
-        session = Session(blank_document())
-        session.edit(self.tr("Recover unsaved work"), work.document)
-        self._put(session, work.path)
-        self._seen = project_file.fingerprint(work.path) if work.path else ""
+        self._put(_unsaved(self.tr("Recover unsaved work"), work.document), work.path, work.seen)
 
     def is_changed_outside(self, path: Path) -> bool:
         """Whether saving to ``path`` would undo what others saved there since it was opened."""
-        now = project_file.fingerprint(path)
-        return path == self._path and now not in ("", self._seen)
+        return path == self._path and state_of(path) not in (None, self._seen)
 
     def save(self, path: Path) -> None:
         """Write the project; a name without suffix gets one."""
         whole = path if path.suffix.lower() == PROJECT_SUFFIX else path.with_name(path.name + PROJECT_SUFFIX)
         session = self.bridge.session
-        project_file.save(session.document, whole)
-        self._seen = project_file.fingerprint(whole)
+        self._seen = project_file.save(session.document, whole)
         self._path = whole
         session.mark_saved()
         self.path_changed.emit()
@@ -207,7 +208,7 @@ class OpenProject(QObject):
         def read(progress: Progress) -> None:
             document, cels = self.bridge.document, self.cels
             behind = [partial(cels.background, source) for source in played_backgrounds(document)]
-            _read_ahead([*behind, *(partial(cels.cel, source) for source in played_drawings(document))], cels, progress)
+            read_ahead([*behind, *(partial(cels.cel, source) for source in played_drawings(document))], cels, progress)
 
         return Load(self.tr("the work area"), read, lambda _nothing: None, gives_way=True)
 
@@ -218,9 +219,7 @@ class OpenProject(QObject):
 
     def _begin(self, step: str, imported: Imported) -> None:
         """Open a new project, which has no file yet."""
-        session = Session(blank_document())
-        session.edit(step, imported.document)
-        self._put(session, None)
+        self._put(_unsaved(step, imported.document), None)
         self._tell(imported)
 
     def _edit(self, step: str, imported: Imported) -> None:
@@ -234,10 +233,22 @@ class OpenProject(QObject):
             self.noted.emit(note)
         self.imported.emit(imported.layer_ids)
 
-    def _put(self, session: Session, path: Path | None) -> None:
-        self._path = path
+    def _put(self, session: Session, path: Path | None, seen: FileState | None = None) -> None:
+        self._path, self._seen = path, seen
+        forget_stances()
         self.bridge.open(session)
         self.path_changed.emit()
+
+
+def _session(document: Document) -> Session:
+    """Return a session in which nothing is done that could not be saved."""
+    return Session(document, Savable(document).admit)
+
+
+def _unsaved(step: str, document: Document) -> Session:
+    session = _session(blank_document())
+    session.edit(step, document)
+    return session
 
 
 def _first_seen(project: OpenProject, imported: Imported, progress: Progress) -> Imported:
@@ -262,35 +273,9 @@ def _read_first(document: Document, cels: CelCache, meshes: MeshCache, progress:
             continue
 
 
-def _read_ahead(reads: Sequence[Callable[[], Cel]], cels: CelCache, progress: Progress) -> None:
-    """Decode pictures until memory holds as many as it is meant to."""
-    for index, read in enumerate(reads):
-        progress(LoadPhase.READING, index, len(reads))
-        try:
-            size = read().nbytes
-        except Problem:
-            continue
-        if cels.nbytes + size > cels.limit_bytes:
-            break
-
-
 def _names(sources: tuple[CharacterSource, ...]) -> str:
     first = sources[0].path.name if sources else ""
     return f"{first}, …" if len(sources) > 1 else first
-
-
-def played_drawings(document: Document) -> tuple[PictureSource, ...]:
-    """Return the drawings of the work area, each once, in the order in which they are seen."""
-    first, last = document.played
-    seen = (layer.cels.drawing_at(frame) for frame in range(first, last + 1) for layer in document.layers)
-    return tuple(dict.fromkeys(drawing.source for drawing in seen if drawing is not None))
-
-
-def played_backgrounds(document: Document) -> tuple[PictureSource, ...]:
-    """Return the pictures of the background in the work area, each once, in the order in which they are seen."""
-    first, last = document.played
-    seen = (document.behind.drawing_at(frame) for frame in range(first, last + 1))
-    return tuple(dict.fromkeys(drawing.source for drawing in seen if drawing is not None))
 
 
 def blank_document() -> Document:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from kagezou.errors import Problem
 from kagezou.io.project.recovery_file import RecoveredWork, forget, read_recovery_file
+from kagezou.ui.project.keepsakes import is_abandoned
 from kagezou.ui.system.words import translated
 
 _FILE = Qt.ItemDataRole.UserRole
@@ -52,7 +53,7 @@ class RecoveryDialog(QDialog):
         self.recover_button = self._button(self.tr("Recover"), self._recover)
         self.recover_button.setDefault(True)
         self.discard_button = self._button(self.tr("Discard"), self._discard)
-        self._lay_out(files)
+        self._lay_out()
         for file in files:
             self._add(file)
         self.list.itemSelectionChanged.connect(self._show_choice)
@@ -60,13 +61,11 @@ class RecoveryDialog(QDialog):
         self.list.setCurrentRow(0)
         self._show_choice()
 
-    def _lay_out(self, files: tuple[Path, ...]) -> None:
+    def _lay_out(self) -> None:
         words = QLabel(self.tr("Kagezou did not end as it should. This work was put aside and never saved:"))
         words.setWordWrap(True)
         buttons = QHBoxLayout()
-        folder = files[0].parent
-        show = self._button(self.tr("Show Folder"), lambda: QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))))
-        buttons.addWidget(show)
+        buttons.addWidget(self._button(self.tr("Show Folder"), self._show_folder))
         buttons.addStretch(1)
         buttons.addWidget(self.discard_button)
         buttons.addWidget(self._button(self.tr("Later"), self.reject))
@@ -98,7 +97,12 @@ class RecoveryDialog(QDialog):
             when = QLocale().toString(QDateTime.fromSecsSinceEpoch(work.kept_at_s), QLocale.FormatType.ShortFormat)
             where = str(work.path) if work.path else self.tr("never saved")
             steps = self.tr("%n step(s)", "", work.edits)
-            item.setText(f"{work.name}\n{when}   ·   {steps}\n{where}")
+            lines = [work.name, f"{when}   ·   {steps}", where]
+            if work.is_behind:
+                lines.append(
+                    self.tr("The project was saved after this work began from it; nothing replaces it unasked.")
+                )
+            item.setText("\n".join(lines))
             item.setToolTip(where)
         self.list.addItem(item)
 
@@ -112,19 +116,35 @@ class RecoveryDialog(QDialog):
 
     def _recover(self) -> None:
         file = self._chosen()
-        if file in self._work and file is not None:
+        if file in self._work and file is not None and self._is_free(file):
             self.recovered.emit(self._work[file], file)
             self.accept()
 
     def _discard(self) -> None:
         file = self._chosen()
-        if file is None:
+        if file is None or not self._is_free(file):
             return
         try:
             forget(file)
         except Problem as problem:
             self.failed.emit(translated(problem))
             return
+        self._take_away()
+
+    def _is_free(self, file: Path) -> bool:
+        """Whether no other window took this work since it was listed; one that did is said and no longer listed."""
+        if is_abandoned(file):
+            return True
+        self.failed.emit(self.tr("Another window has recovered this work already."))
+        self._take_away()
+        return False
+
+    def _take_away(self) -> None:
         self.list.takeItem(self.list.currentRow())
         if not self.list.count():
             self.accept()
+
+    def _show_folder(self) -> None:
+        file = self._chosen()
+        if file is not None:
+            QDesktopServices.openUrl(QUrl.fromLocalFile(str(file.parent)))

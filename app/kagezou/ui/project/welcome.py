@@ -22,6 +22,7 @@ from kagezou.ui.project.recent_pictures import ProjectPictures
 from kagezou.ui.project.welcome_cards import RecentCard, StyleCard
 from kagezou.ui.system.icons import application_icon, icon
 from kagezou.ui.system.words import named
+from kagezou.ui.widgets.retiring import retire
 
 _LETTERS_WIDE = 118
 _MOST_RECENT = 5
@@ -70,10 +71,8 @@ class Welcome(QScrollArea):
         """List the projects of before that are still there."""
         there = [path for path in projects if path.is_file()][:_MOST_RECENT]
         if [card.path for card in self.cards] != there or not there:
-            while (item := self._recent.takeAt(0)) is not None:
-                if (old := item.widget()) is not None:
-                    old.hide()
-                    old.deleteLater()
+            items = iter(lambda: self._recent.takeAt(0), None)
+            retire([old for item in items if (old := item.widget()) is not None])
             self.cards = [RecentCard(path) for path in there]
             for card in self.cards:
                 card.clicked.connect(lambda _checked, path=card.path: self.recent_asked.emit(path))

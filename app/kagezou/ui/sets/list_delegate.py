@@ -52,7 +52,7 @@ class SetDelegate(EyeDelegate):
         if width > room.width() // 2:
             beside, width = "", 0
         painter.setPen(tone)
-        words = metrics.elidedText(name, Qt.TextElideMode.ElideRight, room.width() - width)
+        words = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room.width() - width)
         painter.drawText(room, flag | Qt.AlignmentFlag.AlignLeft, words)
         painter.setPen(DIM)
         painter.drawText(room, flag | Qt.AlignmentFlag.AlignRight, beside)

@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal
 
+from kagezou.document.frame_numbers import at_shown_number
 from kagezou.document.model import Document
 from kagezou.document.set_pieces import stood_up_notes
 from kagezou.importing.lighting import turning_note
@@ -44,7 +45,7 @@ class StandingNotes(QObject):
         for note in heavy_notes(before, document):
             self.noted.emit(note)
         for misfit in new_misfits(self._known, found):
-            self.noted.emit(misfit.message)
+            self.noted.emit(at_shown_number(misfit.message, document.canvas))
         if (turning := turning_note(before, document)) is not None:
             self.noted.emit(turning)
         self._document, self._known = document, found

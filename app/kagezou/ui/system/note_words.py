@@ -1,6 +1,7 @@
 """The words of notes: where they are pinned, and what is said."""
 
 from kagezou.document.address import Address
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.model import Document
 from kagezou.document.note import Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
@@ -11,7 +12,7 @@ def note_heading(note: Note, document: Document) -> str:
     """Return where a note is pinned, and who wrote it."""
     prop = (OF_DOCUMENT if note.layer_id is None else OF_LAYER)[note.property]
     author = f" — {note.author}" if note.author else ""
-    return f"{note.frame}   {owner_words(document, Address(prop, note.layer_id))}{author}"
+    return f"{number_of(document.canvas, note.frame)}   {owner_words(document, Address(prop, note.layer_id))}{author}"
 
 
 def note_words(note: Note) -> str:

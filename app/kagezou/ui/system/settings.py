@@ -1,9 +1,11 @@
 """What the window remembers between two runs; everything has a default, so that a lost file costs nothing."""
 
+import getpass
+import os
 from pathlib import Path
 
 from platformdirs import user_cache_path, user_config_path, user_state_path
-from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtCore import QByteArray, QDir, QSettings
 
 MAX_RECENT = 8
 
@@ -21,6 +23,8 @@ class Settings:
         Where unsaved work is put aside; by default in the folder of the user's own state.
     picture_folder
         Where pictures of projects are kept; by default the user's own cache.
+    spare_recovery_folder
+        Where unsaved work is put aside while its own folder takes none; by default among the temporary files.
     """
 
     def __init__(
@@ -29,17 +33,24 @@ class Settings:
         style_folder: Path | None = None,
         recovery_folder: Path | None = None,
         picture_folder: Path | None = None,
+        spare_recovery_folder: Path | None = None,
     ) -> None:
         self._store = store or QSettings("Kagezou", "Kagezou")
         self._style_folder = style_folder or user_config_path("kagezou", appauthor=False) / "styles"
         self._picture_folder = picture_folder or user_cache_path("kagezou", appauthor=False) / "projects"
 
         self._recovery_folder = recovery_folder or user_state_path("kagezou", appauthor=False) / "unsaved"
+        self._spare_recovery_folder = spare_recovery_folder or Path(QDir.tempPath()) / f"kagezou-unsaved-{_user()}"
 
     @property
     def recovery_folder(self) -> Path:
         """Where unsaved work is put aside."""
         return self._recovery_folder
+
+    @property
+    def spare_recovery_folder(self) -> Path:
+        """Where unsaved work is put aside while its own folder takes none."""
+        return self._spare_recovery_folder
 
     @property
     def style_folder(self) -> Path:
@@ -83,8 +94,16 @@ class Settings:
         self._store.remove("recent")
 
     def folder(self, purpose: str) -> str:
-        """Return the folder last used for a purpose, empty if none."""
-        return str(self._store.value(f"folders/{purpose}", ""))
+        """Return the folder to begin in for a purpose: the settled one, else the one last used, else empty."""
+        return self.settled_folder(purpose) or str(self._store.value(f"folders/{purpose}", ""))
+
+    def settled_folder(self, purpose: str) -> str:
+        """Return the folder in which to begin always for a purpose, empty if none."""
+        return str(self._store.value(f"settled folders/{purpose}", ""))
+
+    def settle_folder(self, purpose: str, folder: str) -> None:
+        """Begin always in a folder for a purpose; with an empty one in the last used."""
+        self._store.setValue(f"settled folders/{purpose}", folder)
 
     def remember_folder(self, purpose: str, folder: Path) -> None:
         """Keep the folder used for a purpose."""
@@ -114,3 +133,8 @@ class Settings:
     def set_layout(self, name: str, layout: QByteArray) -> None:
         """Remember a window's layout."""
         self._store.setValue(f"layout/{name}", layout)
+
+
+def _user() -> str:
+    """Return what tells the user from others who share the folder for temporary files."""
+    return str(os.getuid()) if hasattr(os, "getuid") else getpass.getuser()

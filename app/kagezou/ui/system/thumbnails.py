@@ -1,5 +1,7 @@
 """Small pictures of drawings, decoded beside the window's own thread and kept."""
 
+from collections import OrderedDict
+
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QImage
@@ -10,6 +12,8 @@ from kagezou.ui.system.background import Queue
 
 SIDE_PX = 96
 """Twice what is shown, for screens with small pixels."""
+BUDGET_BYTES = 32 << 20
+"""What all pictures may take together: some thousand times what a list shows at once."""
 
 
 class Thumbnails(QObject):
@@ -19,16 +23,31 @@ class Thumbnails(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self._kept: dict[PictureSource, QImage | None] = {}
+        self._kept: OrderedDict[PictureSource, QImage] = OrderedDict()
+        self._coming: set[PictureSource] = set()
         # The viewport says what is wrong with a file; the list shows its empty frame.
         self._background = Queue[tuple[PictureSource, QImage]](self._keep)
 
+    @property
+    def kept(self) -> set[PictureSource]:
+        """What is there."""
+        return set(self._kept)
+
+    @property
+    def nbytes(self) -> int:
+        """The memory it takes."""
+        return sum(image.sizeInBytes() for image in self._kept.values())
+
     def image(self, source: PictureSource) -> QImage | None:
         """Return the opaque part of a drawing; None while it is made and where the file cannot be read."""
-        if source not in self._kept:
-            self._kept[source] = None
+        image = self._kept.get(source)
+        if image is not None:
+            self._kept.move_to_end(source)
+        elif source not in self._coming:
+            # One that cannot be read stays among those that come: it is not tried again each time it is looked for.
+            self._coming.add(source)
             self._background.ask(lambda turn: turn.tell((source, _thumbnail(source))))
-        return self._kept[source]
+        return image
 
     def finish(self) -> None:
         """Make no more, before the window goes."""
@@ -38,6 +57,9 @@ class Thumbnails(QObject):
     def _keep(self, made: tuple[PictureSource, QImage]) -> None:
         source, image = made
         self._kept[source] = image
+        self._coming.discard(source)
+        while self.nbytes > BUDGET_BYTES and len(self._kept) > 1:
+            self._kept.popitem(last=False)
         self.ready.emit()
 
 

@@ -4,7 +4,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
 
-from kagezou.animation.timecode import parse_frame, sheet_text
+from kagezou.animation.timecode import parse_frame, rate_text, sheet_text
+from kagezou.document.frame_numbers import number_of
 from kagezou.errors import UsageProblem
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.icons import icon_size
@@ -26,6 +27,7 @@ class FrameField(QLineEdit):
         self.editingFinished.connect(self._accept)
         bridge.frame_changed.connect(self._show)
         bridge.session_replaced.connect(self._show)
+        bridge.document_changed.connect(self._follow)
         self._show()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -36,9 +38,9 @@ class FrameField(QLineEdit):
         super().keyPressEvent(event)
 
     def _accept(self) -> None:
-        rate = self._bridge.document.canvas.frame_rate
+        canvas = self._bridge.document.canvas
         try:
-            frame = parse_frame(self.text(), self._bridge.frame, rate)
+            frame = parse_frame(self.text(), self._bridge.frame, canvas.frame_rate, canvas.first_frame)
         except UsageProblem as problem:
             self.setToolTip(translated(problem))
             frame = self._bridge.frame
@@ -47,12 +49,17 @@ class FrameField(QLineEdit):
         if self.hasFocus():
             self.clearFocus()
 
+    def _follow(self) -> None:
+        """Show the number that the frame bears now; what is being typed stays."""
+        if not self.isModified():
+            self._show()
+
     def _show(self) -> None:
-        self.setText(str(self._bridge.frame))
+        self.setText(str(number_of(self._bridge.document.canvas, self._bridge.frame)))
 
 
 class Transport(QWidget):
-    """Playback buttons, frame field, length and the rate that is really reached."""
+    """Playback buttons, frame field, length, and ``rate``: the one that is really reached; a click asks for another."""
 
     def __init__(self, bridge: Bridge, player: Player, actions: list[QAction | None]) -> None:
         super().__init__()
@@ -62,16 +69,19 @@ class Transport(QWidget):
         self._player = player
         self.frame_field = FrameField(bridge)
         self._position = QLabel()
-        self._rate = QLabel()
-        self._rate.setAccessibleName(self.tr("Frames a second"))
-        self._rate.setMinimumWidth(self.fontMetrics().horizontalAdvance("000.0 / 000.00 fps ") + 8)
-        self._rate.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.rate = QToolButton()
+        self.rate.setAccessibleName(self.tr("Frames a second"))
+        self.rate.setToolTip(self.tr("Frames a second; a click opens the settings of the cut"))
+        self.rate.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.rate.setMinimumWidth(self.fontMetrics().horizontalAdvance("000.0 / 000.00 fps ") + 8)
         self._lay_out(actions)
         bridge.frame_changed.connect(self._show_position)
         bridge.document_changed.connect(self._show_position)
         bridge.session_replaced.connect(self._show_rate_wanted)
         player.rate_measured.connect(self._show_rate)
         player.playing_changed.connect(self._show_rate_wanted)
+        bridge.document_changed.connect(self._show_new_rate)
+        self._shown_rate = bridge.document.canvas.frame_rate
         self._show_position()
         self._show_rate_wanted()
 
@@ -94,26 +104,33 @@ class Transport(QWidget):
             else:
                 row.addWidget(_button(action))
         row.addStretch(1)
-        row.addWidget(self._rate)
+        row.addWidget(self.rate)
 
     def _show_position(self) -> None:
         canvas = self._bridge.document.canvas
         here = sheet_text(self._bridge.frame, canvas.frame_rate)
         whole = sheet_text(canvas.length_frames, canvas.frame_rate)
-        self._position.setText(f"/ {canvas.length_frames}    {here} / {whole}")
+        last = number_of(canvas, canvas.length_frames)
+        self._position.setText(f"/ {last}    {here} / {whole}")
+
+    def _show_new_rate(self) -> None:
+        rate = self._bridge.document.canvas.frame_rate
+        if rate != self._shown_rate:
+            self._shown_rate = rate
+            self._show_rate_wanted()
 
     def _show_rate_wanted(self) -> None:
-        self._rate.setText(f"{self._wanted} fps")
+        self.rate.setText(f"{self._wanted} fps")
 
     def _show_rate(self, frames_per_second: float) -> None:
         kept = frames_per_second >= 0.97 * float(self._bridge.document.canvas.frame_rate)
         # The word says it too: colour alone does not reach everyone.
         note = "" if kept else " " + self.tr("(slow)")
-        self._rate.setText(f"{frames_per_second:.1f} / {self._wanted} fps{note}")
+        self.rate.setText(f"{frames_per_second:.1f} / {self._wanted} fps{note}")
 
     @property
     def _wanted(self) -> str:
-        return f"{float(self._bridge.document.canvas.frame_rate):.5g}"
+        return rate_text(self._bridge.document.canvas.frame_rate)
 
 
 def _button(action: QAction) -> QToolButton:

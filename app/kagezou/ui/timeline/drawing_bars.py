@@ -76,7 +76,7 @@ def paint_bars(painter: QPainter, layer: Layer, bars: list[Bar], band: QRectF, c
         if room > metrics.horizontalAdvance("0"):
             painter.setPen(TEXT)
             name = layer.cels.drawings[bar.drawing].name
-            shown = metrics.elidedText(name, Qt.TextElideMode.ElideRight, int(room))
+            shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, int(room))
             place = QRectF(max(bar.left, 0) + 5, area.top(), room, area.height())
             painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, shown if shown != "…" else "")
 

@@ -5,10 +5,12 @@ from PySide6.QtGui import QMouseEvent
 
 from kagezou.animation.timecode import sheet_text
 from kagezou.document.exposure_edits import Exposures, with_exposures
+from kagezou.document.frame_numbers import number_of
 from kagezou.session.session import Gesture
 from kagezou.tools.timeline.drawing_drag import BarPart, DrawingDrag, DrawingGrip, dragging_drawings, grip_on
 from kagezou.tools.timeline.lane_pointer import LanePointer
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.words import translated
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, Bar, bars_of, part_at
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 from kagezou.ui.timeline.row_list import RowList
@@ -17,6 +19,7 @@ from kagezou.ui.timeline.time_scale import TimeScale
 
 _DRAG_PX = 4.0
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
+_ALT = Qt.KeyboardModifier.AltModifier
 _CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
@@ -124,11 +127,14 @@ class DrawingController(QObject):
         start = max(cels.exposures[bar.index].frame, 1)
         end = self._scale.length + 1 if bar.is_last else cels.exposures[bar.index + 1].frame
         name = self.tr("empty") if bar.drawing is None else cels.drawings[bar.drawing].name
-        words = self.tr("%1: frames %2 to %3, held %4").replace("%1", name).replace("%2", str(start))
+        words = self.tr("%1: frames %2 to %3, held %4").replace("%1", name)
+        canvas = self._bridge.document.canvas
+        words = words.replace("%2", str(number_of(canvas, start)))
         hint = self.tr(
-            "Drag an end to hold it longer or shorter (Shift: what follows moves along), the middle to move it"
+            "Drag an end to hold it longer or shorter (Shift: what follows moves along; Alt or A: over its "
+            "neighbours), the middle to move it"
         )
-        return words.replace("%3", str(end - 1)).replace("%4", str(end - start)) + f"\n{hint}"
+        return words.replace("%3", str(number_of(canvas, end - 1))).replace("%4", str(end - start)) + f"\n{hint}"
 
     def _go_on(self, grip: DrawingGrip, event: QMouseEvent) -> None:
         if self._gesture is None or self._drag is None:
@@ -136,11 +142,20 @@ class DrawingController(QObject):
             self._gesture = self._bridge.session.begin(self.tr("Move drawing") if moves else self.tr("Hold drawing"))
             self._drag = dragging_drawings(self._gesture.start, grip)
             self._drag.send(LanePointer(self._pressed.x(), self._scale.cell_px))
-        catches, ripples = not event.modifiers() & _CONTROL, bool(event.modifiers() & _SHIFT)
-        shown = self._drag.send(LanePointer(self.place.x(), self._scale.cell_px, catches=catches, ripples=ripples))
+        keys = event.modifiers()
+        pointer = LanePointer(
+            self.place.x(),
+            self._scale.cell_px,
+            catches=not keys & _CONTROL,
+            ripples=bool(keys & _SHIFT),
+            goes_over=bool(keys & _ALT),
+        )
+        shown = self._drag.send(pointer)
         self._gesture.show(shown.document)
         self._exposures, self.caught_by = shown.exposures, shown.caught_by
         self.said = self._words(grip, shown.frame, grip.edge)
+        if shown.note is not None:
+            self.said += f"   {translated(shown.note)}"
         if grip.part is not BarPart.END:
             first = max(shown.frame, 1)
             self.choice.choose(grip.layer_id, first, first + grip.exposures[grip.last].frame - grip.frame)
@@ -150,7 +165,8 @@ class DrawingController(QObject):
         if grip.part is BarPart.END:
             held = max(frame - max(grip.exposures[grip.index].frame, 1), 1)
             return self.tr("held %1").replace("%1", f"{held}  ({frame - before:+d})")
-        return f"{frame}  ({frame - before:+d})   {sheet_text(frame, self._bridge.document.canvas.frame_rate)}"
+        canvas = self._bridge.document.canvas
+        return f"{number_of(canvas, frame)}  ({frame - before:+d})   {sheet_text(frame, canvas.frame_rate)}"
 
     def _let_go(self) -> None:
         if self._drag is not None:

@@ -6,12 +6,14 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPointingDevice, QWheelEvent
 
 from kagezou.animation.timecode import sheet_text
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.key_edits import Refs
 from kagezou.session.session import Gesture
 from kagezou.tools.timeline.key_drag import KeyDrag, KeyGrip, dragging_keys
 from kagezou.tools.timeline.lane_pointer import LanePointer
 from kagezou.tools.timeline.snapping import snap_frames
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.words import translated
 from kagezou.ui.timeline.key_finder import HIT_PX, KeyFinder
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.time_scale import TimeScale
@@ -186,8 +188,11 @@ class KeyController(QObject):
         shown = self._drag.send(self._pointer(self.place, catches=catches))
         self._gesture.show(shown.document, shown.refs)
         self.caught_by, frame = shown.caught_by, shown.frame
-        rate = self._gesture.start.canvas.frame_rate
-        self.said = f"{frame}  ({frame - grip.frame:+d})   {sheet_text(frame, rate)}"
+        canvas = self._gesture.start.canvas
+        seconds = sheet_text(frame, canvas.frame_rate)
+        self.said = f"{number_of(canvas, frame)}  ({frame - grip.frame:+d})   {seconds}"
+        if shown.note is not None:
+            self.said += f"   {translated(shown.note)}"
 
     def _pointer(self, place: QPointF, *, catches: bool = True) -> LanePointer:
         return LanePointer(place.x(), self._scale.cell_px, catches=catches)

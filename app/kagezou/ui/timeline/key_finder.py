@@ -3,6 +3,7 @@
 from PySide6.QtCore import QPointF, QRectF
 
 from kagezou.animation.timecode import sheet_text
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.key_edits import Refs
 from kagezou.scene.stances import stances_of
 from kagezou.ui.system.bridge import Bridge
@@ -61,10 +62,10 @@ class KeyFinder:
         row = self.row_at(place)
         if row is not None and row.kind is RowKind.FEET and row.layer_id is not None:
             return self._words_of_feet(row.layer_id, int(self._scale.position_at(place.x())))
-        rate = self._bridge.document.canvas.frame_rate
+        canvas = self._bridge.document.canvas
         if hit := self.keys_at(place):
             frame = min(ref.frame for ref in hit)
-            return f"{frame}  ({sheet_text(frame, rate)})"
+            return f"{number_of(canvas, frame)}  ({sheet_text(frame, canvas.frame_rate)})"
         return ""
 
     def _words_of_feet(self, figure_id: str, frame: int) -> str:

@@ -10,6 +10,7 @@ from kagezou.document.key_edits import KeyRef
 from kagezou.scene.stances import stances_of
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, OFF, SELECTED, TEXT, WARNING, WELL
+from kagezou.ui.system.window_keys import lies_on_command
 from kagezou.ui.timeline.drawing_bars import SUM_LANE_PX, bars_of, paint_bars
 from kagezou.ui.timeline.drawing_controller import DrawingController
 from kagezou.ui.timeline.feet_lane import feet_over_time, paint_feet
@@ -88,13 +89,11 @@ class Lanes(QWidget):
 
     def event(self, event: QEvent) -> bool:
         # The window's commands on these keys are for the viewport; here they belong to the hand.
-        if (
-            event.type() is QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and (self.controller.wants(event) or self._is_escape_of_drawings(event))
-        ):
-            event.accept()
-            return True
+        if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride:
+            own = self.controller.wants(event) and not lies_on_command(event, self)
+            if own or self._is_escape_of_drawings(event):
+                event.accept()
+                return True
         return super().event(event)
 
     def _is_escape_of_drawings(self, event: QKeyEvent) -> bool:

@@ -134,7 +134,7 @@ class RowNames(QWidget):
                 paint_link_sign(painter, QPointF(left + room + _CHAIN_PX / 2, top + (height - 1) / 2), linked=True)
             room -= self._paint_value(painter, row, top, left, room)
         painter.setPen(BRIGHT if row.is_group else TEXT)
-        name = self.fontMetrics().elidedText(self.name_of(row), Qt.TextElideMode.ElideRight, int(room))
+        name = self.fontMetrics().elidedText(self.name_of(row), Qt.TextElideMode.ElideMiddle, int(room))
         painter.drawText(QRectF(left, top, room, height - 1), Qt.AlignmentFlag.AlignVCenter, name)
         if row.addresses:
             self._paint_navigator(painter, row, top + (height - 1) / 2)

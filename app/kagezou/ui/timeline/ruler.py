@@ -8,6 +8,7 @@ from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from kagezou.animation.timecode import Count, sheet_text
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.model import Document, Marker
 from kagezou.document.note import Note
 from kagezou.document.review import move_marker, set_work_area
@@ -138,11 +139,11 @@ class Ruler(QWidget):
         place = event.position()
         frame = self._scale.frame_at(place.x())
         marker = self.marker_at(place)
-        rate = self._bridge.document.canvas.frame_rate
-        said = [marker.comment] if marker is not None and marker.comment else []
         document = self._bridge.document
+        canvas = document.canvas
+        said = [marker.comment] if marker is not None and marker.comment else []
         said += [f"{note_heading(each, document)}\n{note_words(each)}" for each in self.notes_at(place)]
-        self.setToolTip("\n".join([f"{frame}  ({sheet_text(frame, rate)})", *said]))
+        self.setToolTip("\n".join([f"{number_of(canvas, frame)}  ({sheet_text(frame, canvas.frame_rate)})", *said]))
         if not event.buttons() & Qt.MouseButton.LeftButton:
             ends = self.end_at(place) is not None and marker is None
             self.setCursor(Qt.CursorShape.SizeHorCursor if ends else Qt.CursorShape.PointingHandCursor)
@@ -194,7 +195,7 @@ class Ruler(QWidget):
         painter.fillRect(self.rect(), WELL)
         document, scale = self._bridge.document, self._scale
         paint_area(painter, scale, document, self.height())
-        paint_ticks(painter, scale, self.size(), document.canvas.frame_rate, self.count)
+        paint_ticks(painter, scale, self.size(), document.canvas, self.count)
         self._paint_ready(painter)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for marker in document.markers:

@@ -1,13 +1,12 @@
 """How time looks on the ruler: ticks and labels, the work area, markers with their flags, and the playhead."""
 
-from fractions import Fraction
 from typing import Final
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QPolygonF
 
 from kagezou.animation.timecode import Count, counted, frames_per_second
-from kagezou.document.model import Document, Marker
+from kagezou.document.model import Canvas, Document, Marker
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, TEXT, WARNING
 from kagezou.ui.timeline.time_scale import TimeScale
 
@@ -31,8 +30,9 @@ def paint_area(painter: QPainter, scale: TimeScale, document: Document, height_p
         painter.fillRect(QRectF(x, top - 1, 3, STRIP_PX), _AREA_END if is_set else QColor("#7a7a7a"))
 
 
-def paint_ticks(painter: QPainter, scale: TimeScale, size: QSize, rate: Fraction, count: Count) -> None:
+def paint_ticks(painter: QPainter, scale: TimeScale, size: QSize, canvas: Canvas, count: Count) -> None:
     """Paint ticks as close as they can be told apart, and frames counted in one way as close as they can be read."""
+    rate = canvas.frame_rate
     a_second = frames_per_second(rate)
     label_step, tick_step = _step(scale, _MIN_LABEL_PX), _step(scale, _MIN_TICK_PX)
     text_height, bottom = painter.fontMetrics().height(), size.height() - STRIP_PX
@@ -46,7 +46,7 @@ def paint_ticks(painter: QPainter, scale: TimeScale, size: QSize, rate: Fraction
         painter.drawLine(QLineF(x, top, x, bottom))
         if is_labelled and frame <= scale.length:
             painter.setPen(TEXT if is_second else DIM)
-            painter.drawText(QPointF(x + 4, text_height - 1), counted(frame, rate, count))
+            painter.drawText(QPointF(x + 4, text_height - 1), counted(frame, rate, count, canvas.first_frame))
 
 
 def flag_of(marker: Marker, scale: TimeScale, metrics: QFontMetrics) -> QRectF:

@@ -5,6 +5,7 @@ from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QGridLayout, QInputDialog, QLabel, QMenu, QScrollBar, QSplitter, QVBoxLayout, QWidget
 
 from kagezou.animation.timecode import Count
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.model import Marker
 from kagezou.document.review import remove_marker, set_marker
 from kagezou.ui.system.bridge import Bridge
@@ -95,7 +96,8 @@ class Timeline(QWidget):
             return
         dialog = QInputDialog(self)
         dialog.setWindowTitle(self.tr("Marker"))
-        dialog.setLabelText(self.tr("What happens on frame %1:").replace("%1", str(frame)))
+        number = number_of(self._bridge.document.canvas, frame)
+        dialog.setLabelText(self.tr("What happens on frame %1:").replace("%1", str(number)))
         dialog.setTextValue(marker.comment)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.textValueSelected.connect(lambda words: self._say(frame, words))

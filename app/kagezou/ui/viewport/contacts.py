@@ -5,6 +5,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.geometry.vectors import Point2
+from kagezou.io.images.cel_cache import CelSource
 from kagezou.scene.figure_card import feet_at
 from kagezou.standing.foot import Verdict
 from kagezou.tools.feet import ShownFoot, carries, judged, kept_in_place, shown_foot, unpinned, with_foot_at
@@ -12,6 +13,7 @@ from kagezou.tools.grounding import GROUNDING, add_grounding, remove_grounding
 from kagezou.tools.handle import Handle
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
+from kagezou.ui.viewport.figure_touch import is_on_figure
 
 
 class Contacts(QObject):
@@ -21,21 +23,30 @@ class Contacts(QObject):
     ----------
     bridge
         The session worked in.
+    cels
+        Where the drawings come from: a contact is put on the figure, not beside it.
     """
 
     refused = Signal(str)
 
-    def __init__(self, bridge: Bridge) -> None:
+    def __init__(self, bridge: Bridge, cels: CelSource) -> None:
         super().__init__()
-        self._bridge = bridge
+        self._bridge, self._cels = bridge, cels
 
-    def add(self, canvas_px: Point2) -> bool:
-        """Put a contact on the picture; false without a layer, or where it is refused."""
+    def add(self, canvas_px: Point2, reach_px: float) -> bool:
+        """Put a contact on the figure within reach, canvas px; false without a layer, and where it is refused."""
         bridge, layer_id = self._bridge, self._bridge.layer_id
         if layer_id is None:
             return False
         document = bridge.document
         figure = document.layer(document.layer(layer_id).joins or layer_id)
+        if not is_on_figure(document, figure.id, bridge.frame, canvas_px, reach_px, self._cels):
+            self.refused.emit(
+                QCoreApplication.translate(
+                    "HandleController", "Double-click on the character itself to say where it touches the ground."
+                )
+            )
+            return False
         if feet_at(document, figure, bridge.frame) is not None:
             added = with_foot_at(document, layer_id, bridge.frame, canvas_px)
             return added is not None and self._edit(QCoreApplication.translate("HandleController", "Add foot"), added)

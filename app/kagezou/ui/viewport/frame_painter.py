@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from time import perf_counter
 
 from kagezou.document.model import Document
@@ -69,6 +70,7 @@ class FramePainter:
         self._smaller: dict[int, _Smaller] = {}
         self._evaluated: _Evaluated | None = None
         self._drawn: tuple[Scene, int, Backdrop, PictureView, int] | None = None
+        self._draw_again: Callable[[], None] | None = None
         self.divisor = 1
         self.took_s = 0.0
         self.broken: tuple[Broken, ...] = ()
@@ -114,7 +116,10 @@ class FramePainter:
         self._front = self._renderer if self.divisor == 1 else self._smaller_for(document.canvas.box).renderer
         began_s = perf_counter()
         line_px = -(-line_px // self.divisor)
-        self._front.draw_picture(seen(whole, view), backdrop, line_px=line_px, wireframes=True)
+        self._draw_again = partial(
+            self._front.draw_picture, seen(whole, view), backdrop, line_px=line_px, wireframes=True
+        )
+        self._draw_again()
         self._front.finish()
         self.took_s = perf_counter() - began_s
         self.pictures_drawn += 1
@@ -123,10 +128,12 @@ class FramePainter:
 
     def present(self, view: WindowView) -> None:
         """Place the picture in the window."""
+        self._bring_back()
         self._front.present(replace(view, divisor=self.divisor))
 
     def read_picture(self) -> Steps:
         """Return the picture drawn last, (H, W, 4) straight sRGB; at full resolution as the command line writes it."""
+        self._bring_back()
         return self._front.read_picture()
 
     def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps:
@@ -144,6 +151,11 @@ class FramePainter:
         self._renderer.close()
         for smaller in self._smaller.values():
             smaller.renderer.close()
+
+    def _bring_back(self) -> None:
+        """Draw the picture again where a layer alone was drawn in its place."""
+        if self._drawn is None and self._draw_again is not None and self._front is self._renderer:
+            self._draw_again()
 
     def _scene(self, document: Document, frame: int) -> Scene:
         known, divisor = self._evaluated, self.divisor

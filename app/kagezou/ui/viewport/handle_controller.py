@@ -8,14 +8,12 @@ from kagezou.document.model import Document
 from kagezou.geometry.vectors import Point2
 from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
-from kagezou.tools.feet import ShownFoot
 from kagezou.tools.handle import Handle, HandleSet, hit
 from kagezou.tools.handles import drag_of
 from kagezou.tools.readout import readout
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
-from kagezou.ui.viewport.contacts import Contacts
 from kagezou.ui.viewport.handle_source import HandleSource, Task
 from kagezou.ui.viewport.nudging import Nudging
 from kagezou.ui.viewport.piece_touch import PieceTouch
@@ -65,6 +63,8 @@ class HandleController(QObject):
     """
 
     changed = Signal()
+    chosen = Signal()
+    """Another handle is selected, or none."""
     refused = Signal(str)
     """What was asked for cannot be done, with the sentence that says why."""
     laid_down = Signal()
@@ -77,11 +77,9 @@ class HandleController(QObject):
         self._held: _Held | None = None
         self._nudging = Nudging(bridge, viewpoint)
         self._source = HandleSource(bridge, viewpoint)
-        self.contacts = Contacts(bridge)
-        self.contacts.refused.connect(self.refused)
         self.pieces = PieceTouch(bridge, viewpoint)
         self.hovered_id: str | None = None
-        self.selected_id: str | None = None
+        self._selected_id: str | None = None
         self.place_px: Point2 | None = None
         self.typed = ""
         bridge.session_replaced.connect(self._drop)
@@ -98,6 +96,22 @@ class HandleController(QObject):
         return self._held.handle if self._held else None
 
     @property
+    def selected_id(self) -> str | None:
+        """The handle that keys and commands are about."""
+        return self._selected_id
+
+    def select(self, handle_id: str | None) -> None:
+        """Let keys and commands be about a handle, or none."""
+        before, self._selected_id = self._selected_id, handle_id
+        self.changed.emit()
+        if handle_id != before:
+            self.chosen.emit()
+
+    def under(self, report: PointerReport) -> Handle | None:
+        """Return the handle under the pointer."""
+        return hit(self.handles.handles, self._viewpoint.view, report.view_px, report.reach_px, self._viewpoint.size)
+
+    @property
     def handles(self) -> HandleSet:
         """The handles of the frame."""
         return self._source.handles
@@ -112,8 +126,8 @@ class HandleController(QObject):
         if task is not self._source.task:
             self._let_go(keep=False)
             self._source.task = task
-            self.hovered_id = self.selected_id = None
-            self.changed.emit()
+            self.hovered_id = None
+            self.select(None)
 
     @property
     def words(self) -> str:
@@ -128,7 +142,7 @@ class HandleController(QObject):
         """Look what is under the pointer; None where it has left."""
         before = _touched(self)
         self.place_px = report.view_px if report else None
-        found = _hit(self.handles, self._viewpoint, report) if report else None
+        found = self.under(report) if report else None
         self.hovered_id = found.id if found else None
         self.pieces.hover(None if found or self.task is not Task.SCENE else report)
         if _touched(self) != before:
@@ -137,16 +151,17 @@ class HandleController(QObject):
     def press(self, report: PointerReport) -> bool:
         """Take hold of the handle under the pointer, or of the set piece whose outline it is on; false without any."""
         self.end_nudge()
-        handle = _hit(self.handles, self._viewpoint, report)
+        handle = self.under(report)
         if handle is None:
             handle = self._source.behind(self._viewpoint.view.canvas_from_view(report.view_px))
         if handle is None and self.task is Task.SCENE and self.pieces.choose(report):
             handle = self.handles.find(POSITION)
-        self.selected_id = handle.id if handle else None
+        # Before it is held: the gesture of a drag begins with what is chosen.
+        self.select(handle.id if handle else None)
         if handle is not None:
             self._held = _taken(handle, self._bridge, self._viewpoint, report)
             self.place_px = report.view_px
-        self.changed.emit()
+            self.changed.emit()
         return handle is not None
 
     def move(self, report: PointerReport) -> None:
@@ -168,28 +183,25 @@ class HandleController(QObject):
         self._let_go(keep=True)
 
     def cancel(self) -> bool:
-        """Let go and restore what was; without a drag let go of the selected handle, then of the lines of a match.
+        """Let go and restore what was; without a drag end the task there is, or let go of the selected handle.
 
         False where there was none of it.
         """
         if self._held is not None:
             self._let_go(keep=False)
-            return True
-        if self.selected_id is not None:
-            self.selected_id = None
-            self.changed.emit()
-            return True
-        if self.task is not Task.SCENE:
+        elif self.task is not Task.SCENE:
             self.laid_down.emit()
-            return True
-        return False
+        elif self.selected_id is not None:
+            self.select(None)
+        else:
+            return False
+        return True
 
     def cycle(self, step: int) -> None:
         """Select the next handle in reading order, as Tab does."""
         ids = [handle.id for handle in self.handles.handles]
         if ids:
-            self.selected_id = _neighbour(ids, self.selected_id, step)
-            self.changed.emit()
+            self.select(_neighbour(ids, self.selected_id, step))
 
     def nudge(self, dx: float, dy: float) -> bool:
         """Move the selected handle by canvas px; steps until ``end_nudge`` are one step of history."""
@@ -203,37 +215,6 @@ class HandleController(QObject):
         """Make the nudges so far one step."""
         self._nudging.end()
 
-    def add_point(self, report: PointerReport) -> bool:
-        """Add a contact under the pointer and select it; false without a layer or on a handle."""
-        self.pieces.go_back()
-        if self.task is not Task.SCENE or _hit(self.handles, self._viewpoint, report) is not None:
-            return False
-        self.end_nudge()
-        before = {handle.id for handle in self.handles.handles}
-        if not self.contacts.add(self._viewpoint.view.canvas_from_view(report.view_px)):
-            return False
-        added = [handle.id for handle in self.handles.handles if handle.index is not None and handle.id not in before]
-        self.selected_id = added[-1] if added else None
-        self.changed.emit()
-        return True
-
-    def foot_under(self, report: PointerReport) -> ShownFoot | None:
-        """Return the foot under the pointer, None where there is none or something is held."""
-        handle = None if self.is_busy else _hit(self.handles, self._viewpoint, report)
-        return None if handle is None else self.contacts.foot_of(handle)
-
-    def delete_selected(self) -> bool:
-        """Remove the selected contact; false where none is selected."""
-        handle = self.handles.find(self.selected_id)
-        if handle is None or self._held is not None:
-            return False
-        self.end_nudge()
-        if not self.contacts.remove(handle):
-            return False
-        self.selected_id = self.hovered_id = None
-        self.changed.emit()
-        return True
-
     def _let_go(self, *, keep: bool) -> None:
         held, self._held = self._held, None
         self.typed = ""
@@ -246,13 +227,11 @@ class HandleController(QObject):
         """Forget everything about a session that was put away."""
         self._held = None
         self._nudging.forget()
-        self.hovered_id = self.selected_id = None
-        self.changed.emit()
+        self.hovered_id = None
+        self.select(None)
 
     def _keep_to_what_is_there(self) -> None:
-        if self.handles.find(self.selected_id) is None:
-            self.selected_id = None
-        self.changed.emit()
+        self.select(None if self.handles.find(self.selected_id) is None else self.selected_id)
 
 
 def _touched(hand: HandleController) -> tuple[object, ...]:
@@ -269,11 +248,6 @@ def _taken(handle: Handle, bridge: Bridge, viewpoint: Viewpoint, report: Pointer
     drag = drag_of(handle, gesture.start, bridge.frame, viewpoint.view)
     drag.send(report.pointer(viewpoint.view))
     return _Held(handle, drag, gesture, bridge.frame)
-
-
-def _hit(handles: HandleSet, viewpoint: Viewpoint, report: PointerReport) -> Handle | None:
-    """Return the handle under the pointer."""
-    return hit(handles.handles, viewpoint.view, report.view_px, report.reach_px, viewpoint.size)
 
 
 def _neighbour(ids: list[str], selected: str | None, step: int) -> str:

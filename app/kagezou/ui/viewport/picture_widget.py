@@ -15,9 +15,7 @@ from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
 from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.tools.view import CanvasView
 from kagezou.ui.system.bridge import Bridge
-from kagezou.ui.system.theme import SURROUND
 from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.frame_painter import Broken, FramePainter
 from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
@@ -196,7 +194,7 @@ class PictureWidget(QOpenGLWidget):
         document, view = self._bridge.shown, self._view
         self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
         if not self._is_current and frame_painter.pictures_drawn:
-            frame_painter.present(_window_view(self, self.viewpoint.view))
+            frame_painter.present(_window_view(self, self.viewpoint))
             return
         backdrop = behind(view, self._backdrop, has_background=document.background is not None)
         line = line_px(view, self.viewpoint.view.zoom)
@@ -204,7 +202,7 @@ class PictureWidget(QOpenGLWidget):
         at, before = self.pace.next(moving=is_moving), frame_painter.divisor
         if frame_painter.draw(document, self._bridge.frame, backdrop, view, line, at):
             self.pace.took(frame_painter.divisor, frame_painter.took_s)
-        frame_painter.present(_window_view(self, self.viewpoint.view))
+        frame_painter.present(_window_view(self, self.viewpoint))
         if frame_painter.divisor != before:
             self.divisor_changed.emit(frame_painter.divisor)
         if frame_painter.broken != self._broken:
@@ -232,9 +230,10 @@ class PictureWidget(QOpenGLWidget):
             self.doneCurrent()
 
 
-def _window_view(widget: QOpenGLWidget, view: CanvasView) -> WindowView:
+def _window_view(widget: QOpenGLWidget, viewpoint: Viewpoint) -> WindowView:
     """Return how the picture lies in the framebuffer of a widget."""
     ratio = widget.devicePixelRatioF()
+    view, surround = viewpoint.view, viewpoint.surround
     x, y = view.origin_view_px
     return WindowView(
         framebuffer=widget.defaultFramebufferObject(),
@@ -244,7 +243,7 @@ def _window_view(widget: QOpenGLWidget, view: CanvasView) -> WindowView:
         zoom=view.zoom * ratio,
         # On whole device pixels, so that at 100 % nothing is blurred by half a pixel.
         origin_px=(float(round(x * ratio)), float(round(y * ratio))),
-        surround=(SURROUND.redF(), SURROUND.greenF(), SURROUND.blueF()),
+        surround=(surround.redF(), surround.greenF(), surround.blueF()),
     )
 
 

@@ -1,9 +1,11 @@
 """How the canvas is looked at: zoom and place, fitting, and sizes on screens with small pixels."""
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QColor
 
 from kagezou.geometry.vectors import Point2
 from kagezou.tools.view import CanvasView
+from kagezou.ui.system.theme import SURROUND
 
 ZOOM_STEP = 2.0**0.25
 """One notch of the wheel: four double the size."""
@@ -18,7 +20,8 @@ FIT_MARGIN_PART = 0.08
 class Viewpoint(QObject):
     """The view of one viewport, in logical px; it stays fitted until someone zooms or pans.
 
-    ``percent`` counts device pixels, as artists do: at 100 each pixel of the canvas is one of the screen.
+    ``percent`` counts device pixels, as artists do: at 100 each pixel of the canvas is one of the screen. ``surround``
+    is the colour around the canvas.
     """
 
     changed = Signal()
@@ -26,6 +29,7 @@ class Viewpoint(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.view = CanvasView()
+        self.surround = SURROUND
         self._size: Point2 = (1.0, 1.0)
         self._canvas: Point2 = (1.0, 1.0)
         self._ratio = 1.0
@@ -69,6 +73,12 @@ class Viewpoint(QObject):
         if size_px != self._canvas:
             self._canvas = size_px
             self.fit()
+
+    def show_surround(self, color: QColor) -> None:
+        """Have another colour around the canvas."""
+        if color != self.surround:
+            self.surround = color
+            self.changed.emit()
 
     def fit(self) -> None:
         """Show the whole canvas."""

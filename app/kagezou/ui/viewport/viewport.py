@@ -8,13 +8,14 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.tools.handle import Cursor
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.viewport.contact_touch import ContactTouch
 from kagezou.ui.viewport.foot_menu import open_foot_menu
+from kagezou.ui.viewport.hand_keys import HandKeys
 from kagezou.ui.viewport.handle_controller import HandleController
 from kagezou.ui.viewport.overlay import Overlay
 from kagezou.ui.viewport.pen import PenTaps
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
-from kagezou.ui.viewport.typed_value import LETTERS
 from kagezou.ui.viewport.viewpoint import Viewpoint
 from kagezou.ui.widgets.picking import Picking
 from kagezou.ui.widgets.space_bar import SpaceBar
@@ -25,15 +26,7 @@ _CURSORS = {
     Cursor.VERTICAL: Qt.CursorShape.SizeVerCursor,
     Cursor.ROTATE: Qt.CursorShape.CrossCursor,
 }
-_ARROWS = {
-    Qt.Key.Key_Left: (-1.0, 0.0),
-    Qt.Key.Key_Right: (1.0, 0.0),
-    Qt.Key.Key_Up: (0.0, -1.0),
-    Qt.Key.Key_Down: (0.0, 1.0),
-}
 _TABS: dict[int | None, int] = {Qt.Key.Key_Tab: 1, Qt.Key.Key_Backtab: -1}
-_TYPING = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Backspace)
-NUDGE_PX, LONG_NUDGE_PX = 1.0, 10.0
 
 
 class Viewport(PictureWidget):
@@ -49,8 +42,8 @@ class Viewport(PictureWidget):
         The space bar: held, it turns a drag into panning.
     """
 
-    step_asked = Signal(int)
-    """Left or right arrow without a selected handle: so many frames on."""
+    handle_menu_asked = Signal(object, QPoint)
+    """A right click on a :class:`Handle`, at a place of the screen."""
 
     def __init__(self, bridge: Bridge, cels: CelCache, meshes: MeshCache, space: SpaceBar) -> None:
         super().__init__(bridge, cels, meshes, Viewpoint())
@@ -59,6 +52,8 @@ class Viewport(PictureWidget):
         self._taps = PenTaps()
         self.foot_menu: QMenu | None = None
         self.controller = HandleController(bridge, self.viewpoint)
+        self.keys = HandKeys(self, self.controller)
+        self.contacts = ContactTouch(bridge, self.viewpoint, self.controller, cels)
         self.picking = Picking()
         self.overlay = Overlay(self, self.controller, self.viewpoint, self.picking)
         self.picking.changed.connect(self._show_cursor)
@@ -86,11 +81,7 @@ class Viewport(PictureWidget):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QNativeGestureEvent) and self._pinch(event):
             return True
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() is QEvent.Type.ShortcutOverride
-            and _is_for_the_hand(event, is_busy=self.controller.is_busy)
-        ):
+        if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride and self.keys.wants(event):
             event.accept()
             return True
         # Qt would take Tab for moving the focus; Escape gives the focus back to the window.
@@ -139,7 +130,7 @@ class Viewport(PictureWidget):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         pointing = event.button() is Qt.MouseButton.LeftButton and not self._space.is_held and not self.picking.is_on
-        if not (pointing and self.overlay.shows_handles and self.controller.add_point(report_of(event))):
+        if not (pointing and self.overlay.shows_handles and self.contacts.add(report_of(event))):
             self.mousePressEvent(event)
 
     def tabletEvent(self, event: QTabletEvent) -> None:
@@ -153,7 +144,7 @@ class Viewport(PictureWidget):
             case QEvent.Type.TabletPress if self.picking.is_on:
                 self._pick(report)
             case QEvent.Type.TabletPress:
-                if not (self._taps.is_second_tap(report, event.timestamp()) and self.controller.add_point(report)):
+                if not (self._taps.is_second_tap(report, event.timestamp()) and self.contacts.add(report)):
                     self.controller.press(report)
             case QEvent.Type.TabletMove if self._panned_from is not None:
                 way = event.position() - self._panned_from
@@ -182,27 +173,26 @@ class Viewport(PictureWidget):
         self.controller.hover(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.controller.is_busy and _is_typing(event):
-            _type(self.controller, event)
-        elif event.key() == Qt.Key.Key_Escape:
+        if event.key() == Qt.Key.Key_Escape:
             if not self._cancel():
                 self.clearFocus()
-        elif event.key() in _ARROWS and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            self._arrow(event)
-        else:
+        elif not self.keys.press(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        if event.key() in _ARROWS and not event.isAutoRepeat():
-            self.controller.end_nudge()
-        else:
+        if not self.keys.release(event):
             super().keyReleaseEvent(event)
 
     def _ask_or_cancel(self, report: PointerReport, at: QPoint) -> None:
-        """Open the menu of the foot under the pointer; elsewhere the right button cancels."""
-        foot = self.controller.foot_under(report) if self.overlay.shows_handles else None
-        self.foot_menu = None if foot is None else open_foot_menu(self.controller.contacts, foot, at, self)
-        if foot is None:
+        """Open the menu of the foot or handle under the pointer; elsewhere the right button cancels."""
+        can_ask = self.overlay.shows_handles and not self.controller.is_busy
+        foot = self.contacts.foot_under(report) if can_ask else None
+        handle = self.controller.under(report) if can_ask else None
+        self.foot_menu = None if foot is None else open_foot_menu(self.contacts.contacts, foot, at, self)
+        if foot is None and handle is not None and handle.addresses:
+            self.controller.select(handle.id)
+            self.handle_menu_asked.emit(handle, at)
+        elif foot is None:
             self._cancel()
 
     def _cancel(self) -> bool:
@@ -218,12 +208,6 @@ class Viewport(PictureWidget):
         self.viewpoint.magnify_at((at.x(), at.y()), 1.0 + event.value())
         return True
 
-    def _arrow(self, event: QKeyEvent) -> None:
-        length = LONG_NUDGE_PX if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else NUDGE_PX
-        dx, dy = _ARROWS[Qt.Key(event.key())]
-        if not self.controller.nudge(dx * length, dy * length) and dx:
-            self.step_asked.emit(round(dx * length))
-
     def _show_cursor(self) -> None:
         over = self.controller.held or self.controller.handles.find(self.controller.hovered_id)
         if self._panned_from is not None:
@@ -235,24 +219,3 @@ class Viewport(PictureWidget):
         else:
             on_piece = Qt.CursorShape.SizeAllCursor if self.controller.pieces.hovered_id else Qt.CursorShape.ArrowCursor
             self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
-
-
-def _type(hand: HandleController, event: QKeyEvent) -> None:
-    if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-        hand.release()
-    elif event.key() == Qt.Key.Key_Backspace:
-        hand.type(hand.typed[:-1])
-    else:
-        hand.type(hand.typed + event.text())
-
-
-def _is_typing(event: QKeyEvent) -> bool:
-    return event.key() in _TYPING or (len(event.text()) == 1 and event.text() in LETTERS)
-
-
-def _is_for_the_hand(event: QKeyEvent, *, is_busy: bool) -> bool:
-    """Whether a key nudges, steps or types here, though it may lie on a command of the window."""
-    if is_busy:
-        return _is_typing(event)
-    others = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
-    return event.key() in _ARROWS and not others

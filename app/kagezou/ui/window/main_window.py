@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragLeaveEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
+from kagezou.document.model import Document
 from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.clipboard import Clipboard
@@ -15,8 +16,11 @@ from kagezou.ui.window.docks import Docks
 from kagezou.ui.window.drop_hint import DropHint, drop_words
 from kagezou.ui.window.panel_layout import TabKey
 from kagezou.ui.window.parts import make_parts
+from kagezou.ui.window.wiring.cut import connect_cut
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
+from kagezou.ui.window.wiring.handles import connect_handles
 from kagezou.ui.window.wiring.match import connect_match
+from kagezou.ui.window.wiring.preferences import connect_preferences
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
 from kagezou.ui.window.wiring.review import connect_review
 from kagezou.ui.window.wiring.set_import import connect_set_import
@@ -69,6 +73,7 @@ class MainWindow(QMainWindow):
     ) -> None:
         super().__init__()
         self._may_close_unasked = False
+        self._kept: Document | None = None
         self.parts = make_parts(self, open_project, settings, clipboard, make_demo)
         self.parts.welcome.offer_demo(offered=make_demo is not None)
         self.pages = QStackedWidget()
@@ -78,6 +83,7 @@ class MainWindow(QMainWindow):
         self.show_title()
         self.docks.restore(settings)
         connect_frame(self.parts, self.docks.layout, self)
+        connect_handles(self.parts, self.docks.layout)
         self.review = connect_review(self, self.parts, self.docks.layout)
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()
@@ -127,10 +133,15 @@ class MainWindow(QMainWindow):
         self._may_close_unasked = True
         self.close()
 
+    def close_without_question(self, kept: Document) -> None:
+        """Ask nothing when closed while the document is this one, which is kept where it is found again."""
+        self._kept = kept
+
     def closeEvent(self, event: QCloseEvent) -> None:
         self.parts.time.player.stop()
         self.parts.viewport.controller.cancel()
-        if not self._may_close_unasked and not self.parts.project.may_leave():
+        is_kept = self._kept is self.parts.bridge.document
+        if not self._may_close_unasked and not is_kept and not self.parts.project.may_leave():
             event.ignore()
             return
         self.parts.finish()
@@ -138,7 +149,10 @@ class MainWindow(QMainWindow):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not self.parts.space.press(event):
+        if event.key() == Qt.Key.Key_Escape:
+            # Wherever the keyboard is, Escape ends what the hand was given for a while.
+            self.parts.viewport.controller.laid_down.emit()
+        elif not self.parts.space.press(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
@@ -180,7 +194,7 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages, 1)
         column.addWidget(parts.time.transport)
         self.setCentralWidget(middle)
-        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.sets.bar))
+        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.canvas_offer, parts.sets.bar))
         self.drop_hint = DropHint(middle)
         self.addToolBar(parts.menus.tool_bar())
         self.setStatusBar(parts.status)
@@ -190,6 +204,8 @@ class MainWindow(QMainWindow):
         parts = self.parts
         connect_project(parts, self)
         connect_set(parts, self)
+        connect_cut(parts)
+        connect_preferences(parts, self)
         connect_view(parts, self)
         connect_views(parts)
         connect_resolution(parts)

@@ -149,15 +149,14 @@ class Menus(QObject):
         file.addMenu(self.recent)
         self._fill(file, ["save", "save_as", "save_increment", _SEPARATOR, "import", "import_pictures"])
         self._fill(file, ["import_set", "import_timesheet", "background", "background_pictures"])
-        self._fill(
-            file, ["no_background", _SEPARATOR, "export", "export_timesheet", "export_notes", _SEPARATOR, "quit"]
-        )
+        self._fill(file, ["no_background", _SEPARATOR, "cut_settings", _SEPARATOR])
+        self._fill(file, ["export", "export_timesheet", "export_notes", _SEPARATOR, "quit"])
         self._menu(
             bar,
             self.tr("&Edit"),
             [
                 *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
-                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts"),
+                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts", "preferences"),
             ],
         )
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])

@@ -11,10 +11,12 @@ from kagezou.ui.commands.search import CommandSearch
 from kagezou.ui.curves.panel import CurvesPanel
 from kagezou.ui.curves.review_bar import ReviewBar
 from kagezou.ui.export.progress import Exporting
+from kagezou.ui.panels.folds import Folds
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.style_list import StyleList
 from kagezou.ui.project.actions import ProjectActions
+from kagezou.ui.project.canvas_offer import CanvasOffer
 from kagezou.ui.project.demo import DemoOpener, MakeDemo
 from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.feet_finder import FeetFinder
@@ -101,6 +103,7 @@ class Parts:
     bar: MessageBar
     space: SpaceBar
     status: Status
+    canvas_offer: CanvasOffer
     exporting: Exporting
     project: ProjectActions
     demo: DemoOpener | None
@@ -167,6 +170,7 @@ def make_parts(
         panels=panels,
         time=time,
         status=status,
+        canvas_offer=CanvasOffer(bridge),
         sets=_set_parts(open_project, viewport, space, menus),
         feet=FeetFinder(bridge),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
@@ -182,7 +186,7 @@ def _panels(bridge: Bridge, clipboard: Clipboard, settings: Settings) -> Panels:
     return Panels(
         thumbnails,
         LayerList(bridge, clipboard, thumbnails),
-        Inspector(bridge, clipboard),
+        Inspector(bridge, clipboard, Folds(settings)),
         StyleList(bridge, settings),
     )
 

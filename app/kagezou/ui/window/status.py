@@ -1,6 +1,7 @@
 """The status bar: a hint at the left, canvas, zoom and what draws at the right."""
 
-from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QStatusBar, QToolButton, QWidget
 
 from kagezou.scene.figure_card import feet_at
 from kagezou.tools.readout import height_words
@@ -17,6 +18,11 @@ class Status(QStatusBar):
         The session shown.
     extra
         A widget beside the hint, such as an export's progress.
+
+    Attributes
+    ----------
+    canvas
+        The size of the picture; a click asks for another.
     """
 
     def __init__(self, bridge: Bridge, extra: QWidget) -> None:
@@ -25,7 +31,10 @@ class Status(QStatusBar):
         self._hint = QLabel()
         self._height = QLabel()
         self._height.setToolTip(self.tr("How high the figure is over the ground on this frame"))
-        self._canvas = QLabel()
+        self.canvas = QToolButton()
+        self.canvas.setAutoRaise(True)
+        self.canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.canvas.setToolTip(self.tr("Size of the picture; a click opens the settings of the cut"))
         self._zoom = QLabel()
         self._resolution = QLabel()
         self._resolution.setToolTip(self.tr("Preview resolution; exports are always full"))
@@ -60,9 +69,9 @@ class Status(QStatusBar):
         self._lock.setVisible(locked)
 
     @property
-    def labels(self) -> tuple[QLabel, ...]:
+    def labels(self) -> tuple[QLabel | QToolButton, ...]:
         """What stands at the right, from left to right."""
-        return (self._resolution, self._device, self._canvas, self._zoom)
+        return (self._resolution, self._device, self.canvas, self._zoom)
 
     def show_zoom(self, percent: float) -> None:
         """Say how large the picture is shown."""
@@ -86,7 +95,7 @@ class Status(QStatusBar):
     def _show_document(self) -> None:
         document = self._bridge.document
         canvas = document.canvas
-        self._canvas.setText(f"{canvas.width_px} × {canvas.height_px}")
+        self.canvas.setText(f"{canvas.width_px} × {canvas.height_px}")
         is_blank = not document.layers and document.background is None
         for label in self.labels:
             label.setVisible(not is_blank)

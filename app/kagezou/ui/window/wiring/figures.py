@@ -25,6 +25,7 @@ def connect_transform(parts: Parts) -> None:
         actions["match_camera"].setChecked(False)
         hand.take_up(Task.TRANSFORM)
         actions["handles"].setChecked(True)
+        parts.viewport.setFocus()
         words = translate(
             "Figures",
             "Drag the cel to move it, a corner to scale it, outside of a corner to turn it; Shift constrains. Esc ends "

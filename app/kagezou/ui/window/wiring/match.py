@@ -22,6 +22,8 @@ def connect_match(parts: Parts) -> None:
         actions["transform_cel"].setChecked(False)
         hand.take_up(Task.MATCH)
         actions["handles"].setChecked(True)
+        # So that Esc reaches the hand, wherever the command was chosen.
+        parts.viewport.setFocus()
         words = QCoreApplication.translate(
             "Match",
             "Lay the two orange lines along edges of the floor that run away, the two blue ones along edges square to "

@@ -12,6 +12,7 @@ from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.export.places import place_for, remember_place
 from kagezou.ui.export.result import ExportResult
 from kagezou.ui.panels.style_use import put_on
+from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
@@ -175,7 +176,7 @@ def _export(parts: Parts) -> None:
         parts.exporting.say_running()
         return
     settings, document = parts.settings, parts.bridge.document
-    place = place_for(settings, parts.open_project.path, parts.project.project_name)
+    place = place_for(settings, parts.open_project.path, output_name(document, parts.project.project_name))
     remembered = loads_choices(settings.word("export_plan", ""))
     dialog = ExportDialog(document, remembered, place, settings.preset_folder, parts.viewport.window())
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -208,7 +209,5 @@ def _delete(parts: Parts) -> None:
         parts.panels.layers.remove_current()
     elif parts.time.timeline.lanes.hasFocus() and parts.time.timeline.drawings.are_chosen:
         parts.time.timeline.drawings.empty()
-    elif (
-        parts.viewport.hasFocus() or not parts.time.keys.delete()
-    ) and not parts.viewport.controller.delete_selected():
+    elif (parts.viewport.hasFocus() or not parts.time.keys.delete()) and not parts.viewport.contacts.remove_selected():
         remove_touched(parts)

@@ -39,7 +39,7 @@ def connect_playback(parts: Parts, verbs: WindowVerbs) -> None:
     parts.project.loading.progressed.connect(parts.time.timeline.ruler.update)
     actions.on("play", lambda: _play(parts))
     parts.space.tapped.connect(lambda: _play(parts))
-    parts.viewport.step_asked.connect(step)
+    parts.viewport.keys.step_asked.connect(step)
 
     def shown() -> None:
         # While drawings are read the last picture stays; that is no new frame.

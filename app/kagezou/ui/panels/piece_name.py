@@ -1,20 +1,12 @@
-"""The inspector's part for the set piece worked on: whose properties they are, and the properties themselves."""
+"""The inspector's heading for the set piece worked on: whose properties they are."""
 
 from PySide6.QtCore import QCoreApplication, QSize
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from kagezou.document import set_properties as lines
-from kagezou.document.address import Address
 from kagezou.document.piece_kinds import kind_of
-from kagezou.document.properties import OF_PIECE
-from kagezou.ui.panels.property_row import PropertyRow
-from kagezou.ui.panels.row_menu import PropertyMenus
-from kagezou.ui.panels.section import Section
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.icons import kind_icon
 from kagezou.ui.system.words import choice_name
-
-_DOES = (lines.PIECE_PRESENT, lines.PIECE_RECEIVES, lines.PIECE_BLOCKS, lines.PIECE_CASTS)
 
 
 class PieceName(QWidget):
@@ -47,12 +39,3 @@ class PieceName(QWidget):
         self.name.setText(piece.name)
         words = QCoreApplication.translate("PieceName", "Set piece: %1")
         self.kind.setText(words.replace("%1", choice_name(kind)))
-
-
-def piece_sections(bridge: Bridge, piece_id: str, menus: PropertyMenus) -> list[Section]:
-    """Return the sections of a piece: where it stands and how large it is, and what it does."""
-    place = Section(QCoreApplication.translate("PieceSections", "Place and size"), menus)
-    does = Section(QCoreApplication.translate("PieceSections", "What it does"), menus)
-    for line in OF_PIECE.values():
-        (does if line in _DOES else place).add(PropertyRow(bridge, Address(line, piece_id=piece_id), menus))
-    return [place, does]
