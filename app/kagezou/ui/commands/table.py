@@ -254,6 +254,7 @@ def help_commands() -> tuple[Command, ...]:
     return (
         Command("command_search", translate("Commands", "&Find Command…"), ("Ctrl+Shift+P",)),
         Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("F1",)),
+        Command("missing_parts", translate("Commands", "Missing Parts…")),
         Command("about", translate("Commands", "&About Kagezou")),
     )
 
