@@ -88,7 +88,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("no_background", translate("Commands", "Remove Background")),
         Command("cut_settings", translate("Commands", "&Cut Settings…"), ("Ctrl+K",)),
         Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),
-        Command("export_notes", translate("Commands", "Export N&otes…")),
+        Command("export_notes", translate("Commands", "Export Notes…")),
         Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),
     )
 
@@ -164,8 +164,8 @@ def view_commands() -> tuple[Command, ...]:
         Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
         Command("settle_set", translate("Commands", "Camera and Size of the 3-D Set")),
         Command("match_camera", translate("Commands", "Match Ca&mera to Picture"), ("Ctrl+Alt+M",), checkable=True),
-        Command("review", translate("Commands", "&Review"), ("Ctrl+Alt+Shift+R",), checkable=True),
-        Command("look_only", translate("Commands", "Look Only"), ("Ctrl+Alt+Shift+L",), checkable=True),
+        Command("review", translate("Commands", "Review"), ("Ctrl+Alt+Shift+R",), checkable=True),
+        Command("look_only", translate("Commands", "Look Onl&y"), ("Ctrl+Alt+Shift+L",), checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
         Command("field_guide", translate("Commands", "Field &Guide"), ("Ctrl+'", "Ctrl+Shift+G"), checkable=True),
@@ -254,6 +254,7 @@ def help_commands() -> tuple[Command, ...]:
     return (
         Command("command_search", translate("Commands", "&Find Command…"), ("Ctrl+Shift+P",)),
         Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("F1",)),
+        Command("missing_parts", translate("Commands", "Missing Parts…")),
         Command("about", translate("Commands", "&About Kagezou")),
     )
 

@@ -179,7 +179,7 @@ class Menus(QObject):
         self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", "read_ahead", _SEPARATOR])
         self._fill(time, ["marker", "marker_previous", "marker_next", _SEPARATOR])
         self._fill(time, ["remark_previous", "remark_next", "remark_tick"])
-        self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
+        self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "missing_parts", "about"])
 
     def _build_view(self) -> None:
         self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])

@@ -1,7 +1,7 @@
 """The parts of one window, as the connections between them see them."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from PySide6.QtWidgets import QMainWindow
 
@@ -114,8 +114,8 @@ class Parts:
     sets: SetParts
     time: TimeParts
     curves: CurvesPanel
-    review_bar: ReviewBar
     feet: FeetFinder
+    review_bar: ReviewBar = field(default_factory=ReviewBar)
 
     @property
     def bridge(self) -> Bridge:
@@ -173,7 +173,6 @@ def make_parts(
         sets=_set_parts(open_project, viewport, space, menus),
         feet=FeetFinder(bridge),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
-        review_bar=ReviewBar(),
         keyboard=Keyboard(window, actions, settings, bar),
         search=CommandSearch(window, actions),
         sheets=_sheets(viewport, bridge, lambda: not (player.is_playing or viewport.controller.is_busy)),

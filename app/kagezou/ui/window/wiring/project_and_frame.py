@@ -6,6 +6,7 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import ExportOutcome
 from kagezou.export.exporters.table import exporter_of
 from kagezou.export.remembered import dumps_choices, loads_choices
+from kagezou.extras import EXTRAS
 from kagezou.importing.understood import drawings_line
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
@@ -16,6 +17,7 @@ from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
+from kagezou.ui.widgets.missing_parts import MissingParts
 from kagezou.ui.window.about import about_dialog
 from kagezou.ui.window.panel_layout import PanelLayout
 from kagezou.ui.window.parts import Parts
@@ -51,6 +53,7 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
         "rename_layer": lambda: _rename(parts),
         "copy_look": parts.panels.layers.looks.copy,
         "paste_look": parts.panels.layers.looks.paste,
+        "missing_parts": lambda: _show_missing_parts(parts),
         "about": lambda: about_dialog(parts.viewport.window(), parts.viewport.device).open(),
     }.items():
         actions.on(name, do)
@@ -189,6 +192,10 @@ def _export(parts: Parts) -> None:
 
     dialog.chosen.connect(start)
     dialog.open()
+
+
+def _show_missing_parts(parts: Parts) -> None:
+    MissingParts([each for each in EXTRAS if not each.is_there], parts.viewport.window()).open()
 
 
 def _show_result(parts: Parts, outcome: ExportOutcome) -> None:
