@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from kagezou.document.address import Address
 from kagezou.document.key_edits import Refs
+from kagezou.document.marking import locked_and_changed
 from kagezou.document.model import Document
 from kagezou.session.state import State, are_alike, within_document
 
@@ -21,6 +22,8 @@ class _Step:
 
 Listener = Callable[[State, State], None]
 Refusal = Callable[[], None]
+LayerRefusal = Callable[[tuple[str, ...]], None]
+"""Told the names of locked layers that an edit would have changed; it is not shown then."""
 
 
 class Session:
@@ -38,6 +41,7 @@ class Session:
         self._gesture: Gesture | None = None
         self._listeners: list[Listener] = []
         self._refusals: list[Refusal] = []
+        self.told_of_locked: list[LayerRefusal] = []
         self._is_locked = False
         self._steps_made = 0
         self._saved_at = 0
@@ -239,10 +243,17 @@ class Gesture:
 
     def show(self, document: Document, keys: Refs | None = None) -> None:
         """Make a document the present one, for now, and select keys in it where they are given."""
-        if self._open:
+        if self._open and self._leaves_locked(document):
             state = self._session.state
             chosen = state.keys if keys is None else keys
             self._session._show(replace(state, document=document, keys=chosen))  # noqa: SLF001 - its own session
+
+    def _leaves_locked(self, document: Document) -> bool:
+        """Whether a document leaves locked layers as they are; whoever tries otherwise is told."""
+        names = locked_and_changed(self._before.document, document)
+        for tell in self._session.told_of_locked if names else ():
+            tell(names)
+        return not names
 
     def commit(self) -> None:
         """End the gesture as one step, or as none if nothing changed."""
