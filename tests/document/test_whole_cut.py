@@ -51,7 +51,7 @@ def test_a_layer_may_join_every_figure_but_its_own(document: Document) -> None:
 def test_switches_are_taken_as_words_and_as_json(document: Document) -> None:
     for word in ("true", True):
         assert said(said(document, "layers.B.solo").changed(word), "layers.B.solo").value == "true"
-    assert said(document, "layers.B.locked").changed(False) is document
+    assert said(document, "layers.B.locked").changed("false") is document
 
 
 def test_what_cannot_be_said_is_refused(document: Document) -> None:
