@@ -78,7 +78,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("save", translate("Commands", "&Save"), ("Ctrl+S",), "save"),
         Command("save_as", translate("Commands", "Save &As…"), ("Ctrl+Shift+S",)),
         Command("save_increment", translate("Commands", "Save Ne&xt Version"), ("Ctrl+Alt+Shift+S",)),
-        Command("import", translate("Commands", "&Add Characters…"), ("Ctrl+I",), "add"),
+        Command("import", translate("Commands", "A&dd Characters…"), ("Ctrl+I",), "add"),
         Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
         Command("import_set", translate("Commands", "Import &3-D Set…")),
         Command("import_timesheet", translate("Commands", "Import &Timesheet…")),
