@@ -1,11 +1,13 @@
 """The session: one step a gesture, undo that shows what it undid, one callback."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from kagezou.document import edits
 from kagezou.document.address import Address
+from kagezou.document.marking import set_marks
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, OPACITY
 from kagezou.geometry.box import Box
@@ -220,7 +222,7 @@ def test_a_locked_session_refuses_every_edit_and_says_so(session: Session) -> No
     session.edit("First", fov(session.document, 20.0))
     before = session.state
     refused: list[bool] = []
-    session.listen_to_refusals(lambda: refused.append(session.is_locked))
+    session.told_of_refusals.append(lambda: refused.append(session.is_locked))
     session.lock(locked=True)
     session.edit("Second", fov(session.document, 25.0))
     gesture = session.begin("Drag")
@@ -246,3 +248,24 @@ def test_locking_ends_what_is_under_way(session: Session) -> None:
     assert session.document is dragged
     gesture.show(fov(session.document, 32.0))
     assert (session.document, session.is_in_gesture) == (dragged, False)
+
+
+def test_locked_layers_are_left_alone_and_whoever_tries_is_told(session: Session, document: Document) -> None:
+    session.edit("Lock", set_marks(document, ("layer-1",), lambda marks: replace(marks, is_locked=True)))
+    told: list[tuple[str, ...]] = []
+    session.told_of_locked.append(told.append)
+    before = session.document
+    session.edit("Change", edits.set_constant(before, Address(OPACITY, "layer-1"), 0.1))
+    assert session.document is before
+    assert session.undo_name == "Lock"
+    assert told == [("A",)]
+    session.edit("Change", edits.set_constant(before, Address(OPACITY, "layer-2"), 0.1))
+    assert session.undo_name == "Change"
+    with session.gesture("Drag") as gesture:
+        gesture.show(fov(session.document, 20))
+        gesture.show(edits.remove_layer(session.document, "layer-1"))
+    assert [layer.name for layer in session.document.layers] == ["A", "B"]
+    session.undo()
+    session.undo()
+    session.undo()
+    assert session.document is document, "what was done before is taken back all the same"

@@ -124,9 +124,9 @@ class ProjectActions(QObject):
         return self._save_to(chosen) if chosen else False
 
     def import_folder(self) -> None:
-        """Bring in a folder of cels as a layer."""
-        if folder := self.dialogs.folder_of_cels():
-            self.bring([folder])
+        """Bring in folders of cels, each a character or more."""
+        if folders := self.dialogs.folders_of_cels():
+            self.bring(folders)
 
     def import_pictures(self) -> None:
         """Bring in pictures; of one numbered picture the whole sequence comes."""

@@ -20,6 +20,7 @@ from kagezou.ui.window.parts import make_parts
 from kagezou.ui.window.wiring.cut import connect_cut
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
 from kagezou.ui.window.wiring.handles import connect_handles
+from kagezou.ui.window.wiring.layers import connect_layers
 from kagezou.ui.window.wiring.match import connect_match
 from kagezou.ui.window.wiring.preferences import connect_preferences
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
@@ -196,7 +197,9 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages, 1)
         column.addWidget(parts.time.transport)
         self.setCentralWidget(middle)
-        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.canvas_offer, parts.sets.bar))
+        self.top_bars = TopBars(
+            self.pages, (parts.bar, parts.project.loading, parts.files.canvas_offer, parts.sets.bar)
+        )
         parts.viewport.controller.changed.connect(lambda: self.top_bars.step_aside(parts.viewport.controller.is_busy))
         self.drop_hint = DropHint(middle)
         self.addToolBar(parts.menus.tool_bar())
@@ -208,6 +211,7 @@ class MainWindow(QMainWindow):
         connect_project(parts, self)
         connect_set(parts, self)
         connect_cut(parts)
+        connect_layers(parts)
         connect_preferences(parts, self)
         connect_view(parts, self)
         connect_views(parts)

@@ -20,6 +20,7 @@ from kagezou.ui.project.canvas_offer import CanvasOffer
 from kagezou.ui.project.demo import DemoOpener, MakeDemo
 from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.feet_finder import FeetFinder
+from kagezou.ui.project.layer_files import LayerFiles
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.welcome import Welcome
 from kagezou.ui.sets.commands import SetCommands
@@ -29,6 +30,7 @@ from kagezou.ui.sets.list import SetList
 from kagezou.ui.sets.standing import StandingNotes
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.system.missing import MissingDrawings
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.thumbnails import Thumbnails
 from kagezou.ui.time.key_commands import KeyCommands
@@ -91,6 +93,15 @@ class Panels:
 
 
 @dataclass(frozen=True, slots=True)
+class FilesOfLayers:
+    """What is done with the files of layers and of the background, and which of them are missing."""
+
+    missing: MissingDrawings
+    layers: LayerFiles
+    canvas_offer: CanvasOffer
+
+
+@dataclass(frozen=True, slots=True)
 class Parts:
     """Every part of one window; no part knows another."""
 
@@ -103,7 +114,6 @@ class Parts:
     bar: MessageBar
     space: SpaceBar
     status: Status
-    canvas_offer: CanvasOffer
     exporting: Exporting
     project: ProjectActions
     demo: DemoOpener | None
@@ -115,6 +125,7 @@ class Parts:
     time: TimeParts
     curves: CurvesPanel
     feet: FeetFinder
+    files: FilesOfLayers
     review_bar: ReviewBar = field(default_factory=ReviewBar)
 
     @property
@@ -132,6 +143,7 @@ class Parts:
             self.demo.finish()
         self.viewport.finish()
         self.panels.thumbnails.finish()
+        self.files.missing.finish()
         self.panels.styles.pictures.finish()
         self.welcome.pictures.finish()
         self.time.prefetch.finish()
@@ -169,14 +181,19 @@ def make_parts(
         panels=panels,
         time=_time_parts(open_project, clipboard, player, actions),
         status=status,
-        canvas_offer=CanvasOffer(bridge),
         sets=_set_parts(open_project, viewport, space, menus),
         feet=FeetFinder(bridge),
+        files=_files_of_layers(bridge, project),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
         keyboard=Keyboard(window, actions, settings, bar),
         search=CommandSearch(window, actions),
         sheets=_sheets(viewport, bridge, lambda: not (player.is_playing or viewport.controller.is_busy)),
     )
+
+
+def _files_of_layers(bridge: Bridge, project: ProjectActions) -> FilesOfLayers:
+    files = LayerFiles(bridge, project.dialogs, project.loading)
+    return FilesOfLayers(MissingDrawings(bridge), files, CanvasOffer(bridge))
 
 
 def _panels(bridge: Bridge, clipboard: Clipboard, settings: Settings) -> Panels:
