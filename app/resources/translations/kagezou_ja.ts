@@ -1980,11 +1980,11 @@
     </message>
     <message>
         <source>Place and size</source>
-        <translation>位置と大きさ</translation>
+        <translation>位置と寸法</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation>役割</translation>
+        <translation>はたらき</translation>
     </message>
     <message>
         <source>Shadow</source>

@@ -66,9 +66,33 @@ def test_nonsense_and_escape_leave_the_value(qtbot: QtBot, inspector: Inspector,
 def test_a_typed_value_is_kept_to_the_range(qtbot: QtBot, inspector: Inspector) -> None:
     field = field_of(inspector, "shadow.opacity")
     qtbot.mouseClick(field, Qt.MouseButton.LeftButton)
-    qtbot.keyClicks(field, "7")
+    qtbot.keyClicks(field, "700")
     qtbot.keyClick(field, Qt.Key.Key_Return)
-    assert field.value == 1.0
+    assert (field.value, field.text()) == (100.0, "100%")
+
+
+def test_shares_are_read_and_typed_as_per_cent_and_kept_as_shares(
+    qtbot: QtBot, inspector: Inspector, filled: OpenProject
+) -> None:
+    field, opacity = field_of(inspector, "shadow.opacity"), Address(properties.OPACITY, "layer-1")
+    assert field.text() == "60%"
+    for typed, share in (("7", 0.07), ("*2", 0.14), ("45.5", 0.455)):
+        qtbot.mouseClick(field, Qt.MouseButton.LeftButton)
+        qtbot.keyClicks(field, typed)
+        qtbot.keyClick(field, Qt.Key.Key_Return)
+        assert value_of(filled.bridge.document, opacity, 1) == pytest.approx(share)
+    assert field.text() == "45.5%"
+    assert field_of(inspector, "shadow.wave1.velocity").text() == "3 px/frame"
+
+
+def test_places_bear_the_letters_of_their_axes(inspector: Inspector) -> None:
+    bare, lettered = ScrubField(), ScrubField(axis="X")
+    for field in (bare, lettered):
+        field.resize(90, 26)
+    assert bare.grab().toImage() != lettered.grab().toImage()
+    assert [each.accessibleName()[-1] for each in inspector.row("light.position").editor.findChildren(ScrubField)] == [
+        *"xyz"
+    ]
 
 
 def test_a_drag_on_a_number_is_one_step_and_escape_takes_it_back(

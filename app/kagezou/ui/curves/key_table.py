@@ -33,7 +33,7 @@ class KeyTable(QTableWidget):
         self._rows: tuple[KeyRow, ...] = ()
         self.setHorizontalHeaderLabels([
             self.tr("Frame"), self.tr("Part"), self.tr("Value"), self.tr("Goes on"),
-            self.tr("Speed in"), self.tr("Infl. in %"), self.tr("Speed out"), self.tr("Infl. out %"),
+            self.tr("Speed in /frame"), self.tr("Infl. in %"), self.tr("Speed out /frame"), self.tr("Infl. out %"),
         ])  # fmt: skip
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)

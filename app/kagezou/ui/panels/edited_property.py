@@ -99,13 +99,19 @@ class EditedProperty:
             return
         self._change(lambda document: set_all(document, self.addresses, raw, self.bridge.frame))
 
-    def calculate(self, text: str) -> None:
-        """Change each layer's number by itself as a typed calculation says, as one step; a Problem if it cannot be."""
-        self._change(
-            lambda document: change_all(
-                document, self.addresses, lambda value: evaluate(text, value), self.bridge.frame
-            )
-        )
+    def calculate(self, text: str, factor: float = 1.0) -> None:
+        """Change each layer's number by itself as a typed calculation says, as one step; a Problem if it cannot be.
+
+        Parameters
+        ----------
+        factor
+            The numbers are meant times this, as they are shown.
+        """
+
+        def change(value: float) -> float:
+            return evaluate(text, value * factor) / factor
+
+        self._change(lambda document: change_all(document, self.addresses, change, self.bridge.frame))
 
     def reset(self) -> None:
         """Go back to the default, without keys."""

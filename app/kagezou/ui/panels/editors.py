@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushBu
 
 from kagezou.animation.track import Value
 from kagezou.document.property import AnyProperty, Kind
+from kagezou.ui.panels.shown_units import shown_unit
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.widgets.color_button import ColorField
 from kagezou.ui.widgets.range_slider import RangeSlider
@@ -16,14 +17,14 @@ from kagezou.ui.widgets.scrub_field import MIXED, ScrubField
 class Editor(QWidget):
     """Shows a value; ``began``, ``tried`` and ``ended`` bracket a drag, ``entered`` is a change at one stroke.
 
-    ``calculated`` is a typed change of each of several values, such as ``*2``.
+    ``calculated`` is a typed change of each of several values, such as ``*2``, and what the values are shown times.
     """
 
     began = Signal()
     tried = Signal(object)
     ended = Signal(bool)
     entered = Signal(object)
-    calculated = Signal(str)
+    calculated = Signal(str, float)
 
     def __init__(self) -> None:
         super().__init__()
@@ -52,10 +53,13 @@ class NumbersEditor(Editor):
         super().__init__()
         self._single = prop.kind is Kind.NUMBER
         step, decimals = _grain(prop)
-        self.fields = [ScrubField(step, decimals, prop.unit if self._single else "") for _ in prop.components]
+        self._shown = shown_unit(prop)
+        unit = self._shown.unit if self._single else ""
+        axes = [""] if self._single else [each.upper() for each in prop.components]
+        self.fields = [ScrubField(step, decimals, unit, axis) for axis in axes]
         self._values: list[float] = [0.0] * len(self.fields)
         for index, (field, component) in enumerate(zip(self.fields, prop.components, strict=True)):
-            field.set_range(prop.low, prop.high)
+            field.set_range(prop.low * self._shown.factor, prop.high * self._shown.factor)
             name = translated(prop.label)
             field.setAccessibleName(name if self._single else f"{name} {component}")
             field.setToolTip(translated(prop.help) if self._single else f"{component.upper()}")
@@ -63,8 +67,9 @@ class NumbersEditor(Editor):
             field.drag_ended.connect(self.ended)
             field.dragged.connect(lambda number, at=index: self.tried.emit(self._with(at, number)))
             field.entered.connect(lambda number, at=index: self.entered.emit(self._with(at, number)))
-            field.calculated.connect(self.calculated)
-            field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-00000") + 12)
+            field.calculated.connect(lambda text: self.calculated.emit(text, self._shown.factor))
+            axis_px = 0 if self._single else field.fontMetrics().horizontalAdvance("X")
+            field.setMinimumWidth(field.fontMetrics().horizontalAdvance("-00000") + 12 + axis_px)
             self.row.addWidget(field, 1)
         self.slider = RangeSlider(*prop.slides) if prop.slides else None
         if self.slider is not None:
@@ -84,7 +89,7 @@ class NumbersEditor(Editor):
         numbers = value if isinstance(value, tuple) else (value,)
         self._values = [float(number) for number in numbers if isinstance(number, (int, float))]
         for field, number in zip(self.fields, self._values, strict=True):
-            field.set_value(number)
+            field.set_value(round(number * self._shown.factor, 9))
         if self.slider is not None:
             self.slider.show_value(self._values[0])
 
@@ -94,6 +99,7 @@ class NumbersEditor(Editor):
             field.show_mixed()
 
     def _with(self, index: int, number: float) -> Value:
+        number /= self._shown.factor
         numbers = [number if at == index else old for at, old in enumerate(self._values)]
         return numbers[0] if self._single else tuple(numbers)
 
@@ -207,5 +213,7 @@ def _grain(prop: AnyProperty) -> tuple[float, int]:
         return 1.0, 1
     if prop.unit == "°":
         return 0.25, 2
+    if shown_unit(prop).factor != 1.0:
+        return 0.5, 1
     span = prop.high - prop.low
     return (0.005, 3) if span <= 10 else (0.5, 2)

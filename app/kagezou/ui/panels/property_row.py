@@ -105,9 +105,12 @@ class PropertyRow(QObject):
 
     def show_chosen(self, *, chosen: bool) -> None:
         """Show whether the handle that the hand chose in the picture is about it."""
-        self.label.setProperty("chosen", chosen)
-        self.label.style().unpolish(self.label)
-        self.label.style().polish(self.label)
+        if chosen != bool(self.label.property("chosen")):
+            self.label.setProperty("chosen", chosen)
+            self.label.style().unpolish(self.label)
+            self.label.style().polish(self.label)
+            # Which gave the label the palette of all labels.
+            self.label.show_changed(changed=self.is_changed)
 
     def set_editable(self, *, editable: bool) -> None:
         """Allow editing, or only show."""
@@ -118,9 +121,9 @@ class PropertyRow(QObject):
         """Set a value at the frame looked at, everywhere, as one step."""
         self._attempt(partial(self.edited.enter, raw))
 
-    def calculate(self, text: str) -> None:
-        """Change each layer's number by itself as a typed calculation says, as one step."""
-        self._attempt(partial(self.edited.calculate, text))
+    def calculate(self, text: str, factor: float = 1.0) -> None:
+        """Change each layer's number by itself as a typed calculation says of it times a factor, as one step."""
+        self._attempt(partial(self.edited.calculate, text, factor))
 
     def _attempt(self, do: Callable[[], None]) -> None:
         refused = ""

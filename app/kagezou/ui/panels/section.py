@@ -12,7 +12,7 @@ from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.system.icons import icon
 
 _USUAL_ROWS = 100
-"""Rows of the grid for what is used every day; the rarer rows come behind. Empty rows take no room."""
+"""Rows of the grid for what is used every day; the rarer ones come behind, then the switch. Empty ones take no room."""
 
 
 class Section(QWidget):
@@ -52,7 +52,7 @@ class Section(QWidget):
         self.more.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.more.toggled.connect(self._show_more_words)
         self.more.clicked.connect(self.more_asked)
-        self._grid.addWidget(self.more, _USUAL_ROWS, 1, 1, 2)
+        self._grid.addWidget(self.more, 2 * _USUAL_ROWS, 1, 1, 2)
         self.rows: list[PropertyRow] = []
         self._edited: list[EditedProperty] = []
         column = QVBoxLayout(self)
@@ -78,7 +78,7 @@ class Section(QWidget):
 
     def add(self, row: PropertyRow) -> None:
         """Put a row under the others of its kind."""
-        at = len(self.rows) + (_USUAL_ROWS + 1 if is_rare(row.address.property) else 0)
+        at = len(self.rows) + (_USUAL_ROWS if is_rare(row.address.property) else 0)
         self.rows.append(row)
         self._grid.addWidget(row.key, at, 0, Qt.AlignmentFlag.AlignVCenter)
         self._grid.addWidget(row.label, at, 1)

@@ -13,7 +13,7 @@ ZOOM_STEP = 2.0**0.25
 FIT_MARGIN_PX = 64.0
 """Room around the canvas for the handles that stand at its edge."""
 
-FIT_MARGIN_PART = 0.08
+FIT_MARGIN_PART = 0.1
 """The most of the viewport's shorter side that may be left as such room: on a small screen the picture goes first."""
 
 

@@ -84,7 +84,7 @@ class MessageBar(QWidget):
         close.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         close.clicked.connect(self._dismiss)
         row = QHBoxLayout(self)
-        row.setContentsMargins(10, 5, 6, 5)
+        row.setContentsMargins(10, 3, 6, 3)
         row.setSpacing(8)
         row.addWidget(self._sign)
         row.addWidget(self._text, 1)

@@ -1,15 +1,16 @@
 """The one kind of number field: drag it, type into it, calculate in it."""
 
 from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPalette
-from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QLabel, QLineEdit
 
 from kagezou.document.typed_number import evaluate, is_relative
 from kagezou.errors import UsageProblem
-from kagezou.ui.system.theme import CHANGED, TEXT
+from kagezou.ui.system.theme import CHANGED, DIM, TEXT
 from kagezou.ui.system.words import translated
 
 DRAG_BEGINS_PX = 3.0
+_AXIS_PX = 5
 COARSE, FINE = 10.0, 0.1
 MIXED = "–"
 """Shown where several values differ."""
@@ -29,6 +30,8 @@ class ScrubField(QLineEdit):
         Digits shown behind the point at most.
     unit
         Written behind the number while it is not typed in.
+    axis
+        A letter before the number, such as ``X`` of a place.
     """
 
     drag_began = Signal()
@@ -39,8 +42,9 @@ class ScrubField(QLineEdit):
     calculated = Signal(str)
     """Typed while several values differ: a change of each of them, such as ``*2``."""
 
-    def __init__(self, step: float = 1.0, decimals: int = 2, unit: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, step: float = 1.0, decimals: int = 2, unit: str = "", axis: str = "") -> None:
+        super().__init__()
+        self._axis = axis
         self._value = 0.0
         self._is_mixed = False
         self._step, self._decimals, self._unit = step, decimals, unit
@@ -162,6 +166,14 @@ class ScrubField(QLineEdit):
                 super().keyPressEvent(event)
             case _:
                 event.ignore()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self._axis and not self.is_typing:
+            painter = QPainter(self)
+            painter.setPen(DIM)
+            painter.drawText(self.rect().adjusted(_AXIS_PX, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, self._axis)
+            painter.end()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         if self.is_typing:
