@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.edits import still
+from kagezou.document.layer_marks import NO_MARKS, LayerMarks
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import (
     BroughtLight,
@@ -110,7 +111,9 @@ def boxes(draw: st.DrawFn) -> Box:
 
 @st.composite
 def layers(draw: st.DrawFn, number: int, name: str) -> Layer:
-    return Layer(f"layer-{number}", name, draw(cels()), draw(boxes()), draw(track_tables(dict(OF_LAYER))))
+    marks = draw(st.sampled_from([NO_MARKS, LayerMarks(is_locked=True, label="red"), LayerMarks(is_solo=True)]))
+    tracks = draw(track_tables(dict(OF_LAYER)))
+    return Layer(f"layer-{number}", name, draw(cels()), draw(boxes()), tracks, marks=marks)
 
 
 @st.composite

@@ -145,7 +145,8 @@ def test_info_lists_every_property(shell: Shell, project: Path) -> None:
     shell("piece", project, "add", "back", "wall")
     text = shell.ok("info", project, "--properties")
     rows = shell.json("info", project, "--properties", "--json")["properties"]
-    others = ["layers.Hero.joins", "layers.Hero.paper", *(word.path for word in CUT_WORDS)]
+    said = ("joins", "paper", "locked", "solo", "label")
+    others = [*(f"layers.Hero.{name}" for name in said), *(word.path for word in CUT_WORDS)]
     assert [row["path"] for row in rows[len(table) :]] == others
     assert 'layers.Hero.joins = ""  (""; no keys)' in text
     assert 'layers.Hero.paper = "white"  (white | border; no keys)' in text

@@ -79,6 +79,8 @@ def test_notes_are_answered_and_ticked_off(document: Document) -> None:
     ticked = review.tick_note(again, again.notes[0], done=True)
     assert [each.is_done for each in ticked.notes] == [True, False]
     assert review.tick_note(ticked, ticked.notes[0], done=True) is ticked
+    assert ticked.notes[0].is_as(first)
+    assert not ticked.notes[0].is_as(second)
     assert review.tick_note(ticked, ticked.notes[0], done=False).notes == again.notes
     assert review.change_note(ticked, ticked.notes[0], "Darker").notes[0].answers == ticked.notes[0].answers
 

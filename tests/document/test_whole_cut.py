@@ -29,7 +29,9 @@ def said(document: Document, path: str) -> SaidOf:
 
 def test_every_layer_says_what_it_joins_and_its_paper(document: Document) -> None:
     assert [each.path for each in sayings(document)] == [
-        f"layers.{name}.{word}" for name in ("A.1", "arm", "B") for word in ("joins", "paper")
+        f"layers.{name}.{word}"
+        for name in ("A.1", "arm", "B")
+        for word in ("joins", "paper", "locked", "solo", "label")
     ]
     assert saying_at(document, "layers.A.paper") is None
     assert saying_at(document, "layers.A.1.tilt") is None
@@ -46,6 +48,12 @@ def test_a_layer_may_join_every_figure_but_its_own(document: Document) -> None:
             assert said(each.changed(word), each.path).value == word
 
 
+def test_switches_are_taken_as_words_and_as_json(document: Document) -> None:
+    for word in ("true", True):
+        assert said(said(document, "layers.B.solo").changed(word), "layers.B.solo").value == "true"
+    assert said(document, "layers.B.locked").changed("false") is document
+
+
 def test_what_cannot_be_said_is_refused(document: Document) -> None:
     with pytest.raises(UsageProblem, match="no layer 'Nobody'"):
         said(document, "layers.arm.joins").changed("Nobody")
@@ -53,6 +61,10 @@ def test_what_cannot_be_said_is_refused(document: Document) -> None:
         said(document, "layers.arm.joins").changed(7)
     with pytest.raises(UsageProblem, match="paper is one of white, border, not 'grey'"):
         said(document, "layers.B.paper").changed("grey")
+    with pytest.raises(UsageProblem, match="locked is true or false, not 'maybe'"):
+        said(document, "layers.B.locked").changed("maybe")
+    with pytest.raises(UsageProblem, match="no colour of a label"):
+        said(document, "layers.B.label").changed(7)
     for each in sayings(document):
         with pytest.raises(UsageProblem, match="no keys"):
             each.changed(each.value, 3)

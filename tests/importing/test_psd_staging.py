@@ -126,8 +126,8 @@ def test_effects_that_are_not_drawn_are_told(tmp_path: Path, monkeypatch: pytest
     )
     assert tuple(map(str, new_document([CharacterSource(None, path)]).notes)) == (
         "A: these are not drawn: DropShadow",
-        "A: these are drawn only after pip install 'kagezou[psd]': Stroke",
-        "C: these are drawn only after pip install 'kagezou[psd]': Curves",
+        "A: these are not drawn without a part that is missing (pip install 'kagezou[psd]'): Stroke",
+        "C: these are not drawn without a part that is missing (pip install 'kagezou[psd]'): Curves",
     )
 
 

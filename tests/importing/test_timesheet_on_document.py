@@ -1,17 +1,18 @@
 """Timesheets on documents: columns find layers, cels find drawings."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from kagezou.document import edits, invariants
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Marker
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
 from kagezou.importing.staging import CharacterSource, new_document, with_timesheet
 from kagezou.importing.timesheet_on_document import timed
-from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.io.sheets.timesheet import SheetMark, SheetTrack, Timesheet
 from tests.importing.cel_files import write_walk
 
 FIGURE = Box(0, 0, 9, 9)
@@ -126,3 +127,14 @@ def test_a_sheet_on_a_new_document(tmp_path: Path) -> None:
     assert imported.document.canvas.length_frames == 12
     with pytest.raises(InputProblem, match=r"none\.xdts: it does not exist"):
         with_timesheet(document, tmp_path / "none.xdts")
+
+
+def test_what_is_said_and_done_beside_the_cels_becomes_markers() -> None:
+    marks = (SheetMark(0, 1, "PAN"), SheetMark(4, 3, "Taro: Hello"), SheetMark(4, 1, "T.U"))
+    sheet = Timesheet("c012", 24, (), marks=marks)
+    document = replace(document_with(A=["1"]), markers=(Marker(5, "step", 1), Marker(9, "end")))
+    once, _ = timed(document, sheet)
+    assert once.markers == (Marker(1, "PAN", 1), Marker(5, "step / Taro: Hello / T.U", 3), Marker(9, "end"))
+    again, _ = timed(once, sheet)
+    assert again.markers == once.markers
+    invariants.check(again)

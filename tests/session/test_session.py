@@ -1,5 +1,6 @@
 """The session: one step a gesture, undo that shows what it undid, one callback."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 from kagezou.document import edits
 from kagezou.document.address import Address
 from kagezou.document.key_edits import KeyRef, Refs, present_keys
+from kagezou.document.marking import set_marks
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, OPACITY
 from kagezou.geometry.box import Box
@@ -222,7 +224,7 @@ def test_a_locked_session_refuses_every_edit_and_says_so(session: Session) -> No
     session.edit("First", fov(session.document, 20.0))
     before = session.state
     refused: list[bool] = []
-    session.listen_to_refusals(lambda: refused.append(session.is_locked))
+    session.told_of_refusals.append(lambda: refused.append(session.is_locked))
     session.lock(locked=True)
     session.edit("Second", fov(session.document, 25.0))
     gesture = session.begin("Drag")
@@ -270,3 +272,24 @@ def test_selected_keys_are_looked_for_only_where_they_could_have_gone(
     session.edit("Unkey", edits.remove_key(session.document, address, 9))
     assert looked
     assert session.state.keys == {KeyRef(address, 1)}
+
+
+def test_locked_layers_are_left_alone_and_whoever_tries_is_told(session: Session, document: Document) -> None:
+    session.edit("Lock", set_marks(document, ("layer-1",), lambda marks: replace(marks, is_locked=True)))
+    told: list[tuple[str, ...]] = []
+    session.told_of_locked.append(told.append)
+    before = session.document
+    session.edit("Change", edits.set_constant(before, Address(OPACITY, "layer-1"), 0.1))
+    assert session.document is before
+    assert session.undo_name == "Lock"
+    assert told == [("A",)]
+    session.edit("Change", edits.set_constant(before, Address(OPACITY, "layer-2"), 0.1))
+    assert session.undo_name == "Change"
+    with session.gesture("Drag") as gesture:
+        gesture.show(fov(session.document, 20))
+        gesture.show(edits.remove_layer(session.document, "layer-1"))
+    assert [layer.name for layer in session.document.layers] == ["A", "B"]
+    session.undo()
+    session.undo()
+    session.undo()
+    assert session.document is document, "what was done before is taken back all the same"

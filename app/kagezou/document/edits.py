@@ -3,7 +3,7 @@
 An edit that would change nothing returns the very same document, so that ``new is old`` tells.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from itertools import count
 from types import MappingProxyType
@@ -12,7 +12,10 @@ from typing import TypeVar
 from kagezou.animation.ease import EASY, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of
 from kagezou.document.address import Address, track_of
-from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks, parts_of
+from kagezou.document.alike_names import folded, unlike
+from kagezou.document.figures import parts_of
+from kagezou.document.layer_marks import NO_MARKS
+from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.message import Message
@@ -135,9 +138,27 @@ def rename_layer(document: Document, layer_id: str, name: str) -> Document:
     if name == layer.name:
         return document
     _check_name(name)
-    if any(other.name == name for other in document.layers):
+    if any(folded(other.name) == folded(name) for other in document.layers if other is not layer):
         raise UsageProblem(Message("there is already a layer named {name!r}", name=name))
     return _with_layer(document, replace(layer, name=name))
+
+
+def duplicate_layers(document: Document, layer_ids: Collection[str]) -> tuple[Document, tuple[str, ...]]:
+    """Put a copy of each layer right above it, a figure's with copies of all its parts; returns the copies' ids too."""
+    wanted = [layer for layer in document.layers if layer.id in layer_ids or layer.joins in layer_ids]
+    copies: dict[str, str] = {}
+    for layer in wanted:
+        copies[layer.id] = _free_id(document)
+        copy = replace(layer, id=copies[layer.id], name=free_name(document, layer.name), marks=NO_MARKS)
+        place = [each.id for each in document.layers].index(layer.id) + 1
+        document = replace(document, layers=(*document.layers[:place], copy, *document.layers[place:]))
+    made = frozenset(copies.values())
+    # A copied part is one of the copied figure.
+    layers = (
+        replace(each, joins=copies.get(each.joins or "", each.joins)) if each.id in made else each
+        for each in document.layers
+    )
+    return replace(document, layers=tuple(layers)), tuple(copies.values())
 
 
 def move_layer(document: Document, layer_id: str, index: int) -> Document:
@@ -207,10 +228,9 @@ def still(source: PictureSource) -> Cels:
 
 
 def free_name(document: Document, name: str) -> str:
-    """Return ``name``, or with a number behind it where a layer has it already."""
+    """Return ``name``, or with a number behind it where a layer has it already, in any case of its letters."""
     _check_name(name)
-    taken = {layer.name for layer in document.layers}
-    return next(each for each in (name, *(f"{name} {n}" for n in range(2, len(taken) + 3))) if each not in taken)
+    return unlike(name, (layer.name for layer in document.layers))
 
 
 def _check_name(name: str) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.animation.track import Track
+from kagezou.document.layer_marks import NO_MARKS, LayerMarks
 from kagezou.document.note import Note
 from kagezou.document.slate import NO_SLATE, Slate
 from kagezou.geometry.box import Box, centred_offset
@@ -134,6 +135,8 @@ class Layer:
         By layer property name.
     joins
         The id of the layer of whose figure it is a part; None for a figure of its own.
+    marks
+        What is marked on it to work with it; nothing that is rendered.
     """
 
     id: str
@@ -142,6 +145,7 @@ class Layer:
     figure: Box
     tracks: Tracks = field(default_factory=lambda: NO_TRACKS)
     joins: str | None = None
+    marks: LayerMarks = NO_MARKS
 
 
 def drawing_offset(canvas: Canvas, layer: Layer) -> tuple[int, int]:
@@ -267,9 +271,3 @@ class Document:
             if piece.id == piece_id:
                 return piece
         raise KeyError(piece_id)
-
-
-def parts_of(document: Document, figure_id: str) -> tuple[Layer, ...]:
-    """Return the layer of a figure and those that join it, from bottom to top, the figure's own layer first."""
-    joined = (layer for layer in document.layers if layer.joins == figure_id)
-    return (document.layer(figure_id), *joined)

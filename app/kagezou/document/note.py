@@ -1,6 +1,6 @@
 """What people say about a cut while they look it through: notes on properties, with answers."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,3 +40,7 @@ class Note:
     author: str = ""
     answers: tuple[NoteAnswer, ...] = ()
     is_done: bool = False
+
+    def is_as(self, other: "Note") -> bool:
+        """Return whether another is the same note, though it may have been answered or ticked off meanwhile."""
+        return replace(self, answers=(), is_done=False) == replace(other, answers=(), is_done=False)

@@ -1,15 +1,19 @@
-"""What is said of a layer once for the whole cut and has no keys: ``layers.NAME.joins`` and ``layers.NAME.paper``."""
+"""What is said of a layer once for the whole cut and has no keys: ``layers.NAME.joins``, ``.paper`` and the like."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from kagezou.document.edits import join_layer
+from kagezou.document.layer_marks import LABELS
+from kagezou.document.marking import set_marks
 from kagezou.document.model import Document, Layer
 from kagezou.document.paper import paper_of, set_paper, typed_paper
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 from kagezou.picture_source import Paper
+
+_YES_OR_NO: Final = ("false", "true")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +102,22 @@ def _joined(document: Document, layer: Layer, word: object) -> Document:
     return join_layer(document, layer.id, found[0])
 
 
+def _yes_or_no(*, is_yes: bool) -> str:
+    return _YES_OR_NO[is_yes]
+
+
+def _is_yes(name: str, word: object) -> bool:
+    if isinstance(word, bool):
+        return word
+    if word not in _YES_OR_NO:
+        raise UsageProblem(Message("{name} is true or false, not {word!r}", name=name, word=word))
+    return word == _YES_OR_NO[1]
+
+
+def _marked(document: Document, layer: Layer, **marks: object) -> Document:
+    return set_marks(document, (layer.id,), lambda now: replace(now, **marks))  # type: ignore[arg-type]
+
+
 SAYINGS: Final = (
     Saying(
         "joins",
@@ -112,6 +132,27 @@ SAYINGS: Final = (
         lambda _, layer: paper_of(layer).value,
         lambda _, __: tuple(Paper),
         lambda document, layer, word: set_paper(document, layer.id, typed_paper(word)),
+    ),
+    Saying(
+        "locked",
+        Message("Whether the window refuses to change the layer; the command line changes it all the same."),
+        lambda _, layer: _yes_or_no(is_yes=layer.marks.is_locked),
+        lambda _, __: _YES_OR_NO,
+        lambda document, layer, word: _marked(document, layer, is_locked=_is_yes("locked", word)),
+    ),
+    Saying(
+        "solo",
+        Message("Whether the window shows the layer alone; exports show all."),
+        lambda _, layer: _yes_or_no(is_yes=layer.marks.is_solo),
+        lambda _, __: _YES_OR_NO,
+        lambda document, layer, word: _marked(document, layer, is_solo=_is_yes("solo", word)),
+    ),
+    Saying(
+        "label",
+        Message("The colour of the layer's label in the window."),
+        lambda _, layer: layer.marks.label,
+        lambda _, __: ("", *LABELS),
+        lambda document, layer, word: _marked(document, layer, label=word if isinstance(word, str) else "?"),
     ),
 )
 """All that is said of layers, in the order in which it is listed."""

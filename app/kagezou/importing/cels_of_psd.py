@@ -6,6 +6,7 @@ from pathlib import Path
 
 from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
+from kagezou.extras import PSD
 from kagezou.importing.cel_sizes import measured_cels
 from kagezou.importing.file_notes import said_once
 from kagezou.importing.new_cels import CharacterSource, Held, NewCels, left_out_note, printable
@@ -93,8 +94,9 @@ def _undrawn_notes(name: str, undrawn: tuple[str, ...]) -> list[Message]:
     if by_extra:
         notes.append(
             Message(
-                "{name}: these are drawn only after pip install 'kagezou[psd]': {by_extra}",
+                "{name}: these are not drawn without a part that is missing ({how}): {by_extra}",
                 name=name,
+                how=PSD.how,
                 by_extra=", ".join(by_extra),
             )
         )

@@ -8,7 +8,8 @@ import numpy as np
 from kagezou.animation.frames import spread_frames
 from kagezou.document.address import Address
 from kagezou.document.edits import set_constant
-from kagezou.document.model import Document, Layer, parts_of
+from kagezou.document.figures import parts_of
+from kagezou.document.model import Document, Layer
 from kagezou.document.properties import (
     GROUND_POSITION,
     LIGHT_AZIMUTH,

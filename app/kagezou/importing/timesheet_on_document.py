@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from kagezou.document.edits import set_canvas, set_exposures
-from kagezou.document.model import Document, Drawing, Exposure, Layer
+from kagezou.document.model import Document, Drawing, Exposure, Layer, Marker
+from kagezou.document.review import MAX_TEXT_CHARACTERS
 from kagezou.importing.new_cels import printable
 from kagezou.io.names.runs import number_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
@@ -14,6 +15,7 @@ from kagezou.message import Message, first_names
 
 _SHOWN_CELS = 5
 _BETWEEN = "_-. "
+_BETWEEN_MARKS = " / "
 
 
 def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]]:
@@ -43,8 +45,24 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
     notes += [
         Message("{layer}: the timesheet has no column for it; it keeps its timing", layer=layer.name) for layer in free
     ]
-    document = replace(document, timesheet=sheet.kept)
+    document = _marked(replace(document, timesheet=sheet.kept), sheet)
     return set_canvas(document, replace(document.canvas, length_frames=sheet.length_frames)), notes
+
+
+def _marked(document: Document, sheet: Timesheet) -> Document:
+    """Return the document with the sheet's dialogue and camera work as markers, beside those that are there."""
+    words: dict[int, list[str]] = {}
+    lengths: dict[int, int] = {}
+    for mark in sheet.marks:
+        words.setdefault(mark.frame + 1, []).append(mark.text)
+        lengths[mark.frame + 1] = max(mark.length_frames, lengths.get(mark.frame + 1, 0))
+    known = {marker.frame: marker for marker in document.markers}
+    for frame, lines in words.items():
+        before = known.get(frame)
+        told = [] if before is None or not before.comment else before.comment.split(_BETWEEN_MARKS)
+        comment = _BETWEEN_MARKS.join(dict.fromkeys((*told, *lines)))
+        known[frame] = Marker(frame, comment[:MAX_TEXT_CHARACTERS], lengths[frame])
+    return replace(document, markers=tuple(known[frame] for frame in sorted(known)))
 
 
 def _layer_for(name: str, layers: Iterable[Layer]) -> Layer | None:

@@ -5,7 +5,8 @@ from math import floor
 
 from kagezou.document import properties, set_properties
 from kagezou.document.figure_properties import EDGES, HOLD, LEAST_PART, PAINTED, SHADOWS_UNITE, SHAPE
-from kagezou.document.model import Document, Layer, Tracks, parts_of
+from kagezou.document.figures import parts_of
+from kagezou.document.model import Document, Layer, Tracks
 from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
 from kagezou.geometry.card import Card

@@ -3,7 +3,8 @@
 from typing import Final
 
 from kagezou.document.figure_properties import ANCHOR, BACKGROUND_POSITION, PLACEMENT_LINES, POSITION, ROTATION, SCALE
-from kagezou.document.model import Document, Layer, drawing_offset, parts_of
+from kagezou.document.figures import parts_of
+from kagezou.document.model import Document, Layer, drawing_offset
 from kagezou.document.properties import VISIBLE
 from kagezou.document.values import value_at
 from kagezou.geometry.box import Box, around, centred_offset

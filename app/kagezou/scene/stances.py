@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from statistics import median
 from typing import Final
 
-from kagezou.document.model import Document, Drawing, Layer, drawing_size, parts_of
+from kagezou.document.figures import parts_of
+from kagezou.document.model import Document, Drawing, Layer, drawing_size
 from kagezou.document.properties import VISIBLE
 from kagezou.document.remembered import Remembered
 from kagezou.document.values import value_at

@@ -7,6 +7,7 @@ from typing import Final
 
 from kagezou.document.address import Address
 from kagezou.document.key_edits import Refs
+from kagezou.document.marking import locked_and_changed
 from kagezou.document.model import Document
 from kagezou.errors import Problem
 from kagezou.session.history import History, Step
@@ -17,8 +18,11 @@ NOBODY: Final[Ids] = frozenset()
 
 Listener = Callable[[State, State], None]
 Refusal = Callable[[], None]
+"""Told whenever an edit is refused because the session is locked."""
 Admission = Callable[[Document, Document], None]
 """Raises a Problem if the second document may not follow the first as a step."""
+LayerRefusal = Callable[[tuple[str, ...]], None]
+"""Told the names of locked layers that an edit would have changed; it is not shown then."""
 
 
 class Session:
@@ -41,7 +45,8 @@ class Session:
         self._history = History()
         self._gesture: Gesture | None = None
         self._listeners: list[Listener] = []
-        self._refusals: list[Refusal] = []
+        self.told_of_refusals: list[Refusal] = []
+        self.told_of_locked: list[LayerRefusal] = []
         self._is_locked = False
         self._admit = admit
 
@@ -88,10 +93,6 @@ class Session:
     def listen(self, listener: Listener) -> None:
         """Call ``listener(before, after)`` after every change of state."""
         self._listeners.append(listener)
-
-    def listen_to_refusals(self, listener: Refusal) -> None:
-        """Call ``listener()`` whenever an edit is refused because the session is locked."""
-        self._refusals.append(listener)
 
     def lock(self, *, locked: bool) -> None:
         """Let the document only be looked at, or be worked on again; what is under way ends as it is."""
@@ -189,7 +190,7 @@ class Session:
         self._show(replace(self._state, keys=keys))
 
     def _refuses(self) -> bool:
-        for listener in self._refusals if self._is_locked else ():
+        for listener in self.told_of_refusals if self._is_locked else ():
             listener()
         return self._is_locked
 
@@ -239,10 +240,17 @@ class Gesture:
 
     def show(self, document: Document, keys: Refs | None = None) -> None:
         """Make a document the present one, for now, and select keys in it where they are given."""
-        if self._open:
+        if self._open and self._leaves_locked(document):
             state = self._session.state
             chosen = state.keys if keys is None else keys
             self._session._show(replace(state, document=document, keys=chosen))  # noqa: SLF001 - its own session
+
+    def _leaves_locked(self, document: Document) -> bool:
+        """Whether a document leaves locked layers as they are; whoever tries otherwise is told."""
+        names = locked_and_changed(self._before.document, document)
+        for tell in self._session.told_of_locked if names else ():
+            tell(names)
+        return not names
 
     def commit(self) -> None:
         """End the gesture as one step, or as none if nothing changed."""

@@ -13,7 +13,8 @@ from kagezou.document.feet_edits import (
     put_ground_below,
     unpin_foot,
 )
-from kagezou.document.model import Document, Layer, drawing_size, parts_of
+from kagezou.document.figures import parts_of
+from kagezou.document.model import Document, Layer, drawing_size
 from kagezou.geometry.box import centred_offset
 from kagezou.geometry.placement import centred_from_canvas
 from kagezou.geometry.vectors import Point2

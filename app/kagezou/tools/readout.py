@@ -39,6 +39,17 @@ def readout(handle: Handle, before: Document, after: Document, frame: int) -> tu
     return tuple(parts)
 
 
+def values(handle: Handle, document: Document, frame: int) -> tuple[Message, ...]:
+    """Return the values a handle edits, such as ``X 412`` and ``Y 203``."""
+    return tuple(
+        Message("{name} {value}{unit}", name=name, value=_short(number), unit=_degree(address.property))
+        for address in handle.addresses
+        for name, number in zip(
+            _names(address.property), _numbers(value_of(document, address, frame), handle.index), strict=False
+        )
+    )
+
+
 def height_words(document: Document, layer_id: str, frame: int) -> Message | None:
     """Return how high over the ground the figure of a layer is at a frame, such as ``Height 52 px``.
 

@@ -133,7 +133,7 @@ def test_a_video_that_cannot_be_written_here_says_what_is_missing(monkeypatch: p
     monkeypatch.setattr("kagezou.export.exporters.video_file.is_there", lambda: False)
     lacking = VIDEO_FILE.lacks()
     assert lacking is not None
-    assert lacking.extra == "video"
+    assert lacking.extra.name == "video"
 
 
 def test_the_preview_names_all_pictures_of_a_background(document: Document, place: Place) -> None:

@@ -9,7 +9,7 @@ import pytest
 from kagezou.errors import InputProblem, ProjectProblem
 from kagezou.io.sheets import reading
 from kagezou.io.sheets.reading import read_sheets, read_timesheet
-from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.io.sheets.timesheet import SheetMark, SheetTrack, Timesheet
 from kagezou.io.sheets.xdts import sheets_of
 
 HEAD = "exchangeDigitalTimeSheet Save Data\n"
@@ -182,14 +182,38 @@ def test_what_is_not_used_is_said() -> None:
     full["timeTables"][0]["fields"] += [talk, {"fieldId": 5, "tracks": [track(0, row(0, "PAN"))]}]
     full["timeTables"][0]["fields"] += [{"fieldId": 9, "tracks": [track(0, row(0, "?"))]}]
     assert list(map(str, first_of(HEAD + json.dumps(full)).notes)) == [
-        "its dialogue is not used",
-        "its camera work is not used",
         "its columns of the kind 9 are not used",
         "marks of inbetweens and reverse sheets (○ ●) are not used: 2",
         "marks of a kind not known here are passed over: 1",
         "of several cels on one frame the first counts: 1 times",
         "what lies behind its last frame is not used: 1 entries",
     ]
+
+
+def test_dialogue_and_camera_work_are_marks_for_as_long_as_they_go_on() -> None:
+    full = tree(track(0, row(0, "1")))
+    talk = track(
+        0, row(1, "Taro", "Good\nmorning"), row(2, "SYMBOL_HYPHEN"), row(3, "SYMBOL_HYPHEN"), row(6, NULL),
+        row(8, "Hanako", "Yes"), row(30, "Taro", "late"),
+    )  # fmt: skip
+    moves = track(0, row(-2, "FI"), row(0, "PAN"), row(4, "T.U"), row(5, "SYMBOL_HYPHEN"))
+    full["timeTables"][0]["fields"] += [{"fieldId": 3, "tracks": [talk]}, {"fieldId": 5, "tracks": [moves]}]
+    sheet = first_of(HEAD + json.dumps(full))
+    assert sheet.marks == (
+        SheetMark(0, 1, "PAN"),
+        SheetMark(1, 3, "Taro: Good morning"),
+        SheetMark(4, 2, "T.U"),
+        SheetMark(8, 1, "Hanako: Yes"),
+    )
+    assert sheet.notes == ()
+
+
+def test_a_column_of_dialogue_that_cannot_be_read_is_left_out_and_said() -> None:
+    full = tree(track(0, row(0, "1")))
+    full["timeTables"][0]["fields"].append({"fieldId": 3, "tracks": [{"trackNo": 0, "frames": "?"}]})
+    sheet = first_of(HEAD + json.dumps(full))
+    assert (sheet.marks, sheet.tracks) == ((), (SheetTrack("A", ((0, "1"),)),))
+    assert list(map(str, sheet.notes)) == ["a column of dialogue or camera work cannot be read"]
 
 
 def test_one_of_several_sheets_is_chosen_by_name_or_number(tmp_path: Path) -> None:

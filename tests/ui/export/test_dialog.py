@@ -35,12 +35,12 @@ from kagezou.export.request import Cancelled, Progress
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 from kagezou.ui.export.dialog import ExportDialog
-from kagezou.ui.export.missing_part import MissingPartDialog
 from kagezou.ui.export.places import MOST, place_for, remember_place
 from kagezou.ui.export.result import ExportResult
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
+from kagezou.ui.widgets.missing_parts import MissingParts
 from kagezou.ui.window.main_window import MainWindow
 
 
@@ -199,7 +199,7 @@ def test_a_missing_part_is_offered_where_it_is_wanted_and_taken_at_once(
     assert dialog.says.text() == "Writing videos needs a part that is not installed"
     assert not dialog.go.isEnabled()
     dialog.how.click()
-    (how,) = dialog.findChildren(MissingPartDialog)
+    (how,) = dialog.findChildren(MissingParts)
     assert how.command.text().endswith("-m pip install 'kagezou[video]'")
     how.copy.click()
     assert QGuiApplication.clipboard().text() == how.command.text()

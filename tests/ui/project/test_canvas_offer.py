@@ -37,7 +37,7 @@ def sides(window: MainWindow) -> tuple[int, int]:
 def test_its_size_is_taken_by_a_button_and_the_drawings_stay_in_the_middle(
     qtbot: QtBot, plain: MainWindow, tmp_path: Path
 ) -> None:
-    offer = plain.parts.canvas_offer
+    offer = plain.parts.files.canvas_offer
     assert offer.isHidden()
     plain.parts.project.put_background(picture(tmp_path, (480, 270)))
     assert not offer.isHidden()
@@ -55,7 +55,7 @@ def test_its_size_is_taken_by_a_button_and_the_drawings_stay_in_the_middle(
 
 def test_the_settings_open_with_its_size(qtbot: QtBot, plain: MainWindow, tmp_path: Path) -> None:
     plain.parts.project.put_background(picture(tmp_path, (480, 400)))
-    qtbot.mouseClick(plain.parts.canvas_offer.more, LEFT)
+    qtbot.mouseClick(plain.parts.files.canvas_offer.more, LEFT)
     (dialog,) = plain.findChildren(CutSettingsDialog)
     assert dialog.size_row.size_px == (480, 400)
     assert dialog.size_row.usual.currentText().startswith("The background")
@@ -63,12 +63,12 @@ def test_the_settings_open_with_its_size(qtbot: QtBot, plain: MainWindow, tmp_pa
     qtbot.mouseClick(dialog.agree, LEFT)
     assert sides(plain) == (480, 400)
     assert plain.parts.bridge.document.layers[0].tracks["scale"].constant == (200.0, 200.0)
-    assert plain.parts.canvas_offer.isHidden()
+    assert plain.parts.files.canvas_offer.isHidden()
     plain.close_unasked()
 
 
 def test_it_is_not_offered_where_there_is_nothing_to_choose(qtbot: QtBot, plain: MainWindow, tmp_path: Path) -> None:
-    offer, project = plain.parts.canvas_offer, plain.parts.project
+    offer, project = plain.parts.files.canvas_offer, plain.parts.project
     project.put_background(picture(tmp_path, (240, 200)))
     assert offer.isHidden()
     project.put_background(picture(tmp_path, (300, 200), "other.png"))
@@ -93,5 +93,5 @@ def test_the_first_picture_of_all_brings_its_size_without_a_question(
     qtbot.addWidget(window)
     window.parts.project.put_background(picture(tmp_path, (300, 170)))
     assert sides(window) == (300, 170)
-    assert window.parts.canvas_offer.isHidden()
+    assert window.parts.files.canvas_offer.isHidden()
     window.close_unasked()

@@ -1,5 +1,6 @@
 """The picture in the real window: handles dragged by the mouse, zoom and pan, and a context that is made anew."""
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -7,15 +8,18 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent, QWheelEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
-from kagezou.document.address import Address, value_of
+from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.edits import set_value
 from kagezou.document.invariants import check
+from kagezou.document.model import Document
+from kagezou.document.values import value_at
 from kagezou.io.clips.shortcut_files import bundled_key_sets
 from kagezou.tools.grounding import add_grounding
+from kagezou.ui.panels.groups import Group
 from kagezou.ui.viewport.overlay import pill_corner
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, move, picture, place_of, shadow_is_on_canvas
@@ -290,3 +294,63 @@ def test_the_pill_stays_in_the_viewport() -> None:
         corner = pill_corner(at, (120.0, 24.0), (400.0, 300.0))
         assert 0 <= corner.x() <= 280
         assert 0 <= corner.y() <= 276
+
+
+def test_a_handle_says_its_value_and_its_keys_before_it_is_taken_hold_of(walking: MainWindow) -> None:
+    viewport = walking.parts.viewport
+    move(viewport, place_of(viewport, "light.lamp"))
+    first, second = viewport.controller.words.split("\n")
+    assert re.fullmatch(r"Lamp  X [-.0-9]+  Y [-.0-9]+  Z [-.0-9]+", first)
+    assert second == "Shift: one way   Shift+Alt or Shift+A: slowly"
+    for handle in viewport.controller.handles.handles:
+        move(viewport, place_of(viewport, handle.id))
+        assert viewport.controller.words.count("\n") == 1
+
+
+def grounding_points(document: Document) -> tuple[tuple[float, float], ...]:
+    return value_at(document.layers[0].tracks, properties.GROUNDING, 1)
+
+
+def test_the_letter_a_is_alt_while_the_hand_drags(qtbot: QtBot, walking: MainWindow) -> None:
+    viewport, bridge = walking.parts.viewport, walking.parts.bridge
+    for place in ((100.0, 168.0), (130.0, 168.0)):
+        bridge.session.edit("Add", add_grounding(bridge.document, "layer-1", 1, place))
+    start = place_of(viewport, "grounding.0")
+    qtbot.keyPress(viewport, Qt.Key.Key_A)
+    qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=start)
+    for x in (4, 8, 12):
+        move(viewport, start + QPoint(x, 0), Qt.MouseButton.LeftButton)
+    qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=start + QPoint(12, 0))
+    qtbot.keyRelease(viewport, Qt.Key.Key_A)
+    assert not walking.alt_key.is_held
+    first, second = grounding_points(bridge.document)
+    assert first[0] > 100.0
+    assert second[0] == pytest.approx(230.0 - first[0], abs=0.01), "the other one went the other way"
+
+
+def test_messages_step_aside_while_the_hand_drags(qtbot: QtBot, walking: MainWindow) -> None:
+    viewport = walking.parts.viewport
+    walking.parts.bar.say("x", "Something to know.")
+    assert walking.top_bars.isVisible()
+    drag(qtbot, viewport, "light.lamp", QPoint(20, 10), let_go=False)
+    assert not walking.top_bars.isVisible()
+    qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton)
+    assert walking.top_bars.isVisible()
+
+
+def test_a_right_click_on_a_handle_opens_the_menu_of_what_it_edits(qtbot: QtBot, walking: MainWindow) -> None:
+    viewport, inspector, session = walking.parts.viewport, walking.parts.panels.inspector, walking.parts.bridge.session
+    inspector.sections[Group.LIGHT].open(opened=False)
+    qtbot.mouseClick(viewport, Qt.MouseButton.RightButton, pos=place_of(viewport, "light.lamp"))
+    menu = next(each for each in viewport.findChildren(QMenu) if each.isVisible())
+    words = [action.text() for action in menu.actions()]
+    assert words[:3] == ["Lamp", "Type Values…", "Copy Value"]
+    assert {"Set Key", "Reset to Default"} <= set(words)
+    assert inspector.sections[Group.LIGHT].is_open
+    assert session.state.selection == (Address(properties.LIGHT_POSITION),)
+    menu.close()
+    walking.parts.actions["set_keys"].trigger()
+    assert [key.frame for key in track_of(session.document, Address(properties.LIGHT_POSITION)).keys] == [1]
+    qtbot.mouseClick(viewport, Qt.MouseButton.LeftButton, pos=place_of(viewport, "ground.declination"))
+    assert inspector.row("ground.declination").label.property("chosen")
+    assert not inspector.row("light.position").label.property("chosen")

@@ -11,6 +11,7 @@ from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.file_kinds import FileCount
 from kagezou.export.request import Cancelled, Progress
+from kagezou.extras import Extra
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
@@ -80,10 +81,10 @@ class ExportOutcome:
 
 @dataclass(frozen=True, slots=True)
 class Lack:
-    """What a machine lacks for an exporter: in words without a full stop, and as an extra of the program."""
+    """What a machine lacks for an exporter: in words without a full stop, and as a part of the program."""
 
     says: Message
-    extra: str
+    extra: Extra
 
 
 Work = Callable[[OpenContext, Progress, Cancelled], ExportOutcome]

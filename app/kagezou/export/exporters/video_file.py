@@ -11,6 +11,7 @@ from kagezou.export.file_kinds import VIDEO, FileCount
 from kagezou.export.names import safe_names
 from kagezou.export.request import Cancelled, Progress
 from kagezou.export.video import VideoRequest, VideoSummary, export_video, video_jobs
+from kagezou.extras import VIDEO as VIDEO_PART
 from kagezou.io.files.faults import output_problem
 from kagezou.io.images.video import is_there
 from kagezou.message import Message
@@ -26,7 +27,7 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
         """Return what is to be installed where videos cannot be written."""
         if is_there():
             return None
-        return Lack(Message("writing videos needs a part that is not installed"), "video")
+        return Lack(Message("writing videos needs a part that is not installed"), VIDEO_PART)
 
     def formats(self, _choices: ExportChoices) -> tuple[str, ...]:
         """Return every kind of video."""

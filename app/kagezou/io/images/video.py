@@ -16,11 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.errors import OutputProblem, UsageProblem
+from kagezou.extras import VIDEO
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.message import Message
 
 Pixels = NDArray[Any]
-MISSING: Final = Message("video needs PyAV, which is not installed: pip install 'kagezou[video]'")
+MISSING: Final = Message("video needs PyAV, which is not installed: {how}", how=VIDEO.how)
 _BT709: Final = 1
 _VIDEO_RANGE: Final = 1
 _WHITE: Final = 255
@@ -59,7 +60,7 @@ _CODINGS: Final = {
 
 def is_there() -> bool:
     """Return whether videos can be written here, without importing what writes them."""
-    return find_spec("av") is not None
+    return find_spec(VIDEO.module) is not None
 
 
 def kind_of(path: Path) -> VideoKind:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
+from kagezou.document.layer_marks import LABELS
 from kagezou.document.review import MAX_ANSWERS, MAX_TEXT_CHARACTERS
 from kagezou.document.set_pieces import MAX_PIECES
 from kagezou.document.slate import MAX_FIRST_FRAME, MAX_WORD_CHARACTERS
@@ -104,6 +105,9 @@ LAYER: Final[Fields] = MappingProxyType({
     "paper": Field("white or border",
                    "Which white is clear where drawings have no alpha: all that is pure white, which is usual, or what "
                    "is connected with the border of its picture.", optional=True),
+    "locked": Field("true", "Whether it is not to be changed by hand; missing where it may be.", optional=True),
+    "solo": Field("true", "Whether the window shows it alone; missing where it does not.", optional=True),
+    "label": Field(f"one of {', '.join(LABELS)}", "The colour of its label; missing where it has none.", optional=True),
     "sizes": Field("list of [index, width, height]",
                    "Pictures whose size is known, px: from this drawing on all have it, until the next row.",
                    optional=True),

@@ -11,6 +11,7 @@ from typing import Final
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Interpolation, Key, Track, Value, components_of
 from kagezou.document.edits import still
+from kagezou.document.layer_marks import LABELS, LayerMarks
 from kagezou.document.linking import LINKABLE
 from kagezou.document.model import BroughtLight, Canvas, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
 from kagezou.document.paper import on_paper
@@ -127,7 +128,16 @@ def _layer(reader: Reader, folder: Path) -> Layer:
         figure=_figure(found["figure"]),
         tracks=_tracks(found["tracks"], OF_LAYER),
         joins=_name(found["joins"]) if "joins" in found else None,
+        marks=_marks(found),
     )
+
+
+def _marks(found: Mapping[str, Reader]) -> LayerMarks:
+    for key in ("locked", "solo"):
+        if key in found and found[key].value is not True:
+            raise found[key].refused(Message("true"))
+    label = found["label"].word(list(LABELS)) if "label" in found else ""
+    return LayerMarks("locked" in found, "solo" in found, label)
 
 
 def _paper(found: Mapping[str, Reader]) -> Paper:

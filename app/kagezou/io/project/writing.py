@@ -97,6 +97,9 @@ def _layer(layer: Layer, folder: Path) -> dict[str, object]:
         "tracks": _tracks(layer.tracks, OF_LAYER),
         **({} if layer.joins is None else {"joins": layer.joins}),
         **({} if paper_of(layer) is Paper.WHITE else {"paper": paper_of(layer).value}),
+        **({"locked": True} if layer.marks.is_locked else {}),
+        **({"solo": True} if layer.marks.is_solo else {}),
+        **({"label": layer.marks.label} if layer.marks.label else {}),
         **feet_tree(cels.drawings),
     }
 

@@ -4,6 +4,7 @@ from importlib.util import find_spec
 from typing import Final
 
 from kagezou.errors import InputProblem
+from kagezou.extras import DRACO as DRACO_PART
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.gltf import Gltf
 from kagezou.io.sets.triangles import listed
@@ -44,13 +45,13 @@ _NO_MATTER: Final = (
 """How the names of extensions begin that say nothing of a shape: colours, lights, sounds, what one may know of it."""
 
 DRACO_MISSING: Final = Message(
-    "it is compressed with Draco, which needs the package DracoPy: pip install 'kagezou[draco]'"
+    "it is compressed with Draco, which needs the package DracoPy: {how}", how=DRACO_PART.how
 )
 
 
 def can_read_draco() -> bool:
     """Whether the optional package for Draco is installed."""
-    return find_spec("DracoPy") is not None
+    return find_spec(DRACO_PART.module) is not None
 
 
 def refused(file: Gltf) -> InputProblem | None:

@@ -15,6 +15,7 @@ from typing import Final
 import numpy as np
 
 from kagezou.errors import InputProblem
+from kagezou.extras import USD
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.bounded_bytes import state_of
@@ -22,7 +23,7 @@ from kagezou.io.sets.triangles import Triangles
 from kagezou.io.sets.usd_contents import UsdContents, load_contents
 from kagezou.message import Message
 
-MISSING: Final = Message("USD files need the package usd-core: pip install 'kagezou[usd]'")
+MISSING: Final = Message("USD files need the package usd-core: {how}", how=USD.how)
 
 CHILD: Final = "kagezou.io.sets.usd_child"
 MAX_SECONDS: Final = 120

@@ -22,12 +22,32 @@ class SheetTrack:
 
 
 @dataclass(frozen=True, slots=True)
+class SheetMark:
+    """What is said or done in a cut beside its cels: a line of dialogue or a camera's move.
+
+    Parameters
+    ----------
+    frame
+        The first frame of it, counted from 0.
+    length_frames
+        For how many frames it goes on, at least 1.
+    text
+        As it is read.
+    """
+
+    frame: int
+    length_frames: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Timesheet:
     """A sheet of a file: its name, its length, its cel columns from the lowest to the topmost.
 
     ``notes`` say what of the file is not used and what had to be assumed, without the file's name. ``kept`` is what the
     file says of this sheet, as JSON text, so that a sheet that is written has what is not used here; it is no part of
     what makes two sheets equal. ``scene`` and ``cut`` are the numbers of its head; empty where nothing is said.
+    ``marks`` is what its columns of dialogue and camera work say, in the order of frames.
     """
 
     name: str
@@ -37,3 +57,4 @@ class Timesheet:
     kept: str = field(default="", compare=False, repr=False)
     scene: str = field(default="", compare=False)
     cut: str = field(default="", compare=False)
+    marks: tuple[SheetMark, ...] = field(default=(), compare=False)

@@ -15,10 +15,10 @@ from kagezou.errors import ProjectProblem
 from kagezou.io.files.json_text import Reader
 from kagezou.io.sheets.sheet_text import json_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.io.sheets.xdts_marks import CAMERA_WORK, DIALOGUE, marks_of
+from kagezou.io.sheets.xdts_values import MAX_COLUMNS, MAX_FRAMES, SYMBOL, member, text_of_value, texts_of, whole
 from kagezou.message import Message
 
-_MAX_FRAMES: Final = 1_000_000
-_MAX_COLUMNS: Final = 1000
 MAX_KEPT_CHARACTERS: Final = 1 << 20
 FIRST_LINE: Final = "exchangeDigitalTimeSheet Save Data"
 _OTHER_FIRST_LINE: Final = "toeiDigitalTimeSheet Save Data"
@@ -31,16 +31,9 @@ CELS: Final = 0
 CELS_OF_TDTS: Final = 4
 """There the field 0 is for key drawings."""
 
-_NOT_USED: Final = {
-    3: Message("its dialogue is not used"),
-    5: Message("its camera work is not used"),
-}
 _KEY_DRAWINGS: Final = Message("its columns of key drawings are not used")
 
 EMPTY_CEL: Final = "SYMBOL_NULL_CELL"
-SYMBOL: Final = "SYMBOL_"
-"""Every other symbol is a mark on a cel that goes on: inbetween, reverse sheet, hyphen."""
-
 _MARKS: Final = ("SYMBOL_TICK_1", "SYMBOL_TICK_2")
 _HYPHEN: Final = "SYMBOL_HYPHEN"
 
@@ -111,9 +104,9 @@ def _tables(root: Reader) -> Iterator[tuple[Reader, Reader]]:
     """Yield all tables, each with what it lies in; TDTS has sheets around its tables, but for its oldest writers."""
     sheets = [root]
     if _SHEETS in root.members():
-        sheets = list(_member(root, _SHEETS).items(_MAX_COLUMNS, least=1))
+        sheets = list(member(root, _SHEETS).items(MAX_COLUMNS, least=1))
     for sheet in sheets:
-        yield from ((sheet, table) for table in _member(sheet, TABLES).items(_MAX_COLUMNS, least=1))
+        yield from ((sheet, table) for table in member(sheet, TABLES).items(MAX_COLUMNS, least=1))
 
 
 def _sheet(table: Reader, *, is_tdts: bool, notes: tuple[Message, ...]) -> Timesheet:
@@ -122,33 +115,34 @@ def _sheet(table: Reader, *, is_tdts: bool, notes: tuple[Message, ...]) -> Times
     columns = sorted(_columns(table, wanted), key=lambda column: column[0])
     unused = _Unused()
     duration = table.members().get("duration")
-    length = _length(columns) if duration is None else _whole(duration, 1, _MAX_FRAMES)
+    length = _length(columns) if duration is None else whole(duration, 1, MAX_FRAMES)
     guessed = () if duration else (Message("its length is missing; it ends with its last entry"),)
     tracks = tuple(
         SheetTrack(names[number] if number < len(names) else "", _entries(frames, length, unused))
         for number, frames in columns
     )
-    said = (*notes, *guessed, *_other_fields(table, wanted), *unused.notes())
-    return Timesheet(_text(table.members().get("name")), length, tracks, said)
+    marks, unread = marks_of(table, length)
+    said = (*notes, *guessed, *unread, *_other_fields(table, wanted), *unused.notes())
+    return Timesheet(text_of_value(table.members().get("name")), length, tracks, said, marks=marks)
 
 
 def _length(columns: list[tuple[int, Reader]]) -> int:
     """Return the length of a sheet that does not say it: up to the last entry of a column."""
-    rows = (row for _, frames in columns for row in frames.items(_MAX_FRAMES))
-    return max((_whole(_member(row, "frame"), -_MAX_FRAMES, _MAX_FRAMES - 1) + 1 for row in rows), default=1)
+    rows = (row for _, frames in columns for row in frames.items(MAX_FRAMES))
+    return max((whole(member(row, "frame"), -MAX_FRAMES, MAX_FRAMES - 1) + 1 for row in rows), default=1)
 
 
 def _other_fields(table: Reader, wanted: int) -> list[Message]:
     """Return what is said of columns that are about something else and hold something."""
     listed = table.members().get("fields")
     found: dict[Message, None] = {}
-    for part in listed.items(_MAX_COLUMNS) if listed is not None else ():
+    for part in listed.items(MAX_COLUMNS) if listed is not None else ():
         kind = part.members().get("fieldId")
-        if kind is None or kind.value == wanted or not _holds_something(part):
+        if kind is None or kind.value in (wanted, DIALOGUE, CAMERA_WORK) or not _holds_something(part):
             continue
         number = kind.value if isinstance(kind.value, int) else None
         unknown = Message("its columns of the kind {kind} are not used", kind=kind.value)
-        found[_KEY_DRAWINGS if number == CELS else _NOT_USED.get(number or 0, unknown)] = None
+        found[_KEY_DRAWINGS if number == CELS else unknown] = None
     return list(found)
 
 
@@ -158,33 +152,10 @@ def _holds_something(part: Reader) -> bool:
     return isinstance(rows, list) and any(isinstance(track, dict) and track.get("frames") for track in rows)
 
 
-def _member(reader: Reader, name: str) -> Reader:
-    found = reader.members().get(name)
-    if found is None:
-        raise reader.problem(Message("the key {name!r} is missing", name=name))
-    return found
-
-
-def _whole(reader: Reader, low: int, high: int) -> int:
-    """Return a whole number, which some writers write as a text or with a decimal point."""
-    value = reader.value
-    is_text = isinstance(value, str) and value.strip().isdecimal() and len(value) <= len(str(high))
-    if is_text or (isinstance(value, float) and value.is_integer() and low <= value <= high):
-        reader = Reader(int(str(value).removesuffix(".0")), reader.place)
-    return reader.whole(low, high)
-
-
-def _text(reader: Reader | None) -> str:
-    """Return a text trimmed; some writers put numbers where texts belong."""
-    if reader is None or isinstance(reader.value, (bool, dict, list, float)) or reader.value is None:
-        return ""
-    return str(reader.value).strip()
-
-
 def _of_cels(table: Reader, key: str, wanted: int) -> Iterator[Reader]:
     """Yield the parts of a table that are about cel columns."""
     listed = table.members().get(key)
-    for part in listed.items(_MAX_COLUMNS) if listed is not None else ():
+    for part in listed.items(MAX_COLUMNS) if listed is not None else ():
         kind = part.members().get("fieldId")
         if kind is not None and kind.value == wanted:
             yield part
@@ -192,23 +163,23 @@ def _of_cels(table: Reader, key: str, wanted: int) -> Iterator[Reader]:
 
 def _names(table: Reader, wanted: int) -> list[str]:
     for header in _of_cels(table, "timeTableHeaders", wanted):
-        return [_text(name) for name in _member(header, "names").items(_MAX_COLUMNS)]
+        return [text_of_value(name) for name in member(header, "names").items(MAX_COLUMNS)]
     return []
 
 
 def _columns(table: Reader, wanted: int) -> Iterator[tuple[int, Reader]]:
     for part in _of_cels(table, "fields", wanted):
-        for track in _member(part, "tracks").items(_MAX_COLUMNS):
-            number = _whole(_member(track, "trackNo"), 0, _MAX_COLUMNS)
-            yield number, _member(track, "frames")
+        for track in member(part, "tracks").items(MAX_COLUMNS):
+            number = whole(member(track, "trackNo"), 0, MAX_COLUMNS)
+            yield number, member(track, "frames")
 
 
 def _entries(frames: Reader, length: int, unused: _Unused) -> tuple[tuple[int, str | None], ...]:
     """Return what is seen from which frame on; the last entry before the first frame is what the sheet begins with."""
     seen: dict[int, str | None] = {}
     early: tuple[int, str | None] | None = None
-    for row in frames.items(_MAX_FRAMES):
-        frame = _whole(_member(row, "frame"), -_MAX_FRAMES, _MAX_FRAMES)
+    for row in frames.items(MAX_FRAMES):
+        frame = whole(member(row, "frame"), -MAX_FRAMES, MAX_FRAMES)
         cel = _cel(row, unused)
         if cel == "":
             continue
@@ -225,11 +196,7 @@ def _entries(frames: Reader, length: int, unused: _Unused) -> tuple[tuple[int, s
 
 def _cel(row: Reader, unused: _Unused) -> str | None:
     """Return the cel of a row, None for an empty one, or an empty text where the cel before goes on."""
-    data = row.members().get("data")
-    texts: list[str] = []
-    for item in data.items(_MAX_COLUMNS) if data is not None else ():
-        values = item.members().get("values")
-        texts += [_text(value) for value in values.items(_MAX_COLUMNS)] if values is not None else []
+    texts = texts_of(row)
     unused.counts["marks"] += sum(text in _MARKS for text in texts)
     known = (EMPTY_CEL, _HYPHEN, *_MARKS)
     unused.counts["unknown"] += sum(text.startswith(SYMBOL) and text not in known for text in texts)

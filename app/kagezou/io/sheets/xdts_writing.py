@@ -9,7 +9,8 @@ from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.json_text import parse
 from kagezou.io.names.runs import number_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
-from kagezou.io.sheets.xdts import CELS, CELS_OF_TDTS, EMPTY_CEL, FIRST_LINE, SYMBOL, TABLES
+from kagezou.io.sheets.xdts import CELS, CELS_OF_TDTS, EMPTY_CEL, FIRST_LINE, TABLES
+from kagezou.io.sheets.xdts_values import SYMBOL
 
 _VERSION: Final = 5
 _ALIKE: Final = (3, 5)

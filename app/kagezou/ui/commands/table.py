@@ -78,7 +78,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("save", translate("Commands", "&Save"), ("Ctrl+S",), "save"),
         Command("save_as", translate("Commands", "Save &As…"), ("Ctrl+Shift+S",)),
         Command("save_increment", translate("Commands", "Save Ne&xt Version"), ("Ctrl+Alt+Shift+S",)),
-        Command("import", translate("Commands", "&Import Character…"), ("Ctrl+I",), "add"),
+        Command("import", translate("Commands", "A&dd Characters…"), ("Ctrl+I",), "add"),
         Command("import_pictures", translate("Commands", "Import &Pictures…"), ("Ctrl+Shift+I",)),
         Command("import_set", translate("Commands", "Import &3-D Set…")),
         Command("import_timesheet", translate("Commands", "Import &Timesheet…")),
@@ -88,7 +88,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("no_background", translate("Commands", "Remove Background")),
         Command("cut_settings", translate("Commands", "&Cut Settings…"), ("Ctrl+K",)),
         Command("export", translate("Commands", "&Export…"), ("Ctrl+M",), "export"),
-        Command("export_notes", translate("Commands", "Export N&otes…")),
+        Command("export_notes", translate("Commands", "Export Notes…")),
         Command("quit", translate("Commands", "&Quit"), ("Ctrl+Q",)),
     )
 
@@ -108,6 +108,18 @@ def edit_commands() -> tuple[Command, ...]:
         Command("doubtful_previous", translate("Commands", "Previous Doubtful Drawing"), ("Ctrl+Alt+,",)),
         Command("preferences", translate("Commands", "Pre&ferences…"), ("Ctrl+Alt+Shift+P",)),
         Command("edit_shortcuts", translate("Commands", "Edit &Keyboard Shortcuts…"), ("Ctrl+Alt+Shift+K",)),
+    )
+
+
+def layer_commands() -> tuple[Command, ...]:
+    """Return the commands about layers."""
+    return (
+        Command("layer_replace", translate("Commands", "Re&place Drawings…")),
+        Command("layer_relink", translate("Commands", "&Relink Missing Drawings…")),
+        Command("layer_folder", translate("Commands", "Show Drawings in &Folder")),
+        Command("layer_duplicate", translate("Commands", "&Duplicate Layer")),
+        Command("layer_lock", translate("Commands", "&Lock Layer"), ("Ctrl+L",), checkable=True),
+        Command("layer_solo", translate("Commands", "&Solo Layer"), ("Ctrl+Alt+S",), checkable=True),
     )
 
 
@@ -164,7 +176,7 @@ def view_commands() -> tuple[Command, ...]:
         Command("handles", translate("Commands", "&Handles"), ("Ctrl+Shift+H",), "handles", checkable=True),
         Command("settle_set", translate("Commands", "Camera and Size of the 3-D Set")),
         Command("match_camera", translate("Commands", "Match Ca&mera to Picture"), ("Ctrl+Alt+M",), checkable=True),
-        Command("review", translate("Commands", "&Review"), ("Ctrl+Alt+Shift+R",), checkable=True),
+        Command("review", translate("Commands", "Review"), ("Ctrl+Alt+Shift+R",), checkable=True),
         Command("look_only", translate("Commands", "Look Onl&y"), ("Ctrl+Alt+Shift+L",), checkable=True),
         Command("onion_skin", translate("Commands", "O&nion Skin"), ("Alt+O",), checkable=True),
         Command("safe_area", translate("Commands", "&Safe Area"), ("'", "Ctrl+Alt+Shift+G"), checkable=True),
@@ -254,6 +266,7 @@ def help_commands() -> tuple[Command, ...]:
     return (
         Command("command_search", translate("Commands", "&Find Command…"), ("Ctrl+Shift+P",)),
         Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("F1",)),
+        Command("missing_parts", translate("Commands", "Missing Parts…")),
         Command("about", translate("Commands", "&About Kagezou")),
     )
 
@@ -263,6 +276,7 @@ def command_groups() -> tuple[CommandGroup, ...]:
     return (
         CommandGroup(translate("Commands", "File"), file_commands()),
         CommandGroup(translate("Commands", "Edit"), edit_commands()),
+        CommandGroup(translate("Commands", "Layer"), layer_commands()),
         CommandGroup(translate("Commands", "Keys"), key_commands()),
         CommandGroup(translate("Commands", "Drawings"), drawing_commands()),
         CommandGroup(translate("Commands", "Time"), playback_commands()),

@@ -9,8 +9,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QLabel,
     QMenu,
-    QSizePolicy,
-    QSplitter,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -24,6 +22,7 @@ from kagezou.io.project.file import load
 from kagezou.tools.curves.picture import GraphKind
 from kagezou.ui.curves.annotating import Annotating
 from kagezou.ui.curves.choice import Choice
+from kagezou.ui.curves.columns import Columns
 from kagezou.ui.curves.curve_tree import CurveTree
 from kagezou.ui.curves.flag_list import FlagList
 from kagezou.ui.curves.graph import Graph
@@ -62,10 +61,12 @@ class CurveEditor(QWidget):
         self.flags = FlagList(bridge)
         self.key_menu = QMenu(self)
         self.kind_box = self._make_kind_box()
-        self._read = QLabel()
+        # It lies over the graph: a line of its own would take a fifth of a low panel.
+        self._read = QLabel(self.graph)
         self._read.setObjectName("readout")
-        # Its words may be longer than there is room; they never make the panel wider.
-        self._read.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._read.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._read.move(72, 2)
+        self._read.hide()
         self._empty = QLabel(
             self.tr("Nothing is keyed yet: move the playhead and click the diamond before a property."), self.graph
         )
@@ -149,7 +150,7 @@ class CurveEditor(QWidget):
         bridge.frame_changed.connect(self.graph.move_playhead)
         bridge.session_replaced.connect(self.graph.fit_all)
         self.graph.controller.read.connect(self._show_readout)
-        self.graph.controller.left.connect(self._read.clear)
+        self.graph.controller.left.connect(self._read.hide)
         self.graph.controller.exact_asked.connect(self.ask_velocity)
         self.graph.menu_asked.connect(self.key_menu.popup)
         self.table.refused.connect(self.refused)
@@ -160,6 +161,8 @@ class CurveEditor(QWidget):
         chosen = [each for each in self.graph.pictures if any(mark.is_chosen for mark in each.keys)]
         picture = next(iter(chosen or self.graph.pictures), None)
         self._read.setText(readout(self._bridge.document, self.choice, picture, whole))
+        self._read.adjustSize()
+        self._read.show()
 
     def _lay_out(self) -> None:
         middle = QWidget()
@@ -168,23 +171,14 @@ class CurveEditor(QWidget):
         column.setSpacing(0)
         column.addWidget(self._tools())
         column.addWidget(self.graph, 1)
-        column.addWidget(self._read)
         tabs = self._lists = QTabWidget()
         tabs.setDocumentMode(True)
         tabs.addTab(self.table, self.tr("Keys"))
         tabs.addTab(self.notes, self.tr("Notes"))
         tabs.addTab(self.flags, self.tr("Flags"))
-        splitter = QSplitter(Qt.Orientation.Horizontal)
-        for widget in (self.tree, middle, tabs):
-            splitter.addWidget(widget)
-        splitter.setStretchFactor(1, 1)
-        letter = self.fontMetrics().horizontalAdvance("0")
-        self.tree.setMinimumWidth(17 * letter)
-        tabs.setMinimumWidth(24 * letter)
-        splitter.setSizes([20 * letter, 128 * letter, 48 * letter])
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(splitter)
+        whole.addWidget(Columns(self.tree, middle, tabs))
 
     def _tools(self) -> OverflowRow:
         row = OverflowRow()

@@ -18,15 +18,14 @@ from kagezou.document.property import AnyProperty, Kind
 
 _MEASURED: Final = (Kind.POINT, Kind.PLACE, Kind.POINTS)
 _STANDS_OUT: Final = 4.0
-"""A step so many times as large as those around it is a jump, however small it is beside the limit."""
+"""A step so many times as large as those around it is a jump."""
 _COMES_BACK: Final = 0.5
 """A value that is out for one frame comes back to within this part of its step."""
-_LEAST_OF_LIMIT: Final = 0.1
 _LEAST_OF_COLOUR: Final = 12.0
 _LEAST_OF_RANGE: Final = 0.02
 _LEAST_NUMBER: Final = 1.0
-"""Jumps that nobody sees are smaller: of places a part of the limit, of colours in steps of 255, of numbers a part of
-what their slider or their range offers, where that is no more than `_WIDE`."""
+"""Jumps that nobody sees are smaller: of colours in steps of 255, of numbers a part of what their slider or their range
+offers, where that is no more than `_WIDE`."""
 _WIDE: Final = 1000.0
 _KEPT: Final = 4096
 
@@ -64,7 +63,7 @@ class Flag:
 def flags_of(document: Document, looked_at: Sequence[Address], limit_px: float) -> tuple[Flag, ...]:
     """Return what stands out in some properties, in the order of frames.
 
-    A value of any property that stands out from the frames around it jumps; a held key is meant to.
+    A value that stands out from the frames around it jumps; a held key is meant to.
 
     Parameters
     ----------
@@ -108,17 +107,15 @@ def _moves(track: Track, prop: AnyProperty, length: int, limit_px: float) -> tup
     for key, follower in pairwise(track.keys):
         if key.interpolation is Interpolation.HOLD and follower.frame in steps:
             steps[follower.frame] = 0.0
-    limit = limit_px if prop.kind in _MEASURED else np.inf
-    fast = list(_runs([frame for frame, step in steps.items() if step > limit]))
-    moves = [_move_of(track, steps, first, last) for first, last in fast]
-    covered = {frame for first, last in fast for frame in range(first, last + 1)}
-    least = _least(prop, limit_px)
-    moves += [
+    if prop.kind in _MEASURED:
+        fast = _runs([frame for frame, step in steps.items() if step > limit_px])
+        return tuple(_move_of(track, steps, first, last) for first, last in fast)
+    least = _least(prop)
+    return tuple(
         (frame, FlagKind.JUMP, step, 0)
         for frame, step in steps.items()
-        if step > least and frame not in covered and _stands_out(track, steps, frame)
-    ]
-    return tuple(sorted(moves))
+        if step > least and _stands_out(track, steps, frame)
+    )
 
 
 def _move_of(track: Track, steps: dict[int, float], first: int, last: int) -> _Move:
@@ -145,10 +142,8 @@ def _comes_back(track: Track, steps: dict[int, float], frame: int) -> bool:
     return float(np.hypot.reduce(np.subtract(after, before))) < _COMES_BACK * min(steps[frame], steps[frame + 1])
 
 
-def _least(prop: AnyProperty, limit_px: float) -> float:
+def _least(prop: AnyProperty) -> float:
     """Return the smallest jump of a property that is seen."""
-    if prop.kind in _MEASURED:
-        return _LEAST_OF_LIMIT * limit_px
     if prop.kind is Kind.COLOR:
         return _LEAST_OF_COLOUR
     low, high = prop.slides or (prop.low, prop.high)

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QInputDialog,
@@ -48,14 +48,15 @@ class NoteList(QWidget):
         self._bridge, self._annotating, self._at_hand = bridge, annotating, address_at_hand
         self.author = ""
         self.list = QListWidget()
+        self.list.setObjectName("note_list")
         self.list.setWordWrap(True)
         self.list.setAlternatingRowColors(True)
         self.list.setAccessibleName(self.tr("Notes"))
         self.list.itemClicked.connect(self._go_there)
         self.list.itemChanged.connect(self._take_tick)
         self.list.itemActivated.connect(lambda _item: self._ask_change())
-        self.add_button = _button(self.tr("Add Note…"), self.ask_new)
-        self.answer_button = _button(self.tr("Answer…"), self.ask_answer)
+        self.add_button = _button(self.tr("Add…"), self.tr("Pin a note to this frame"), self.ask_new)
+        self.answer_button = _button(self.tr("Answer…"), self.tr("Say something to this note"), self.ask_answer)
         self.more = QToolButton()
         self.more.setText("⋯")
         self.more.setToolTip(self.tr("More"))
@@ -66,6 +67,7 @@ class NoteList(QWidget):
         menu.addAction(self.tr("Delete"), self._delete)
         self.more.setMenu(menu)
         row = QHBoxLayout()
+        row.setSpacing(4)
         for button in (self.add_button, self.answer_button, self.more):
             row.addWidget(button)
         row.addStretch(1)
@@ -91,7 +93,7 @@ class NoteList(QWidget):
             font.setStrikeOut(note.is_done)
             item.setFont(font)
             self.list.addItem(item)
-            if note == chosen:
+            if chosen is not None and note.is_as(chosen):
                 self.list.setCurrentItem(item)
         self.list.blockSignals(False)
         for button in (self.add_button, self.answer_button, self.more):
@@ -174,7 +176,9 @@ class NoteList(QWidget):
     def _take_tick(self, item: QListWidgetItem) -> None:
         note = item.data(_WHAT)
         if isinstance(note, Note):
-            self.tick(note, done=item.checkState() is Qt.CheckState.Checked)
+            done = item.checkState() is Qt.CheckState.Checked
+            # Later: the click is not at its end, and a tick lists all notes anew.
+            QTimer.singleShot(0, self, lambda: self.tick(note, done=done))
 
     def _go_there(self, item: QListWidgetItem) -> None:
         note = item.data(_WHAT)
@@ -182,8 +186,9 @@ class NoteList(QWidget):
             self._bridge.session.go_to(note.frame)
 
 
-def _button(words: str, do: Callable[[], None]) -> QPushButton:
+def _button(words: str, tip: str, do: Callable[[], None]) -> QPushButton:
     button = QPushButton(words)
+    button.setToolTip(tip)
     button.setObjectName("small_button")
     button.setAutoDefault(False)
     button.clicked.connect(do)

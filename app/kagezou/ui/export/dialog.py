@@ -22,11 +22,11 @@ from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.table import depths_of, exporter_of, sound
-from kagezou.ui.export.missing_part import MissingPartDialog
 from kagezou.ui.export.options import GAP_PX, ExportOptions
 from kagezou.ui.export.preset_row import PresetRow
 from kagezou.ui.export.targets import TargetList
 from kagezou.ui.system.words import translated
+from kagezou.ui.widgets.missing_parts import MissingParts
 
 _SAYS_LINES = 2
 """So many lines are kept free for what stands in the way."""
@@ -206,8 +206,7 @@ class ExportDialog(QDialog):
         lack = exporter_of(self.choices).lacks()
         if lack is None:
             return
-        dialog = MissingPartDialog(lack, self)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog = MissingParts((lack.extra,), self)
         dialog.finished.connect(self._look_again)
         dialog.open()
 

@@ -1,16 +1,20 @@
 """How a layer looks in the list: eye, thumbnail, name, and what it holds."""
 
 from PySide6.QtCore import QObject, QRect, QSize, Qt
-from PySide6.QtGui import QImage, QPainter, QPen
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 
+from kagezou.document.layer_marks import LABELS, LayerMarks
 from kagezou.ui.panels.layer_model import Role
+from kagezou.ui.system.icons import icon
 from kagezou.ui.system.theme import BRIGHT, DIM, HOVERED, OFF, TEXT, WELL
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
 
 _THUMBNAIL = 40
 _GAP = 8
 _INDENT = 18
+_LABEL_PX = 4
+_SIGN_PX = 18
 
 
 class LayerDelegate(EyeDelegate):
@@ -33,6 +37,7 @@ class LayerDelegate(EyeDelegate):
         if _indent(index):
             _paint_elbow(painter, frame)
         _paint_thumbnail(painter, frame, index.data(Role.THUMBNAIL), faded=not visible)
+        _paint_marks(painter, area, frame, index)
         self._paint_words(painter, option, index, name_tone=(BRIGHT if chosen else TEXT) if visible else OFF)
         painter.restore()
 
@@ -48,6 +53,7 @@ class LayerDelegate(EyeDelegate):
 
     def _paint_words(self, painter: QPainter, option: QStyleOptionViewItem, index: Index, *, name_tone: object) -> None:
         area = _words_area(QRect(option.rect), _indent(index))
+        area.setRight(area.right() - _SIGN_PX * len(_signs(index)))
         metrics = painter.fontMetrics()
         middle = area.center().y()
         name = metrics.elidedText(str(index.data()), Qt.TextElideMode.ElideMiddle, area.width())
@@ -65,6 +71,28 @@ def _indent(index: Index) -> int:
 
 def _words_area(area: QRect, indent: int) -> QRect:
     return area.adjusted(EYE_WIDTH + indent + _THUMBNAIL + _GAP, 0, -6, 0)
+
+
+def _signs(index: Index) -> list[str]:
+    """Return the signs that stand at the right end of a row, from the right."""
+    marks = index.data(Role.MARKS)
+    if not isinstance(marks, LayerMarks):
+        return []
+    return [*(["lock"] if marks.is_locked else []), *(["solo"] if marks.is_solo else [])]
+
+
+def _paint_marks(painter: QPainter, area: QRect, frame: QRect, index: Index) -> None:
+    """Paint the label's colour at the left edge, the signs at the right one, and a warning where drawings miss."""
+    marks = index.data(Role.MARKS)
+    if isinstance(marks, LayerMarks) and marks.label in LABELS:
+        painter.fillRect(QRect(area.left(), area.top(), _LABEL_PX, area.height() - 1), QColor(LABELS[marks.label]))
+    for number, sign in enumerate(_signs(index)):
+        left = area.right() - _SIGN_PX * (number + 1) - 2
+        icon(sign).paint(painter, QRect(left, area.center().y() - _SIGN_PX // 2, _SIGN_PX - 3, _SIGN_PX))
+    if index.data(Role.IS_MISSING):
+        corner = QRect(frame.right() - 15, frame.bottom() - 15, 16, 16)
+        painter.fillRect(corner, QColor(0, 0, 0, 170))
+        icon("warning").paint(painter, corner.adjusted(1, 1, -1, -1))
 
 
 def _paint_elbow(painter: QPainter, frame: QRect) -> None:

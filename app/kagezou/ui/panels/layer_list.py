@@ -73,6 +73,8 @@ class LayerList(QWidget):
     """The panel: the rows over a small footer."""
 
     add_asked = Signal()
+    menu_opening = Signal(QMenu)
+    """The menu of a layer is about to open; whoever knows more that can be done with it adds that."""
 
     def __init__(self, bridge: Bridge, clipboard: Clipboard, thumbnails: Thumbnails) -> None:
         super().__init__()
@@ -176,6 +178,7 @@ class LayerList(QWidget):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.addAction(self.tr("Rename"), self.rename_current)
         self._offer_joining(menu)
+        self.menu_opening.emit(menu)
         hide_or_show = self.tr("Hide") if visible else self.tr("Show")
         menu.addAction(hide_or_show, lambda: self.model.show_layers(self._bridge.layer_ids, shown=not visible))
         menu.addSeparator()

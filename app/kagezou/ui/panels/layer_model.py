@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from enum import IntEnum
 
-from PySide6.QtCore import QAbstractListModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractListModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QImage
 
 from kagezou.document import properties
@@ -16,7 +16,9 @@ from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.picture_source import Paper
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.missing import NOTHING_MISSING, Missing, missing_words
 from kagezou.ui.system.thumbnails import Thumbnails
+from kagezou.ui.system.words import translated
 
 Index = QModelIndex | QPersistentModelIndex
 MIME = "application/x-kagezou-layer"
@@ -31,16 +33,22 @@ class Role(IntEnum):
     THUMBNAIL = Qt.ItemDataRole.UserRole + 3
     SUMMARY = Qt.ItemDataRole.UserRole + 4
     IS_PART = Qt.ItemDataRole.UserRole + 5
+    MARKS = Qt.ItemDataRole.UserRole + 6
+    IS_MISSING = Qt.ItemDataRole.UserRole + 7
 
 
 class LayerModel(QAbstractListModel):
     """Shows the session's layers; every change goes back through its edits."""
+
+    refused = Signal(str)
+    """What was typed cannot be the name of a layer."""
 
     def __init__(self, bridge: Bridge, thumbnails: Thumbnails) -> None:
         super().__init__()
         self._bridge = bridge
         self._thumbnails = thumbnails
         self._layers: tuple[Layer, ...] = bridge.document.layers
+        self._missing = NOTHING_MISSING
         bridge.document_changed.connect(self._follow)
         bridge.frame_changed.connect(self._repaint)
         thumbnails.ready.connect(self._repaint)
@@ -59,8 +67,14 @@ class LayerModel(QAbstractListModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         layer = self.layer(index.row())
         match role:
-            case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.EditRole | Qt.ItemDataRole.ToolTipRole:
+            case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.EditRole:
                 return layer.name
+            case Qt.ItemDataRole.ToolTipRole:
+                return self._tool_tip(layer)
+            case Role.MARKS:
+                return layer.marks
+            case Role.IS_MISSING:
+                return layer.id in self._missing
             case Role.LAYER_ID:
                 return layer.id
             case Role.IS_VISIBLE:
@@ -84,9 +98,15 @@ class LayerModel(QAbstractListModel):
             return True
         try:
             session.edit(self.tr("Rename layer"), rename_layer(document, layer.id, str(value).strip()))
-        except UsageProblem:
+        except UsageProblem as problem:
+            self.refused.emit(translated(problem))
             return False
         return True
+
+    def show_missing(self, missing: Missing) -> None:
+        """Mark the layers whose files are not all there."""
+        self._missing = missing
+        self._repaint()
 
     def show_layers(self, layer_ids: tuple[str, ...], *, shown: bool) -> None:
         """Show or hide layers at the frame looked at, as one step."""
@@ -153,8 +173,15 @@ class LayerModel(QAbstractListModel):
         moved = move_layer(self._bridge.document, layer_id, len(self._layers) - 1 - row)
         self._bridge.session.edit(self.tr("Reorder layers"), moved)
 
+    def _tool_tip(self, layer: Layer) -> str:
+        lost = self._missing.get(layer.id)
+        return layer.name if lost is None else missing_words(lost, self.tr("%1 missing files in", "then a folder"))
+
     def _summary(self, layer: Layer) -> str:
         drawings = self.tr("%n drawing(s)", "", len(layer.cels.drawings))
+        if lost := self._missing.get(layer.id):
+            missing = self.tr("%1, %2 missing").replace("%2", str(len(lost)))
+            drawings = missing.replace("%1", drawings)
         if layer.joins is None:
             return drawings
         figure = self._bridge.document.layer(layer.joins).name

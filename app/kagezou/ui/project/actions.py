@@ -47,6 +47,8 @@ class ProjectActions(QObject):
     """
 
     recent_changed = Signal()
+    done = Signal(str)
+    """What was asked for is done, in words that nobody needs to answer."""
     set_read = Signal(Path, object)
     """A set was read from a file, with its cameras, a tuple of SetCamera."""
 
@@ -122,9 +124,9 @@ class ProjectActions(QObject):
         return self._save_to(chosen) if chosen else False
 
     def import_folder(self) -> None:
-        """Bring in a folder of cels as a layer."""
-        if folder := self.dialogs.folder_of_cels():
-            self.bring([folder])
+        """Bring in folders of cels, each a character or more."""
+        if folders := self.dialogs.folders_of_cels():
+            self.bring(folders)
 
     def import_pictures(self) -> None:
         """Bring in pictures; of one numbered picture the whole sequence comes."""
@@ -152,11 +154,6 @@ class ProjectActions(QObject):
         """Ask for a timesheet."""
         if path := self.dialogs.timesheet():
             self.time_by(path)
-
-    def import_set(self) -> None:
-        """Ask for a set from a 3-D program."""
-        if path := self.dialogs.set_file():
-            self.bring([path])
 
     def export_timesheet(self) -> None:
         """Ask where to write the timesheet."""
@@ -193,7 +190,7 @@ class ProjectActions(QObject):
         saved = self._try(lambda: self._open_project.save(path))
         if saved and self._open_project.path:
             self._remember(self._open_project.path)
-            self._bar.say("saved", self.tr("Saved %1").replace("%1", self._open_project.path.name), Severity.NOTE)
+            self.done.emit(self.tr("Saved %1").replace("%1", self._open_project.path.name))
         return saved
 
     def _remember(self, path: Path) -> None:

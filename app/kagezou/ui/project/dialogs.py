@@ -4,7 +4,7 @@ from enum import Enum, auto
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QFileDialog, QInputDialog, QMessageBox, QWidget
 
 from kagezou.importing.found_characters import FoundCharacters
 from kagezou.importing.new_cels import CharacterSource
@@ -68,6 +68,19 @@ class Dialogs:
         title = QCoreApplication.translate("Dialogs", "Choose a Folder of Cels")
         chosen = QFileDialog.getExistingDirectory(self._parent, title, self._folder("cels"))
         return self._remembered("cels", chosen)
+
+    def folders_of_cels(self) -> list[Path]:
+        """Ask for folders of drawings, several at once; the systems' own dialogs let one choose a single one."""
+        dialog = QFileDialog(self._parent, QCoreApplication.translate("Dialogs", "Choose Folders of Cels"))
+        dialog.setFileMode(QFileDialog.FileMode.Directory)
+        dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+        dialog.setDirectory(self._folder("cels"))
+        for view in dialog.findChildren(QAbstractItemView):
+            if view.objectName() in ("listView", "treeView"):
+                view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        if dialog.exec() != QFileDialog.DialogCode.Accepted:
+            return []
+        return [path for line in dialog.selectedFiles() if (path := self._remembered("cels", line))]
 
     def pictures(self) -> list[Path]:
         """Ask for pictures of a character."""

@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal
 
+from kagezou.document.marking import soloed
 from kagezou.document.model import Document
 from kagezou.session.session import Session
 from kagezou.session.state import State
@@ -28,6 +29,8 @@ class Bridge(QObject):
     lock_changed = Signal(bool)
     edit_refused = Signal()
     """Someone tried to change what can only be looked at."""
+    layer_refused = Signal(tuple)
+    """Someone tried to change layers that are locked; their names."""
 
     def __init__(self, session: Session) -> None:
         super().__init__()
@@ -35,6 +38,7 @@ class Bridge(QObject):
         self._history: tuple[str | None, str | None] = (None, None)
         self._was_saved = True
         self._looked_at: Document | None = None
+        self._soloed = (session.document, soloed(session.document))
         self._settled = session.document
         self._listen(session)
 
@@ -50,8 +54,14 @@ class Bridge(QObject):
 
     @property
     def shown(self) -> Document:
-        """The document that the picture shows: the session's own, or one that is looked at for the moment."""
-        return self._looked_at or self._session.document
+        """The document that the picture shows: the session's own, or one that is looked at for the moment.
+
+        Where layers are looked at alone, the others are hidden in it.
+        """
+        document = self._looked_at or self._session.document
+        if document is not self._soloed[0]:
+            self._soloed = (document, soloed(document))
+        return self._soloed[1]
 
     def look_at(self, document: Document | None) -> None:
         """Show another document in the picture, until something is done or None is looked at.
@@ -124,7 +134,14 @@ class Bridge(QObject):
                 self.edit_refused.emit()
 
         session.listen(changed)
-        session.listen_to_refusals(refused)
+
+        def layers_refused(names: tuple[str, ...]) -> None:
+            if session is self._session:
+                self.document_changed.emit()
+                self.layer_refused.emit(names)
+
+        session.told_of_refusals.append(refused)
+        session.told_of_locked.append(layers_refused)
 
     def _changed(self, before: State, after: State) -> None:
         if after is not before:

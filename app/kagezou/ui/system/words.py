@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication
 
 from kagezou.document.choice_labels import CHOICE_LABELS
 from kagezou.document.local_name import LocalName
+from kagezou.extras import HOW
 from kagezou.io.clips.catalogues import MESSAGES
 from kagezou.message import Translatable
 from kagezou.ui.system.language import language_code
@@ -26,5 +27,10 @@ def choice_name(choice: str) -> str:
 
 
 def in_own_language(text: str, about: str) -> str:
-    """Return an English text, with its places for values, in the language of the window."""
+    """Return an English text, with its places for values, in the language of the window.
+
+    In the place of a command for a terminal stands where the window shows it.
+    """
+    if text == HOW:
+        return QCoreApplication.translate("MissingParts", "“Missing Parts” in the Help menu shows how")
     return QCoreApplication.translate(MESSAGES, text, about or None)

@@ -7,7 +7,8 @@ from itertools import pairwise
 from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 
-from kagezou.document.model import Document, parts_of
+from kagezou.document.figures import parts_of
+from kagezou.document.model import Document
 from kagezou.scene.stances import FigureStances
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, LINE, SELECTED, WARNING
 from kagezou.ui.timeline.time_scale import TimeScale

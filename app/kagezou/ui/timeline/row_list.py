@@ -135,6 +135,7 @@ def _drawings_of(document: Document, rows: tuple[TimelineRow, ...]) -> Iterator[
             layer = document.layer(row.layer_id)
             yield layer.cels
             yield layer.name
+            yield layer.marks
         elif row.kind is RowKind.FEET and row.layer_id is not None:
             yield stances_of(document, row.layer_id)
 

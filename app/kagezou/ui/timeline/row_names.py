@@ -12,9 +12,11 @@ from kagezou.document.edits import remove_key, set_key
 from kagezou.document.key_edits import all_keys
 from kagezou.document.linking import is_linked
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.missing import NOTHING_MISSING, Missing, missing_words
 from kagezou.ui.system.theme import BRIGHT, CHROME, DIM, LINE, OFF, SELECTED, TEXT
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.timeline.row_list import RowList
+from kagezou.ui.timeline.row_signs import paint_label, paint_signs, row_name
 from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of
 from kagezou.ui.widgets.link_sign import paint_link_sign
 
@@ -43,6 +45,7 @@ class RowNames(QWidget):
         super().__init__()
         self._bridge = bridge
         self._rows = rows
+        self._missing = NOTHING_MISSING
         self.setAccessibleName(self.tr("Layers and properties"))
         for signal in (rows.changed, rows.values_changed, bridge.frame_changed, bridge.keys_changed):
             signal.connect(self.update)
@@ -109,13 +112,12 @@ class RowNames(QWidget):
 
     def name_of(self, row: TimelineRow) -> str:
         """Return what a row is called."""
-        if row.kind is RowKind.SCENE:
-            return self.tr("Scene")
-        if row.layer_id is not None and row.kind is RowKind.LAYER:
-            return self._bridge.document.layer(row.layer_id).name
-        if row.piece_id is not None and row.kind is RowKind.PIECE:
-            return self._bridge.document.piece(row.piece_id).name
-        return self.tr("Feet") if row.kind is RowKind.FEET else translated(row.addresses[0].property.label)
+        return row_name(self._bridge.document, row)
+
+    def show_missing(self, missing: Missing) -> None:
+        """Mark the layers whose files are not all there."""
+        self._missing = missing
+        self.update()
 
     def _paint_row(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         height = self._rows.row_px
@@ -128,6 +130,7 @@ class RowNames(QWidget):
         room: float = self.width() - left - 3 * _BUTTON_PX - 8
         if row.is_group:
             self._paint_fold(painter, row, QPointF(_INDENT_PX, top + height / 2))
+            room -= self._paint_marks(painter, row, QRectF(0, top, self.width(), height), left + room)
         elif row.addresses:
             if is_linked(self._bridge.document, row.addresses[0]):
                 room -= _CHAIN_PX
@@ -138,6 +141,14 @@ class RowNames(QWidget):
         painter.drawText(QRectF(left, top, room, height - 1), Qt.AlignmentFlag.AlignVCenter, name)
         if row.addresses:
             self._paint_navigator(painter, row, top + (height - 1) / 2)
+
+    def _paint_marks(self, painter: QPainter, row: TimelineRow, area: QRectF, right: float) -> float:
+        """Paint what is marked on a layer; return the room that it takes of its name."""
+        if row.kind is not RowKind.LAYER or row.layer_id is None:
+            return 0.0
+        marks, is_missing = self._bridge.document.layer(row.layer_id).marks, row.layer_id in self._missing
+        paint_label(painter, marks, area)
+        return paint_signs(painter, marks, is_missing=is_missing, right=right, row=area)
 
     def _paint_fold(self, painter: QPainter, row: TimelineRow, middle: QPointF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
@@ -176,16 +187,7 @@ class RowNames(QWidget):
             ]
             painter.drawPolygon(QPolygonF(tip))
         part = frames.get(here, 0) / len(row.addresses)
-        self._paint_diamond(painter, QPointF(x - _BUTTON_PX, y), part if frames else None)
-
-    def _paint_diamond(self, painter: QPainter, middle: QPointF, part: float | None) -> None:
-        """Paint the diamond: full with ``part`` of the properties keyed here, dotted with some, hollow without keys."""
-        painter.setPen(QPen(SELECTED if part else OFF if part is None else TEXT, 1.3))
-        painter.setBrush(SELECTED if part == 1 else Qt.BrushStyle.NoBrush)
-        painter.drawPolygon(_diamond(middle, _DIAMOND_PX))
-        if part is not None and part < 1:
-            painter.setBrush(SELECTED if part else DIM)
-            painter.drawPolygon(_diamond(middle, _DIAMOND_PX / 3))
+        _paint_diamond(painter, QPointF(x - _BUTTON_PX, y), part if frames else None)
 
     def _choose(self, row: TimelineRow) -> None:
         session = self._bridge.session
@@ -229,7 +231,19 @@ class RowNames(QWidget):
                 same = f"\n{self.tr('The same for all characters')}" if linked else ""
                 return f"{translated(address.property.help)}\n{path_of(self._bridge.document, address)}{same}"
             case Spot.NAME:
-                return self.name_of(row)
+                lost = self._missing.get(row.layer_id or "")
+                words = self.tr("%1 missing files in", "then a folder")
+                return self.name_of(row) if lost is None else missing_words(lost, words)
+
+
+def _paint_diamond(painter: QPainter, middle: QPointF, part: float | None) -> None:
+    """Paint the diamond: full with ``part`` of the properties keyed here, dotted with some, hollow without keys."""
+    painter.setPen(QPen(SELECTED if part else OFF if part is None else TEXT, 1.3))
+    painter.setBrush(SELECTED if part == 1 else Qt.BrushStyle.NoBrush)
+    painter.drawPolygon(_diamond(middle, _DIAMOND_PX))
+    if part is not None and part < 1:
+        painter.setBrush(SELECTED if part else DIM)
+        painter.drawPolygon(_diamond(middle, _DIAMOND_PX / 3))
 
 
 def _diamond(middle: QPointF, radius: float) -> QPolygonF:

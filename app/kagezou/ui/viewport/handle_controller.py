@@ -9,8 +9,9 @@ from kagezou.geometry.vectors import Point2
 from kagezou.session.session import Gesture
 from kagezou.tools.drag import Drag
 from kagezou.tools.handle import Handle, HandleSet, hit
+from kagezou.tools.handle_hints import hints_of
 from kagezou.tools.handles import drag_of
-from kagezou.tools.readout import readout
+from kagezou.tools.readout import readout, values
 from kagezou.tools.set_piece import POSITION
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
@@ -131,12 +132,13 @@ class HandleController(QObject):
 
     @property
     def words(self) -> str:
-        """What stands beside the pointer: the values while dragging, else the name of the handle under it."""
+        """What stands beside the pointer: the values while dragging, else all about the handle under it."""
         if self._held is not None:
             note = self.handles.note
             return self._held.words(self._bridge.document, self.typed) if note is None else translated(note)
         hovered = self.handles.find(self.hovered_id)
-        return self.pieces.name if hovered is None else translated(hovered.label)
+        bridge = self._bridge
+        return self.pieces.name if hovered is None else _about(hovered, bridge.document, bridge.frame)
 
     def hover(self, report: PointerReport | None) -> None:
         """Look what is under the pointer; None where it has left."""
@@ -238,6 +240,12 @@ def _touched(hand: HandleController) -> tuple[object, ...]:
     """Return what is under the pointer, and if there is something, where the pointer is."""
     touched = (hand.hovered_id, hand.pieces.hovered_id)
     return (*touched, hand.place_px if any(touched) else None)
+
+
+def _about(handle: Handle, document: Document, frame: int) -> str:
+    """Return a handle's name and values, and on a second line what its drag takes note of."""
+    first = (translated(handle.label), *map(translated, values(handle, document, frame)))
+    return "  ".join(first) + "\n" + "   ".join(map(translated, hints_of(handle)))
 
 
 def _taken(handle: Handle, bridge: Bridge, viewpoint: Viewpoint, report: PointerReport) -> _Held:

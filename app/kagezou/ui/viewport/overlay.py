@@ -5,7 +5,7 @@ repaints only this sheet, never the picture (measured on two cores without a gra
 for painting into the OpenGL widget).
 """
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
@@ -22,6 +22,7 @@ _MARK_PX = 7.0
 _PILL = QColor(16, 16, 16, 225)
 _PILL_EDGE = QColor(255, 255, 255, 46)
 _PILL_TEXT = QColor("#f4f4f4")
+_PILL_HINT = QColor("#b8b8b8")
 _PILL_AWAY_PX = 18.0
 _PILL_PADDING_PX = (9.0, 4.0)
 
@@ -91,17 +92,20 @@ class Overlay(QWidget):
     def _paint_pill(self, painter: QPainter, words: str, at: Point2) -> None:
         font = QFont(self.font())
         font.setFeature(QFont.Tag("tnum"), 1)
-        metrics = QFontMetricsF(font)
-        wide = metrics.horizontalAdvance(words) + 2 * _PILL_PADDING_PX[0]
-        high = metrics.height() + 2 * _PILL_PADDING_PX[1]
-        pill = QRectF(pill_corner(at, (wide, high), (self.width(), self.height())), QPointF())
-        pill.setSize(QRectF(0, 0, wide, high).size())
+        metrics, lines = QFontMetricsF(font), words.split("\n")
+        across, down = _PILL_PADDING_PX
+        size = QSizeF(max(map(metrics.horizontalAdvance, lines)) + 2 * across, len(lines) * metrics.height() + 2 * down)
+        pill = QRectF(pill_corner(at, (size.width(), size.height()), (self.width(), self.height())), size)
         painter.setFont(font)
         painter.setPen(QPen(_PILL_EDGE, 1))
         painter.setBrush(_PILL)
-        painter.drawRoundedRect(pill, high / 2, high / 2)
-        painter.setPen(_PILL_TEXT)
-        painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, words)
+        round_px = metrics.height() / 2 + down
+        painter.drawRoundedRect(pill, round_px, round_px)
+        line = QRectF(pill.left(), pill.top() + down, pill.width(), metrics.height())
+        # What is below the first line only explains.
+        for number, text in enumerate(lines):
+            painter.setPen(_PILL_HINT if number else _PILL_TEXT)
+            painter.drawText(line.translated(0, number * metrics.height()), Qt.AlignmentFlag.AlignCenter, text)
 
 
 def pill_corner(at: Point2, pill: Point2, room: Point2) -> QPointF:

@@ -27,6 +27,7 @@ class TopBars(QWidget):
     def __init__(self, over: QWidget, bars: Iterable[QWidget]) -> None:
         super().__init__(over.parentWidget())
         self._over, self._bars = over, tuple(bars)
+        self._is_aside = False
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(0)
@@ -37,13 +38,19 @@ class TopBars(QWidget):
         self._changed.connect(self._place, Qt.ConnectionType.QueuedConnection)
         self._follow()
 
+    def step_aside(self, aside: bool) -> None:
+        """Hide while the hand works on what lies below, or come back."""
+        if aside != self._is_aside:
+            self._is_aside = aside
+            self._follow()
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in _FOLLOWED:
             self._follow()
         return super().eventFilter(watched, event)
 
     def _follow(self) -> None:
-        self.setVisible(any(not bar.isHidden() for bar in self._bars))
+        self.setVisible(not self._is_aside and any(not bar.isHidden() for bar in self._bars))
         self._place()
         # What a bar makes of its words it may know only later.
         self._changed.emit()

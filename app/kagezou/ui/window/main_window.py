@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 from kagezou.document.model import Document
 from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.system.alt_key import AltKey
 from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.bars import TopBars
@@ -19,6 +20,7 @@ from kagezou.ui.window.parts import make_parts
 from kagezou.ui.window.wiring.cut import connect_cut
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
 from kagezou.ui.window.wiring.handles import connect_handles
+from kagezou.ui.window.wiring.layers import connect_layers
 from kagezou.ui.window.wiring.match import connect_match
 from kagezou.ui.window.wiring.preferences import connect_preferences
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
@@ -85,6 +87,7 @@ class MainWindow(QMainWindow):
         connect_frame(self.parts, self.docks.layout, self)
         connect_handles(self.parts, self.docks.layout)
         self.review = connect_review(self, self.parts, self.docks.layout)
+        self.alt_key = AltKey(self)
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()
 
@@ -194,7 +197,10 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages, 1)
         column.addWidget(parts.time.transport)
         self.setCentralWidget(middle)
-        self.top_bars = TopBars(self.pages, (parts.bar, parts.project.loading, parts.canvas_offer, parts.sets.bar))
+        self.top_bars = TopBars(
+            self.pages, (parts.bar, parts.project.loading, parts.files.canvas_offer, parts.sets.bar)
+        )
+        parts.viewport.controller.changed.connect(lambda: self.top_bars.step_aside(parts.viewport.controller.is_busy))
         self.drop_hint = DropHint(middle)
         self.addToolBar(parts.menus.tool_bar())
         self.setStatusBar(parts.status)
@@ -205,6 +211,7 @@ class MainWindow(QMainWindow):
         connect_project(parts, self)
         connect_set(parts, self)
         connect_cut(parts)
+        connect_layers(parts)
         connect_preferences(parts, self)
         connect_view(parts, self)
         connect_views(parts)

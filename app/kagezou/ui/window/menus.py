@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSize, Qt
-from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtGui import QAction, QActionGroup, QIcon
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolBar, QToolButton, QWidget
 
 from kagezou.document.piece_kinds import BUILT_KINDS
@@ -28,6 +28,10 @@ _ON_DRAWINGS = (
 )
 _ADD_TO_SET = tuple(f"add_{kind}" for kind in BUILT_KINDS)
 _DRAW = ("draw_corner", "draw_wall", "import_set")
+_ON_LAYERS = (
+    *("layer_replace", "layer_relink", "layer_folder", _SEPARATOR),
+    *("layer_duplicate", _SEPARATOR, "layer_lock", "layer_solo"),
+)
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
@@ -54,6 +58,7 @@ class Menus(QObject):
         self.onion = QMenu(self.tr("Onion Skin &Drawings"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
         self.resolutions = QMenu(self.tr("Preview &Resolution"), window)
+        self.labels = QMenu(self.tr("&Label"), window)
         self._build()
 
     def add_backdrops(self, current: Backdrop, choose: Callable[[Backdrop], None]) -> None:
@@ -66,7 +71,7 @@ class Menus(QObject):
             Backdrop.BLACK: self.tr("Black"),
         }
         choices = [(words[backdrop], backdrop is current, partial(choose, backdrop)) for backdrop in words]
-        self._exclusive(self.backdrops, choices)
+        _exclusive(self.backdrops, choices)
 
     def add_resolutions(self, current: Resolution, choose: Callable[[Resolution], None]) -> None:
         """Fill the choice of the preview's resolution."""
@@ -77,19 +82,19 @@ class Menus(QObject):
             Resolution.QUARTER: self.tr("Quarter"),
         }
         choices = [(words[each], each is current, partial(choose, each)) for each in words]
-        self._exclusive(self.resolutions, choices)
+        _exclusive(self.resolutions, choices)
 
     def add_onion_counts(self, most: int, current: int, choose: Callable[[int], None]) -> None:
         """Fill the choice of how many drawings the onion skin shows on each side."""
         choices = [(str(count), count == current, partial(choose, count)) for count in range(1, most + 1)]
-        self._exclusive(self.onion, choices)
+        _exclusive(self.onion, choices)
 
     def add_languages(self, current: str, choose: Callable[[str], None]) -> None:
         """Fill the choice of languages; each is written in its own words."""
         menu = QMenu(self.tr("&Language"), self._window)
         known = {"": self.tr("System Default"), **languages()}
         choices = [(words, code == current, partial(choose, code)) for code, words in known.items()]
-        self._exclusive(menu, choices)
+        _exclusive(menu, choices)
         self.view.addSeparator()
         self.view.addMenu(menu)
 
@@ -121,6 +126,17 @@ class Menus(QObject):
     def fill_drawings(self, menu: QMenu) -> None:
         """Fill a menu with what can be done to the chosen drawings of the timeline."""
         self._fill(menu, _ON_DRAWINGS)
+
+    def add_labels(self, choices: Iterable[tuple[str, QIcon, Callable[[], None]]]) -> None:
+        """Fill the choice of a layer's colour; several layers may have several, so that none is ticked."""
+        for words, picture, choose in choices:
+            self.labels.addAction(picture, words, choose)
+
+    def fill_layers(self, menu: QMenu) -> None:
+        """Fill a menu with what can be done with the chosen layers."""
+        self._fill(menu, _ON_LAYERS)
+        menu.addMenu(self.labels)
+        menu.addSeparator()
 
     def fill_set(self, menu: QMenu) -> None:
         """Fill a menu with the pieces that can be added to the set."""
@@ -166,6 +182,7 @@ class Menus(QObject):
             self.tr("Fi&gure"),
             ["transform_cel", _SEPARATOR, "find_feet", "doubtful_next", "doubtful_previous"],
         )
+        self._menu(bar, self.tr("La&yer"), _ON_LAYERS).addMenu(self.labels)
         self._menu(
             bar,
             self.tr("&Set"),
@@ -179,7 +196,7 @@ class Menus(QObject):
         self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", "read_ahead", _SEPARATOR])
         self._fill(time, ["marker", "marker_previous", "marker_next", _SEPARATOR])
         self._fill(time, ["remark_previous", "remark_next", "remark_tick"])
-        self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "about"])
+        self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "missing_parts", "about"])
 
     def _build_view(self) -> None:
         self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])
@@ -218,15 +235,17 @@ class Menus(QObject):
             else:
                 place.addAction(self._actions[name])
 
-    def _exclusive(self, menu: QMenu, choices: Iterable[tuple[str, bool, Callable[[], None]]]) -> None:
-        group = QActionGroup(menu)
-        for words, is_current, choose in choices:
-            action = QAction(words, menu)
-            action.setCheckable(True)
-            action.setChecked(is_current)
-            action.triggered.connect(lambda _checked, do=choose: do())
-            group.addAction(action)
-            menu.addAction(action)
+
+def _exclusive(menu: QMenu, choices: Iterable[tuple[str, bool, Callable[[], None]]]) -> None:
+    """Fill a menu with choices of which one is ticked."""
+    group = QActionGroup(menu)
+    for words, is_current, choose in choices:
+        action = QAction(words, menu)
+        action.setCheckable(True)
+        action.setChecked(is_current)
+        action.triggered.connect(lambda _checked, do=choose: do())
+        group.addAction(action)
+        menu.addAction(action)
 
 
 def _chooser(name: str, menu: QMenu, size: QSize) -> QToolButton:

@@ -1,7 +1,7 @@
 """The parts of one window, as the connections between them see them."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from PySide6.QtWidgets import QMainWindow
 
@@ -20,6 +20,7 @@ from kagezou.ui.project.canvas_offer import CanvasOffer
 from kagezou.ui.project.demo import DemoOpener, MakeDemo
 from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.feet_finder import FeetFinder
+from kagezou.ui.project.layer_files import LayerFiles
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.welcome import Welcome
 from kagezou.ui.sets.commands import SetCommands
@@ -29,6 +30,7 @@ from kagezou.ui.sets.list import SetList
 from kagezou.ui.sets.standing import StandingNotes
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.system.missing import MissingDrawings
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.thumbnails import Thumbnails
 from kagezou.ui.time.key_commands import KeyCommands
@@ -91,6 +93,15 @@ class Panels:
 
 
 @dataclass(frozen=True, slots=True)
+class FilesOfLayers:
+    """What is done with the files of layers and of the background, and which of them are missing."""
+
+    missing: MissingDrawings
+    layers: LayerFiles
+    canvas_offer: CanvasOffer
+
+
+@dataclass(frozen=True, slots=True)
 class Parts:
     """Every part of one window; no part knows another."""
 
@@ -103,7 +114,6 @@ class Parts:
     bar: MessageBar
     space: SpaceBar
     status: Status
-    canvas_offer: CanvasOffer
     exporting: Exporting
     project: ProjectActions
     demo: DemoOpener | None
@@ -114,8 +124,9 @@ class Parts:
     sets: SetParts
     time: TimeParts
     curves: CurvesPanel
-    review_bar: ReviewBar
     feet: FeetFinder
+    files: FilesOfLayers
+    review_bar: ReviewBar = field(default_factory=ReviewBar)
 
     @property
     def bridge(self) -> Bridge:
@@ -132,6 +143,7 @@ class Parts:
             self.demo.finish()
         self.viewport.finish()
         self.panels.thumbnails.finish()
+        self.files.missing.finish()
         self.panels.styles.pictures.finish()
         self.welcome.pictures.finish()
         self.time.prefetch.finish()
@@ -149,7 +161,6 @@ def make_parts(
     player = Player(bridge)
     viewport = Viewport(bridge, open_project.cels, open_project.meshes, space)
     panels = _panels(bridge, clipboard, settings)
-    time = _time_parts(open_project, clipboard, player, actions)
     exporting = Exporting(bar)
     # Before the menus: made later, its labels come after the first layout, and the first picture is drawn twice.
     status = Status(bridge, exporting)
@@ -168,17 +179,21 @@ def make_parts(
         welcome=Welcome(settings.picture_folder),
         viewport=viewport,
         panels=panels,
-        time=time,
+        time=_time_parts(open_project, clipboard, player, actions),
         status=status,
-        canvas_offer=CanvasOffer(bridge),
         sets=_set_parts(open_project, viewport, space, menus),
         feet=FeetFinder(bridge),
+        files=_files_of_layers(bridge, project),
         curves=CurvesPanel(bridge, clipboard, menus.fill_keys),
-        review_bar=ReviewBar(),
         keyboard=Keyboard(window, actions, settings, bar),
         search=CommandSearch(window, actions),
         sheets=_sheets(viewport, bridge, lambda: not (player.is_playing or viewport.controller.is_busy)),
     )
+
+
+def _files_of_layers(bridge: Bridge, project: ProjectActions) -> FilesOfLayers:
+    files = LayerFiles(bridge, project.dialogs, project.loading)
+    return FilesOfLayers(MissingDrawings(bridge), files, CanvasOffer(bridge))
 
 
 def _panels(bridge: Bridge, clipboard: Clipboard, settings: Settings) -> Panels:

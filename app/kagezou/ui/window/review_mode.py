@@ -5,9 +5,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QToolBar
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QToolBar
 
-from kagezou.document.note import Note
 from kagezou.ui.curves.remarks import Remark, remark_words, remarks_of
 from kagezou.ui.curves.review_bar import ReviewBar
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
@@ -17,7 +16,7 @@ from kagezou.ui.window.parts import Parts
 if TYPE_CHECKING:
     from kagezou.ui.curves.curve_editor import CurveEditor
 
-_CURVES_SHARE = 44
+_CURVES_SHARE = 38
 """Of 100 parts of the window's height."""
 
 
@@ -38,7 +37,7 @@ class ReviewMode(QObject):
         super().__init__(window)
         self._window, self._parts, self._layout = window, parts, layout
         self._bridge = parts.bridge
-        self._was_locked = False
+        self._was_locked = self._had_handles = False
         self.is_on = False
         self.current: Remark | None = None
         self.escape = QShortcut(QKeySequence(Qt.Key.Key_Escape), window, self._leave)
@@ -70,9 +69,11 @@ class ReviewMode(QObject):
             return
         self.is_on = on
         editor = self._editor
+        handles = self._parts.actions["handles"]
         if on:
-            self._was_locked = self._bridge.is_locked
+            self._was_locked, self._had_handles = self._bridge.is_locked, handles.isChecked()
         self._bridge.lock(on or self._was_locked)
+        handles.setChecked(self._had_handles and not on)
         editor.annotating.review(on=on)
         editor.show_for_review(on=on)
         editor.show_list(notes=True)
@@ -132,7 +133,7 @@ class ReviewMode(QObject):
         if self.current is None:
             return
         if self.current.note is not None:
-            now = next((each for each in self._bridge.document.notes if _is_same(each, self.current.note)), None)
+            now = next((each for each in self._bridge.document.notes if each.is_as(self.current.note)), None)
             self.current = None if now is None else Remark(now.frame, note=now)
         if self.is_on:
             self._show()
@@ -162,6 +163,9 @@ class ReviewMode(QObject):
         if isinstance(dock, QDockWidget):
             dock.show()
             dock.raise_()
+            # Qt leaves the tabs of hidden panels beside it where they were.
+            for tabs in self._window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
+                tabs.hide()
             height = self._window.height() * _CURVES_SHARE // 100
             self._window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
 
@@ -181,10 +185,3 @@ class ReviewMode(QObject):
     def _say(self, words: str) -> None:
         bar: MessageBar = self._parts.bar
         bar.say("review", words, Severity.NOTE)
-
-
-def _is_same(note: Note, other: Note) -> bool:
-    """Return whether two notes are one, ticked off or answered meanwhile."""
-    return (note.frame, note.property, note.layer_id, note.text) == (
-        other.frame, other.property, other.layer_id, other.text,
-    )  # fmt: skip

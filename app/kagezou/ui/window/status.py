@@ -8,6 +8,8 @@ from kagezou.tools.readout import height_words
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
 
+_SAID_MS = 6000
+
 
 class Status(QStatusBar):
     """Says quietly what is looked at.
@@ -63,6 +65,10 @@ class Status(QStatusBar):
         for place, count in counts.items():
             words = words.replace(place, str(count))
         self._work.setText(words)
+
+    def say(self, words: str) -> None:
+        """Say for a while that something is done."""
+        self.showMessage(words, _SAID_MS)
 
     def show_locked(self, *, locked: bool) -> None:
         """Say that nothing can be changed."""

@@ -12,7 +12,7 @@ def connect_cut(parts: Parts) -> None:
     parts.actions.on("cut_settings", lambda: ask_settings(parts))
     parts.status.canvas.clicked.connect(parts.actions["cut_settings"].trigger)
     parts.time.transport.rate.clicked.connect(parts.actions["cut_settings"].trigger)
-    parts.canvas_offer.settings_asked.connect(lambda width, height: ask_settings(parts, (width, height)))
+    parts.files.canvas_offer.settings_asked.connect(lambda width, height: ask_settings(parts, (width, height)))
 
 
 def ask_settings(parts: Parts, size_px: tuple[int, int] | None = None) -> CutSettingsDialog:

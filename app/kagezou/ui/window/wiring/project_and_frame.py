@@ -6,6 +6,7 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import ExportOutcome
 from kagezou.export.exporters.table import exporter_of
 from kagezou.export.remembered import dumps_choices, loads_choices
+from kagezou.extras import EXTRAS
 from kagezou.importing.understood import drawings_line
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.export.dialog import ExportDialog
@@ -16,6 +17,7 @@ from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
+from kagezou.ui.widgets.missing_parts import MissingParts
 from kagezou.ui.window.about import about_dialog
 from kagezou.ui.window.panel_layout import PanelLayout
 from kagezou.ui.window.parts import Parts
@@ -37,7 +39,7 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
         "save_increment": project.save_increment,
         "import": project.import_folder,
         "import_pictures": project.import_pictures,
-        "import_set": project.import_set,
+        "import_set": lambda: project.bring(filter(None, [project.dialogs.set_file()])),
         "import_timesheet": project.import_timesheet,
         "export_timesheet": project.export_timesheet,
         "background": lambda: project.put_background(project.dialogs.background()),
@@ -51,12 +53,14 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
         "rename_layer": lambda: _rename(parts),
         "copy_look": parts.panels.layers.looks.copy,
         "paste_look": parts.panels.layers.looks.paste,
+        "missing_parts": lambda: _show_missing_parts(parts),
         "about": lambda: about_dialog(parts.viewport.window(), parts.viewport.device).open(),
     }.items():
         actions.on(name, do)
     parts.exporting.ended.connect(lambda outcome: _show_result(parts, outcome))
     _connect_welcome(parts)
     parts.panels.layers.add_asked.connect(project.import_folder)
+    project.done.connect(parts.status.say)
     project.recent_changed.connect(lambda: _show_recent(parts))
     parts.open_project.path_changed.connect(verbs.show_title)
     bridge.saved_changed.connect(verbs.show_title)
@@ -188,6 +192,10 @@ def _export(parts: Parts) -> None:
 
     dialog.chosen.connect(start)
     dialog.open()
+
+
+def _show_missing_parts(parts: Parts) -> None:
+    MissingParts([each for each in EXTRAS if not each.is_there], parts.viewport.window()).open()
 
 
 def _show_result(parts: Parts, outcome: ExportOutcome) -> None:

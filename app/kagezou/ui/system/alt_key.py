@@ -1,0 +1,49 @@
+"""A second way to hold Alt while dragging: window managers keep Alt-drags for moving windows."""
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QSinglePointEvent
+from PySide6.QtWidgets import QApplication
+
+_ALT = Qt.KeyboardModifier.AltModifier
+_KEYS = (QEvent.Type.KeyPress, QEvent.Type.KeyRelease, QEvent.Type.ShortcutOverride)
+_POINTING = frozenset({
+    QEvent.Type.MouseButtonPress, QEvent.Type.MouseMove, QEvent.Type.MouseButtonRelease,
+    QEvent.Type.TabletPress, QEvent.Type.TabletMove, QEvent.Type.TabletRelease,
+})  # fmt: skip
+
+
+class AltKey(QObject):
+    """Lets the letter A stand for Alt: held when a drag begins, or pressed while it goes on.
+
+    Only in widgets into which nobody types. Held, it repeats no command; tapped without a drag it is itself.
+    """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.is_held = False
+        application = QApplication.instance()
+        assert application is not None
+        application.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if kind in _KEYS and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_A:
+            return self._take(event)
+        if kind in _POINTING and self.is_held and isinstance(event, QSinglePointEvent):
+            event.setModifiers(event.modifiers() | _ALT)
+        return super().eventFilter(watched, event)
+
+    def _take(self, event: QKeyEvent) -> bool:
+        """Take note of the key, and keep it from everyone else while the hand drags."""
+        if event.type() is QEvent.Type.KeyRelease:
+            was_held, self.is_held = self.is_held and event.isAutoRepeat(), self.is_held and event.isAutoRepeat()
+            return was_held
+        focused = QApplication.focusWidget()
+        types = focused is not None and focused.testAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled)
+        if event.modifiers() & ~Qt.KeyboardModifier.ShiftModifier or types:
+            return False
+        self.is_held = True
+        drags = bool(QGuiApplication.mouseButtons() & Qt.MouseButton.LeftButton)
+        if drags and event.type() is QEvent.Type.ShortcutOverride:
+            event.accept()
+        return drags
