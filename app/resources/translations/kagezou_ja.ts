@@ -192,10 +192,6 @@
         <translation>次のバージョンとして保存 (&amp;X)</translation>
     </message>
     <message>
-        <source>&amp;Import Character…</source>
-        <translation>キャラクターを読み込み(&amp;I)…</translation>
-    </message>
-    <message>
         <source>Import &amp;Pictures…</source>
         <translation>画像を読み込み(&amp;P)…</translation>
     </message>
@@ -206,6 +202,10 @@
     <message>
         <source>Remove Background</source>
         <translation>背景を外す</translation>
+    </message>
+    <message>
+        <source>Export Notes…</source>
+        <translation>メモを書き出し…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -254,6 +254,10 @@
     <message>
         <source>&amp;Handles</source>
         <translation>ハンドル(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>レビュー</translation>
     </message>
     <message>
         <source>Field &amp;Guide</source>
@@ -336,6 +340,10 @@
         <translation>ここにキーを設定 (&amp;K)</translation>
     </message>
     <message>
+        <source>A&amp;dd Characters…</source>
+        <translation>キャラクターを追加(&amp;D)…</translation>
+    </message>
+    <message>
         <source>Import &amp;3-D Set…</source>
         <translation>3Dセットを読み込む(&amp;3)…</translation>
     </message>
@@ -358,10 +366,6 @@
     <message>
         <source>&amp;Export…</source>
         <translation>書き出し (&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Export N&amp;otes…</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Copy Look</source>
@@ -394,6 +398,30 @@
     <message>
         <source>Edit &amp;Keyboard Shortcuts…</source>
         <translation>キーボードショートカットを編集 (&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;place Drawings…</source>
+        <translation>絵を差し替え(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Relink Missing Drawings…</source>
+        <translation>見つからない絵を再リンク(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Show Drawings in &amp;Folder</source>
+        <translation>絵のフォルダーを表示(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Layer</source>
+        <translation>レイヤーを複製(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Lock Layer</source>
+        <translation>レイヤーをロック(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Solo Layer</source>
+        <translation>レイヤーだけを表示(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Copy Keys</source>
@@ -516,10 +544,6 @@
         <translation>背景にカメラを合わせる(&amp;M)</translation>
     </message>
     <message>
-        <source>&amp;Review</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Look Onl&amp;y</source>
         <translation>閲覧のみ(&amp;Y)</translation>
     </message>
@@ -589,15 +613,15 @@
     </message>
     <message>
         <source>Previous Note or Flag</source>
-        <translation type="unfinished"></translation>
+        <translation>前のメモまたは注意点</translation>
     </message>
     <message>
         <source>Next Note or Flag</source>
-        <translation type="unfinished"></translation>
+        <translation>次のメモまたは注意点</translation>
     </message>
     <message>
         <source>Tick Note Off</source>
-        <translation type="unfinished"></translation>
+        <translation>メモを済みにする</translation>
     </message>
     <message>
         <source>Previous Marker</source>
@@ -700,6 +724,10 @@
         <translation>キーボードショートカット(&amp;K)</translation>
     </message>
     <message>
+        <source>Missing Parts…</source>
+        <translation>足りない部品…</translation>
+    </message>
+    <message>
         <source>&amp;About Kagezou</source>
         <translation>Kagezou について(&amp;A)</translation>
     </message>
@@ -710,6 +738,10 @@
     <message>
         <source>Edit</source>
         <translation>編集</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>レイヤー</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -783,7 +815,7 @@
     </message>
     <message>
         <source>No keys are selected.</source>
-        <translation type="unfinished">キーが選択されていません。</translation>
+        <translation>キーが選択されていません。</translation>
     </message>
     <message>
         <source>Key velocity</source>
@@ -1023,6 +1055,10 @@
         <translation>セルのフォルダーを選択</translation>
     </message>
     <message>
+        <source>Choose Folders of Cels</source>
+        <translation>セルのフォルダーを選ぶ（複数可）</translation>
+    </message>
+    <message>
         <source>Choose Cels</source>
         <translation>セルを選択</translation>
     </message>
@@ -1223,8 +1259,8 @@
         <translation>%1：%2～%3 フレーム、%4 コマ</translation>
     </message>
     <message>
-        <source>Drag an end to hold it longer or shorter (Shift: what follows moves along), the middle to move it</source>
-        <translation>端をドラッグで長さを変更（Shift で後続も移動）、中央をドラッグで移動</translation>
+        <source>Drag an end to hold it longer or shorter (Shift: what follows moves along; Alt or A: over its neighbours), the middle to move it</source>
+        <translation>端をドラッグして長さを変えます（Shift: 後ろも動く、Alt / A: 隣を越える）。中央をドラッグして動かします</translation>
     </message>
     <message>
         <source>Move drawing</source>
@@ -1581,8 +1617,12 @@
         <translation>注意点</translation>
     </message>
     <message>
-        <source>Too fast, a frame:</source>
-        <translation type="unfinished"></translation>
+        <source>Places that move farther than this in a frame</source>
+        <translation>1 フレームにこれより大きく動く位置</translation>
+    </message>
+    <message>
+        <source>Too fast:</source>
+        <translation>速すぎ：</translation>
     </message>
     <message>
         <source>Nothing stands out.</source>
@@ -1593,19 +1633,19 @@
     <name>Flags</name>
     <message>
         <source>and %1 more: keys between two drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>ほか %1 件：作画の切り替わりにないキー</translation>
     </message>
     <message>
         <source>key between two drawings</source>
-        <translation type="unfinished">動画の途中にあるキー</translation>
+        <translation>作画の切り替わりにないキー</translation>
     </message>
     <message>
         <source>jumps by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 飛んでいます</translation>
     </message>
     <message>
         <source>moves by up to %1 a frame, to frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>1 フレームに最大 %1 動いています（フレーム %2 まで）</translation>
     </message>
 </context>
 <context>
@@ -1735,7 +1775,7 @@
     </message>
     <message>
         <source>Double-click on the character itself to say where it touches the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>接地する場所は、キャラクターの上をダブルクリックして指定します。</translation>
     </message>
     <message>
         <source>Add foot</source>
@@ -1774,7 +1814,7 @@
     <name>HandleMenu</name>
     <message>
         <source>Type Values…</source>
-        <translation type="unfinished"></translation>
+        <translation>値を入力…</translation>
     </message>
 </context>
 <context>
@@ -1940,11 +1980,11 @@
     </message>
     <message>
         <source>Place and size</source>
-        <translation type="unfinished">位置と寸法</translation>
+        <translation>位置と大きさ</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished">はたらき</translation>
+        <translation>役割</translation>
     </message>
     <message>
         <source>Shadow</source>
@@ -2233,6 +2273,17 @@
     </message>
 </context>
 <context>
+    <name>LayerFiles</name>
+    <message>
+        <source>Replace drawings</source>
+        <translation>絵を差し替え</translation>
+    </message>
+    <message>
+        <source>Relink drawings</source>
+        <translation>絵を再リンク</translation>
+    </message>
+</context>
+<context>
     <name>LayerList</name>
     <message>
         <source>Remove layer</source>
@@ -2334,6 +2385,15 @@ Drop a folder of cels here.</source>
         <translation>キャラクターに結合</translation>
     </message>
     <message>
+        <source>%1 missing files in</source>
+        <comment>then a folder</comment>
+        <translation>見つからないファイル %1 個：</translation>
+    </message>
+    <message>
+        <source>%1, %2 missing</source>
+        <translation>%1（%2 枚が見つかりません）</translation>
+    </message>
+    <message>
         <source>%1, part of %2</source>
         <translation>%1、%2 の一部</translation>
     </message>
@@ -2343,6 +2403,62 @@ Drop a folder of cels here.</source>
     <message>
         <source>Layers</source>
         <translation>レイヤー</translation>
+    </message>
+</context>
+<context>
+    <name>Layers</name>
+    <message>
+        <source>Lock layer</source>
+        <translation>レイヤーをロック</translation>
+    </message>
+    <message>
+        <source>Solo layer</source>
+        <translation>レイヤーだけを表示</translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation>レイヤーを複製</translation>
+    </message>
+    <message>
+        <source>%1 is locked, so nothing is changed. Lock Layer in the Layer menu unlocks it.</source>
+        <translation>%1 はロックされているため変更されません。「レイヤー」メニューの「レイヤーをロック」で解除できます。</translation>
+    </message>
+    <message>
+        <source>Label layer</source>
+        <translation>レイヤーのラベル</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>no label</comment>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>赤</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>オレンジ</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>緑</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>青</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>紫</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>ピンク</translation>
     </message>
 </context>
 <context>
@@ -2451,6 +2567,10 @@ Drop a folder of cels here.</source>
         <translation>プレビュー解像度(&amp;R)</translation>
     </message>
     <message>
+        <source>&amp;Label</source>
+        <translation>ラベル(&amp;L)</translation>
+    </message>
+    <message>
         <source>Background Picture</source>
         <translation>背景画像</translation>
     </message>
@@ -2525,6 +2645,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Fi&amp;gure</source>
         <translation>キャラクター(&amp;G)</translation>
+    </message>
+    <message>
+        <source>La&amp;yer</source>
+        <translation>レイヤー(&amp;Y)</translation>
     </message>
     <message>
         <source>&amp;Set</source>
@@ -3012,10 +3136,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>Turn of the ground line in the picture.</source>
         <translation>画面内での接地ラインの傾き。</translation>
-    </message>
-    <message>
-        <source>USD files need the package usd-core: pip install &apos;kagezou[usd]&apos;</source>
-        <translation>USD ファイルにはパッケージ usd-core が要ります：pip install &apos;kagezou[usd]&apos;</translation>
     </message>
     <message>
         <source>Under the background</source>
@@ -3734,6 +3854,10 @@ Drop a folder of cels here.</source>
         <translation>これより小さい影の島や穴を省きます。</translation>
     </message>
     <message>
+        <source>it is compressed with Draco, which needs the package DracoPy: {how}</source>
+        <translation>Draco で圧縮されています。読むにはパッケージ DracoPy が要ります：{how}</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>なし</translation>
     </message>
@@ -4014,6 +4138,10 @@ Drop a folder of cels here.</source>
         <translation>書き出し直したらもう一度実行します。変更した内容を残したまま、コンポジションが更新されます。</translation>
     </message>
     <message>
+        <source>Alt or A: the other point goes the other way</source>
+        <translation>Alt / A: もう一方は反対に動く</translation>
+    </message>
+    <message>
         <source>At this distance from the feet the reflection has faded away; 0 does not fade.</source>
         <translation>足元からこの距離で映り込みが消えます。0 で消えません。</translation>
     </message>
@@ -4044,6 +4172,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Contact</source>
         <translation>接地影</translation>
+    </message>
+    <message>
+        <source>Ctrl: no snapping</source>
+        <translation>Ctrl: 吸着なし</translation>
     </message>
     <message>
         <source>Disc</source>
@@ -4247,7 +4379,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Overhead radius; the lamp is {away} px outside it</source>
-        <translation type="unfinished"></translation>
+        <translation>真上ライトの範囲（ランプは {away} px 外側にあります）</translation>
     </message>
     <message>
         <source>Overhead simplify</source>
@@ -4302,6 +4434,22 @@ Drop a folder of cels here.</source>
         <translation>影を合わせる</translation>
     </message>
     <message>
+        <source>Shift+Alt or Shift+A: slowly</source>
+        <translation>Shift+Alt / Shift+A: ゆっくり</translation>
+    </message>
+    <message>
+        <source>Shift: keeps its shape</source>
+        <translation>Shift: 比率を保つ</translation>
+    </message>
+    <message>
+        <source>Shift: one way</source>
+        <translation>Shift: 一方向</translation>
+    </message>
+    <message>
+        <source>Shift: steps of 15°</source>
+        <translation>Shift: 15° 刻み</translation>
+    </message>
+    <message>
         <source>Shrink in a jump</source>
         <translation>跳躍時の縮み</translation>
     </message>
@@ -4340,6 +4488,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>The blend mode of each stands in its attribute kagezou:blend; shadows are usually Multiply.</source>
         <translation>各レイヤーの描画モードは属性 kagezou:blend にあります。影は通常「乗算」です。</translation>
+    </message>
+    <message>
+        <source>The colour of the layer&apos;s label in the window.</source>
+        <translation>画面でのレイヤーのラベルの色。</translation>
     </message>
     <message>
         <source>The farm renders the saved project, into {output}: save it before you send the job.</source>
@@ -4390,6 +4542,10 @@ Drop a folder of cels here.</source>
         <translation>画面内での作画の回転 (時計回り)。</translation>
     </message>
     <message>
+        <source>USD files need the package usd-core: {how}</source>
+        <translation>USD ファイルにはパッケージ usd-core が要ります：{how}</translation>
+    </message>
+    <message>
         <source>Upright</source>
         <translation>直立</translation>
     </message>
@@ -4438,12 +4594,24 @@ Drop a folder of cels here.</source>
         <translation>同じ見た目の影が重なる所で一つになるか。オフでは重なるほど濃くなります。</translation>
     </message>
     <message>
+        <source>Whether the window refuses to change the layer; the command line changes it all the same.</source>
+        <translation>画面でレイヤーの変更を受け付けないかどうか。コマンドラインでは変更できます。</translation>
+    </message>
+    <message>
+        <source>Whether the window shows the layer alone; exports show all.</source>
+        <translation>画面でこのレイヤーだけを表示するかどうか。書き出しにはすべて含まれます。</translation>
+    </message>
+    <message>
         <source>Width and height of the picture in px; --drawings says what becomes of what is on it.</source>
         <translation>画面の幅と高さ（px）。画面上のものをどう扱うかは --drawings で指定します。</translation>
     </message>
     <message>
         <source>a canvas of {width} × {height} px needs about {needed} MB of memory to be drawn, of which {free} MB are free</source>
         <translation>{width} × {height} px のキャンバスを描くには約 {needed} MB のメモリーが必要ですが、空きは {free} MB です</translation>
+    </message>
+    <message>
+        <source>a column of dialogue or camera work cannot be read</source>
+        <translation>セリフまたはカメラワークの列が読めません</translation>
     </message>
     <message>
         <source>a dash before a number is taken as a minus: {first}</source>
@@ -4471,11 +4639,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>an answer needs words, and a note has at most {most} answers</source>
-        <translation type="unfinished"></translation>
+        <translation>返信には本文が要ります。1 つのメモに付けられる返信は {most} 件までです</translation>
     </message>
     <message>
         <source>answers</source>
-        <translation type="unfinished"></translation>
+        <translation>返信</translation>
     </message>
     <message>
         <source>at {rate} frames a second the cut lasts {after} instead of {before} s; keys and drawings stay on their frames</source>
@@ -4483,7 +4651,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>author</source>
-        <translation type="unfinished"></translation>
+        <translation>書いた人</translation>
     </message>
     <message>
         <source>background: {names}</source>
@@ -4527,7 +4695,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>済み</translation>
+    </message>
+    <message>
+        <source>drawing gradients, strokes and curves of Photoshop layers</source>
+        <translation>Photoshop レイヤーのグラデーション・境界線・トーンカーブの描画</translation>
     </message>
     <message>
         <source>drawings and all lengths become {percent:.4g} % of what they were</source>
@@ -4540,6 +4712,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>drawings of {column}: {path}</source>
         <translation>{column} の動画: {path}</translation>
+    </message>
+    <message>
+        <source>drawings that have another size than before: {names}</source>
+        <translation>以前とサイズの違う絵：{names}</translation>
     </message>
     <message>
         <source>extra channels are not used: {names}</source>
@@ -4555,7 +4731,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム</translation>
     </message>
     <message>
         <source>frames made by other machines</source>
@@ -4576,6 +4752,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>it cannot be read as USD: the file is damaged, or too large for the memory</source>
         <translation>USD として読めません：ファイルが壊れているか、メモリーに対して大きすぎます</translation>
+    </message>
+    <message>
+        <source>it cannot go past the key that stays</source>
+        <translation>止まっているキーは越えられません</translation>
     </message>
     <message>
         <source>it does not say which axis points up: y is taken</source>
@@ -4606,8 +4786,12 @@ Drop a folder of cels here.</source>
         <translation>シーンがないため、すべてのノードを読みます</translation>
     </message>
     <message>
-        <source>it is compressed with Draco, which needs the package DracoPy: pip install &apos;kagezou[draco]&apos;</source>
-        <translation>Draco で圧縮されています。読むにはパッケージ DracoPy が要ります：pip install &apos;kagezou[draco]&apos;</translation>
+        <source>video needs PyAV, which is not installed: {how}</source>
+        <translation>動画には PyAV が要りますが、入っていません：{how}</translation>
+    </message>
+    <message>
+        <source>{name}: these are not drawn without a part that is missing ({how}): {by_extra}</source>
+        <translation>{name}：足りない部品があるため描画されないもの（{how}）：{by_extra}</translation>
     </message>
     <message>
         <source>it is damaged: an instancer names what is not there</source>
@@ -4656,10 +4840,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>its animation of {count} frames is not used: layers count as they are visible now</source>
         <translation>{count} フレームのアニメーションは使いません。レイヤーは現在の表示状態のまま扱います</translation>
-    </message>
-    <message>
-        <source>its camera work is not used</source>
-        <translation>カメラワークは使いません</translation>
     </message>
     <message>
         <source>its cameras {names} are mirrored, which is not done</source>
@@ -4712,10 +4892,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>its curves are not used</source>
         <translation>カーブは使いません</translation>
-    </message>
-    <message>
-        <source>its dialogue is not used</source>
-        <translation>台詞欄は使いません</translation>
     </message>
     <message>
         <source>its elements {names} are not used</source>
@@ -4811,7 +4987,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー</translation>
     </message>
     <message>
         <source>layered frames</source>
@@ -4847,7 +5023,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>lines that are parallel in the picture do not tell the field of view: it stays at {fov}°</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の中で平行な線からは画角が分かりません: {fov}° のままです</translation>
     </message>
     <message>
         <source>markers and notes behind the new end: {count}</source>
@@ -4882,6 +5058,18 @@ Drop a folder of cels here.</source>
         <translation>アルファチャンネルがないため、画像の縁につながる白を透明として扱いました</translation>
     </message>
     <message>
+        <source>no drawing of the chosen layers is missing</source>
+        <translation>選んだレイヤーに見つからない絵はありません</translation>
+    </message>
+    <message>
+        <source>no key goes before the first frame</source>
+        <translation>キーは最初のフレームより前には行けません</translation>
+    </message>
+    <message>
+        <source>no key goes before the first frame, nor past the key that stays</source>
+        <translation>キーは最初のフレームより前にも、止まっているキーの先にも行けません</translation>
+    </message>
+    <message>
         <source>no picture was saved with its layers, so they could not be compared with one</source>
         <translation>統合画像が保存されていないため、レイヤーを比べられませんでした</translation>
     </message>
@@ -4899,7 +5087,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>note</source>
-        <translation type="unfinished"></translation>
+        <translation>メモ</translation>
     </message>
     <message>
         <source>nothing is drawn</source>
@@ -4958,6 +5146,10 @@ Drop a folder of cels here.</source>
         <translation>透視投影</translation>
     </message>
     <message>
+        <source>pip install &apos;kagezou[{extra}]&apos;</source>
+        <translation>pip install &apos;kagezou[{extra}]&apos;</translation>
+    </message>
+    <message>
         <source>printable text without spaces around it</source>
         <translation>前後に空白のない表示可能な文字列</translation>
     </message>
@@ -4967,11 +5159,19 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>property</source>
-        <translation type="unfinished"></translation>
+        <translation>プロパティ</translation>
     </message>
     <message>
         <source>reading it takes longer than {seconds} seconds: given up</source>
         <translation>読み込みに {seconds} 秒以上かかるため中止しました</translation>
+    </message>
+    <message>
+        <source>reading sets in USD files</source>
+        <translation>USD ファイルのセットの読み込み</translation>
+    </message>
+    <message>
+        <source>reading sets that are compressed with Draco</source>
+        <translation>Draco で圧縮されたセットの読み込み</translation>
     </message>
     <message>
         <source>received shadows</source>
@@ -4980,6 +5180,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>reflections</source>
         <translation>映り込み</translation>
+    </message>
+    <message>
+        <source>replaced keys: {count}</source>
+        <translation>置き換わるキー: {count}</translation>
     </message>
     <message>
         <source>script</source>
@@ -5010,6 +5214,10 @@ Drop a folder of cels here.</source>
         <translation>静止</translation>
     </message>
     <message>
+        <source>stops at its neighbour; Alt or A goes over it</source>
+        <translation>隣で止まります（Alt か A で越えます）</translation>
+    </message>
+    <message>
         <source>taken as one, of which the newest counts: {names}; older drawings: {old}</source>
         <translation>同じものの版とみなし最新のものを使います：{names}（使わない古い絵：{old} 枚）</translation>
     </message>
@@ -5020,6 +5228,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the camera looks at the middle of the new picture: shadows in perspective change a little</source>
         <translation>カメラは新しい画面の中央を向くため、遠近のある影が少し変わります</translation>
+    </message>
+    <message>
+        <source>the cut ends here</source>
+        <translation>カットはここで終わりです</translation>
     </message>
     <message>
         <source>the extensions {names} are not used</source>
@@ -5122,6 +5334,10 @@ Drop a folder of cels here.</source>
         <translation>タイムシート: {note}</translation>
     </message>
     <message>
+        <source>there are no drawings that could take the place of those of the layer</source>
+        <translation>レイヤーの絵と差し替えられる絵がありません</translation>
+    </message>
+    <message>
         <source>there are no triangles in it: {why}</source>
         <translation>三角形がありません：{why}</translation>
     </message>
@@ -5199,7 +5415,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>秒＋コマ</translation>
     </message>
     <message>
         <source>timed by {path}</source>
@@ -5214,12 +5430,12 @@ Drop a folder of cels here.</source>
         <translation>true または false</translation>
     </message>
     <message>
-        <source>united shadows</source>
-        <translation>まとめた影</translation>
+        <source>true</source>
+        <translation>true</translation>
     </message>
     <message>
-        <source>video needs PyAV, which is not installed: pip install &apos;kagezou[video]&apos;</source>
-        <translation>動画には PyAV が要りますが、入っていません：pip install &apos;kagezou[video]&apos;</translation>
+        <source>united shadows</source>
+        <translation>まとめた影</translation>
     </message>
     <message>
         <source>video</source>
@@ -5260,6 +5476,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>writing videos needs a part that is not installed</source>
         <translation>動画の書き出しに必要な部品が入っていません</translation>
+    </message>
+    <message>
+        <source>writing videos</source>
+        <translation>動画の書き出し</translation>
     </message>
     <message>
         <source>{cause}</source>
@@ -5366,8 +5586,16 @@ Drop a folder of cels here.</source>
         <translation>{format} のフレームは 1 チャンネル {depths} ビットです。{depth} にはできません</translation>
     </message>
     <message>
+        <source>{found} of {count} missing files were found</source>
+        <translation>見つからないファイル {count} 個のうち {found} 個が見つかりました</translation>
+    </message>
+    <message>
         <source>{frame!r}, {component!r} are not a frame and a component, whole numbers from 1</source>
         <translation>{frame!r}、{component!r} はフレームと成分（1 からの整数）ではありません</translation>
+    </message>
+    <message>
+        <source>{label!r} is no colour of a label: {known}</source>
+        <translation>{label!r} はラベルの色ではありません：{known}</translation>
     </message>
     <message>
         <source>{layer} has vector shapes that cannot be drawn</source>
@@ -5422,8 +5650,20 @@ Drop a folder of cels here.</source>
         <translation>{name} はプロジェクトに使える数ではありません</translation>
     </message>
     <message>
+        <source>{name} is true or false, not {word!r}</source>
+        <translation>{name} は true か false です（{word!r} は不可）</translation>
+    </message>
+    <message>
         <source>{name} {value}{unit} ({change}{unit})</source>
         <translation>{name} {value}{unit} ({change}{unit})</translation>
+    </message>
+    <message>
+        <source>{name} {value}{unit}</source>
+        <translation>{name} {value}{unit}</translation>
+    </message>
+    <message>
+        <source>{name}: a layer holds one character; left out: {names}</source>
+        <translation>{name}：1 つのレイヤーには 1 人のキャラクターだけです。除外：{names}</translation>
     </message>
     <message>
         <source>{name}: a shadow seems to be painted into its drawings, half-transparent at the base, and casts with them; layers.{name}.shadow.painted=left_out leaves it out</source>
@@ -5474,12 +5714,12 @@ Drop a folder of cels here.</source>
         <translation>{name}：絵に不透明な部分がありません。キャンバス全体を人物とみなしました</translation>
     </message>
     <message>
-        <source>{name}: these are drawn only after pip install &apos;kagezou[psd]&apos;: {by_extra}</source>
-        <translation>{name}：pip install &apos;kagezou[psd]&apos; をすると描画されるもの：{by_extra}</translation>
-    </message>
-    <message>
         <source>{name}: these are not drawn: {never}</source>
         <translation>{name}：描画されないもの：{never}</translation>
+    </message>
+    <message>
+        <source>{name}: these are other drawings, so they are exposed as their numbers say</source>
+        <translation>{name}：別の絵なので、番号どおりに並べました</translation>
     </message>
     <message>
         <source>{name}: which foot carries is doubtful on {count} drawings (frames {frames}); please look at them</source>
@@ -5630,6 +5870,14 @@ Drop a folder of cels here.</source>
         <translation>{path}：どのセルにも {layers} の絵が見つかりません</translation>
     </message>
     <message>
+        <source>{path}: none of the missing drawings is there: {names}</source>
+        <translation>{path}：見つからない絵はここにもありません：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: not there: {names}</source>
+        <translation>{path}：ここにないもの：{names}</translation>
+    </message>
+    <message>
         <source>{path}: one figure with one shadow: {names}</source>
         <translation>{path}: 一つの影を持つ一体のキャラクター: {names}</translation>
     </message>
@@ -5672,6 +5920,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: these lie simply over what is below them here: {names}</source>
         <translation>{path}: 次のレイヤーは、ここでは通常の重ね方で描きます: {names}</translation>
+    </message>
+    <message>
+        <source>{path}: this folder is not there</source>
+        <translation>{path}：このフォルダーはありません</translation>
     </message>
     <message>
         <source>{path}: {cause}</source>
@@ -5797,10 +6049,14 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
-    <name>MissingPartDialog</name>
+    <name>MissingParts</name>
     <message>
-        <source>Add a Missing Part</source>
-        <translation>足りない部品の追加</translation>
+        <source>“Missing Parts” in the Help menu shows how</source>
+        <translation>入れ方は［ヘルプ］の［足りない部品…］にあります</translation>
+    </message>
+    <message>
+        <source>Missing Parts</source>
+        <translation>足りない部品</translation>
     </message>
     <message>
         <source>Command</source>
@@ -5809,6 +6065,22 @@ Drop a folder of cels here.</source>
     <message>
         <source>Copy</source>
         <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: every part of the program is installed.</source>
+        <translation>足りないものはありません。すべての部品が入っています。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>This installation lacks parts for:</source>
+        <translation>次のことに必要な部品が入っていません：</translation>
+    </message>
+    <message>
+        <source>They cost nothing and are added once:</source>
+        <translation>無料で、追加は一度だけです：</translation>
     </message>
     <message>
         <source>1.  Copy this line.</source>
@@ -5822,14 +6094,6 @@ Drop a folder of cels here.</source>
         <source>3.  When it is done, close this window: the part is there at once.</source>
         <translation>3.  終わったらこのウィンドウを閉じます。すぐに使えます。</translation>
     </message>
-    <message>
-        <source>%1. It costs nothing and is added once:</source>
-        <translation>%1。無料で、追加は一度だけです：</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>閉じる</translation>
-    </message>
 </context>
 <context>
     <name>NoteList</name>
@@ -5838,16 +6102,24 @@ Drop a folder of cels here.</source>
         <translation>メモ</translation>
     </message>
     <message>
-        <source>Add Note…</source>
-        <translation>メモを追加…</translation>
+        <source>Add…</source>
+        <translation>追加…</translation>
+    </message>
+    <message>
+        <source>Pin a note to this frame</source>
+        <translation>このフレームにメモを付けます</translation>
     </message>
     <message>
         <source>Answer…</source>
-        <translation type="unfinished"></translation>
+        <translation>返信…</translation>
+    </message>
+    <message>
+        <source>Say something to this note</source>
+        <translation>このメモに返信します</translation>
     </message>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>その他</translation>
     </message>
     <message>
         <source>Edit…</source>
@@ -5867,7 +6139,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Answer</source>
-        <translation type="unfinished"></translation>
+        <translation>返信</translation>
     </message>
     <message>
         <source>Add note</source>
@@ -5875,11 +6147,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Answer note</source>
-        <translation type="unfinished"></translation>
+        <translation>メモに返信</translation>
     </message>
     <message>
         <source>Tick note</source>
-        <translation type="unfinished"></translation>
+        <translation>メモの済みを変更</translation>
     </message>
     <message>
         <source>Change note</source>
@@ -5898,23 +6170,23 @@ Drop a folder of cels here.</source>
     <name>Notes</name>
     <message>
         <source>There are no notes to export.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出すメモがありません。</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>表</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>テキスト</translation>
     </message>
     <message>
         <source>Export Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>メモを書き出し</translation>
     </message>
     <message>
         <source>The notes are in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>メモを %1 に書き出しました</translation>
     </message>
 </context>
 <context>
@@ -6235,50 +6507,50 @@ Drop a folder of cels here.</source>
     <name>ReviewBar</name>
     <message>
         <source>Previous note or flag</source>
-        <translation type="unfinished"></translation>
+        <translation>前のメモまたは注意点</translation>
     </message>
     <message>
         <source>Next note or flag</source>
-        <translation type="unfinished"></translation>
+        <translation>次のメモまたは注意点</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished">完了</translation>
+        <translation>済み</translation>
     </message>
     <message>
         <source>Answer…</source>
-        <translation type="unfinished"></translation>
+        <translation>返信…</translation>
     </message>
     <message>
         <source>Add Note…</source>
-        <translation type="unfinished">メモを追加…</translation>
+        <translation>メモを追加…</translation>
     </message>
     <message>
         <source>Leave Review (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>レビューを終了 (Esc)</translation>
     </message>
 </context>
 <context>
     <name>ReviewMode</name>
     <message>
         <source>There are no notes, and nothing stands out.</source>
-        <translation type="unfinished"></translation>
+        <translation>メモも、目立つところもありません。</translation>
     </message>
     <message>
         <source>This is the last one.</source>
-        <translation type="unfinished"></translation>
+        <translation>これが最後です。</translation>
     </message>
     <message>
         <source>This is the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>これが最初です。</translation>
     </message>
     <message>
         <source>Go to a note first.</source>
-        <translation type="unfinished"></translation>
+        <translation>先にメモへ移動してください。</translation>
     </message>
     <message>
         <source>Notes: %1, flags: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>メモ：%1、注意点：%2</translation>
     </message>
 </context>
 <context>
@@ -6351,6 +6623,14 @@ Drop a folder of cels here.</source>
         <translation>シーン</translation>
     </message>
     <message>
+        <source>Scene (light, ground)</source>
+        <translation>シーン（ライト・地面）</translation>
+    </message>
+    <message>
+        <source>%1 (set)</source>
+        <translation>%1（セット）</translation>
+    </message>
+    <message>
         <source>Feet</source>
         <translation>足</translation>
     </message>
@@ -6378,6 +6658,11 @@ Drop a folder of cels here.</source>
         <source>Set a key on this frame, or remove the one that is here</source>
         <translation>このフレームにキーを設定、または既にあるキーを削除</translation>
     </message>
+    <message>
+        <source>%1 missing files in</source>
+        <comment>then a folder</comment>
+        <translation>見つからないファイル %1 個：</translation>
+    </message>
 </context>
 <context>
     <name>Ruler</name>
@@ -6402,11 +6687,11 @@ Drop a folder of cels here.</source>
     <name>Section</name>
     <message>
         <source>Less</source>
-        <translation type="unfinished"></translation>
+        <translation>少なく</translation>
     </message>
     <message>
         <source>More…</source>
-        <translation type="unfinished"></translation>
+        <translation>その他…</translation>
     </message>
 </context>
 <context>
@@ -6736,11 +7021,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">幅</translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">高さ</translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Own size</source>

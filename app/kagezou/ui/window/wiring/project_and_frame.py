@@ -29,8 +29,7 @@ _QUEUED = Qt.ConnectionType.QueuedConnection
 
 def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
     """Connect files, history and layers."""
-    actions, project, session = parts.actions, parts.project, lambda: parts.bridge.session
-    bridge = parts.bridge
+    actions, project, bridge, session = parts.actions, parts.project, parts.bridge, lambda: parts.bridge.session
     for name, do in {
         "new": project.new,
         "open": project.open,
