@@ -7,10 +7,12 @@ import pytest
 
 from kagezou.document import edits
 from kagezou.document.address import Address
+from kagezou.document.key_edits import KeyRef, Refs, present_keys
 from kagezou.document.marking import set_marks
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
 from kagezou.document.properties import FOV, OPACITY
 from kagezou.geometry.box import Box
+from kagezou.session import state
 from kagezou.session.history import MAX_STEPS
 from kagezou.session.session import Session
 from kagezou.session.state import State
@@ -248,6 +250,28 @@ def test_locking_ends_what_is_under_way(session: Session) -> None:
     assert session.document is dragged
     gesture.show(fov(session.document, 32.0))
     assert (session.document, session.is_in_gesture) == (dragged, False)
+
+
+def test_selected_keys_are_looked_for_only_where_they_could_have_gone(
+    session: Session, document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked: list[int] = []
+
+    def noting(document: Document, refs: Refs) -> Refs:
+        looked.append(len(refs))
+        return present_keys(document, refs)
+
+    monkeypatch.setattr(state, "present_keys", noting)
+    address = Address(FOV)
+    session.edit("Key", edits.set_key(edits.set_key(document, address, 1, 20.0), address, 9, 40.0))
+    session.select_keys(frozenset({KeyRef(address, 1), KeyRef(address, 9)}))
+    looked.clear()
+    session.go_to(5)
+    session.select("layer-1")
+    assert looked == []
+    session.edit("Unkey", edits.remove_key(session.document, address, 9))
+    assert looked
+    assert session.state.keys == {KeyRef(address, 1)}
 
 
 def test_locked_layers_are_left_alone_and_whoever_tries_is_told(session: Session, document: Document) -> None:

@@ -199,7 +199,7 @@ class Session:
             self._gesture.commit()
 
     def _show(self, state: State) -> None:
-        before, self._state = self._state, within(state)
+        before, self._state = self._state, within(state, self._state)
         if not same(before, self._state):
             self._tell(before)
 

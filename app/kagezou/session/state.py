@@ -47,8 +47,8 @@ def _looked_at(state: State) -> tuple[object, ...]:
     return state.frame, state.layer_id, state.selection, state.keys, state.piece_id, state.others
 
 
-def within(state: State) -> State:
-    """Return the state with its frame and selection kept to what the document has."""
+def within(state: State, before: State) -> State:
+    """Return the state with its frame and selection kept to what the document has, as the one before it was."""
     document = state.document
     ids, pieces = {layer.id for layer in document.layers}, {piece.id for piece in document.pieces}
     piece_id = state.piece_id if state.piece_id in pieces else None
@@ -62,4 +62,7 @@ def within(state: State) -> State:
     )
     frame = min(max(state.frame, 1), document.canvas.length_frames)
     others = frozenset() if layer_id is None else state.others & (ids - {layer_id})
-    return State(document, frame, layer_id, selection, present_keys(document, state.keys), piece_id, others)
+    # Of very many selected keys each look takes long, and only another document or selection can lack some.
+    are_there = document is before.document and state.keys is before.keys
+    keys = state.keys if are_there else present_keys(document, state.keys)
+    return State(document, frame, layer_id, selection, keys, piece_id, others)

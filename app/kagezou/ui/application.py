@@ -62,6 +62,7 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     program.offer_recovery()
     code = application.exec()
     program.put_away()
+    ends.finish()
     return code
 
 

@@ -270,6 +270,17 @@ def test_keys_are_copied_from_window_to_window(keyed: OpenProject, cels: Path, c
     assert refused == ["The copied keys belong to layers that are not in this project."]
 
 
+def test_copied_keys_that_cannot_be_read_are_told_from_none(keyed: OpenProject, clipboard: OwnClipboard) -> None:
+    commands = KeyCommands(keyed.bridge, clipboard)
+    refused: list[str] = []
+    commands.refused.connect(refused.append)
+    clipboard.put('{"kagezou-keys": {"light.position": [' + " " * (1 << 24))
+    before = keyed.bridge.document
+    commands.paste()
+    assert keyed.bridge.document is before
+    assert refused == ["Nothing in this project takes the copied keys, or they are more than a project holds."]
+
+
 def test_keys_are_copied_to_the_playhead_and_back_to_their_time(keyed: OpenProject, clipboard: OwnClipboard) -> None:
     commands, session = KeyCommands(keyed.bridge, clipboard), keyed.bridge.session
     refused: list[str] = []

@@ -32,6 +32,11 @@ def dumps_keys(document: Document, clip: KeyClip) -> str:
     return formatted({_KEYS: rows})
 
 
+def holds_keys(text: str) -> bool:
+    """Return whether a text was meant to hold copied keys, whether or not it can be read."""
+    return _KEYS in text[:_FIRST_CHARACTERS]
+
+
 def loads_keys(text: str, document: Document) -> KeyClip | None:
     """Return the copied keys that a text holds, for a document; None if it is no such text or none has a place there.
 

@@ -63,7 +63,7 @@ class RecoveryDialog(QDialog):
         self._show_choice()
 
     def _lay_out(self) -> None:
-        words = QLabel(self.tr("Kagezou did not end as it should. This work was put aside and never saved:"))
+        words = QLabel(self.tr("Kagezou ended before this work was saved. It was put aside:"))
         words.setWordWrap(True)
         buttons = QHBoxLayout()
         buttons.addWidget(self._button(self.tr("Show Folder"), self._show_folder))

@@ -29,6 +29,16 @@ class EndSignals(QObject):
             if signal.getsignal(number) is not signal.SIG_IGN:
                 signal.signal(number, _leave_it_to_the_event_loop)
 
+    def finish(self) -> None:
+        """Tell no more; from now on a signal ends the program at once."""
+        signal.set_wakeup_fd(-1)
+        self._notifier.setEnabled(False)
+        self._read.close()
+        self._written.close()
+        for number in _ENDS:
+            if signal.getsignal(number) is _leave_it_to_the_event_loop:
+                signal.signal(number, signal.SIG_DFL)
+
     def _look(self) -> None:
         for number in self._read.recv(64):
             if number in _ENDS:

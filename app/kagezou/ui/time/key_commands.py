@@ -18,7 +18,7 @@ from kagezou.document.key_edits import (
 from kagezou.document.model import Document
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.review import set_work_area
-from kagezou.io.clips.timeline_clips import dumps_keys, loads_keys
+from kagezou.io.clips.timeline_clips import dumps_keys, holds_keys, loads_keys
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
 
@@ -130,9 +130,11 @@ class KeyCommands(QObject):
         self._edit(self.tr("Set work area"), set_work_area(self._bridge.document, first, last))
 
     def _paste(self, frame: int | None) -> None:
-        clip = loads_keys(self._clipboard.text(), self._bridge.document)
+        text = self._clipboard.text()
+        clip = loads_keys(text, self._bridge.document)
         if clip is None:
-            self.refused.emit(self.tr("No keys were copied yet."))
+            unfit = self.tr("Nothing in this project takes the copied keys, or they are more than a project holds.")
+            self.refused.emit(unfit if holds_keys(text) else self.tr("No keys were copied yet."))
             return
         document, refs = paste_keys(self._bridge.document, clip, frame, self._bridge.layer_id)
         if refs:
