@@ -130,7 +130,7 @@ class _Run:
         """Return the jobs with the files that are still to be made; none where that was stopped."""
         jobs: list[FrameJob] = []
         for job in self.plan.jobs:
-            if cancelled():
+            if self.request.skip_existing and cancelled():
                 return []
             made_of = self.fingerprints[job.content] = fingerprint(job, self.request)
             targets = job.targets

@@ -205,7 +205,7 @@
     </message>
     <message>
         <source>Export Notes…</source>
-        <translation type="unfinished"></translation>
+        <translation>メモを書き出し…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -257,7 +257,7 @@
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished"></translation>
+        <translation>レビュー</translation>
     </message>
     <message>
         <source>Field &amp;Guide</source>
@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>A&amp;dd Characters…</source>
-        <translation type="unfinished"></translation>
+        <translation>キャラクターを追加(&amp;D)…</translation>
     </message>
     <message>
         <source>Import &amp;3-D Set…</source>
@@ -401,27 +401,27 @@
     </message>
     <message>
         <source>Re&amp;place Drawings…</source>
-        <translation type="unfinished"></translation>
+        <translation>絵を差し替え(&amp;P)…</translation>
     </message>
     <message>
         <source>&amp;Relink Missing Drawings…</source>
-        <translation type="unfinished"></translation>
+        <translation>見つからない絵を再リンク(&amp;R)…</translation>
     </message>
     <message>
         <source>Show Drawings in &amp;Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>絵のフォルダーを表示(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Duplicate Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーを複製(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Lock Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーをロック(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Solo Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーだけを表示(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Copy Keys</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>Missing Parts…</source>
-        <translation type="unfinished"></translation>
+        <translation>足りない部品…</translation>
     </message>
     <message>
         <source>&amp;About Kagezou</source>
@@ -741,7 +741,7 @@
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished">レイヤー</translation>
+        <translation>レイヤー</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -815,7 +815,7 @@
     </message>
     <message>
         <source>No keys are selected.</source>
-        <translation type="unfinished">キーが選択されていません。</translation>
+        <translation>キーが選択されていません。</translation>
     </message>
     <message>
         <source>Key velocity</source>
@@ -1056,7 +1056,7 @@
     </message>
     <message>
         <source>Choose Folders of Cels</source>
-        <translation type="unfinished"></translation>
+        <translation>セルのフォルダーを選ぶ（複数可）</translation>
     </message>
     <message>
         <source>Choose Cels</source>
@@ -1260,7 +1260,7 @@
     </message>
     <message>
         <source>Drag an end to hold it longer or shorter (Shift: what follows moves along; Alt or A: over its neighbours), the middle to move it</source>
-        <translation type="unfinished"></translation>
+        <translation>端をドラッグして長さを変えます（Shift: 後ろも動く、Alt / A: 隣を越える）。中央をドラッグして動かします</translation>
     </message>
     <message>
         <source>Move drawing</source>
@@ -1618,11 +1618,11 @@
     </message>
     <message>
         <source>Places that move farther than this in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>1 フレームにこれより大きく動く位置</translation>
     </message>
     <message>
         <source>Too fast:</source>
-        <translation type="unfinished"></translation>
+        <translation>速すぎ：</translation>
     </message>
     <message>
         <source>Nothing stands out.</source>
@@ -1775,7 +1775,7 @@
     </message>
     <message>
         <source>Double-click on the character itself to say where it touches the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>接地する場所は、キャラクターの上をダブルクリックして指定します。</translation>
     </message>
     <message>
         <source>Add foot</source>
@@ -1814,7 +1814,7 @@
     <name>HandleMenu</name>
     <message>
         <source>Type Values…</source>
-        <translation type="unfinished"></translation>
+        <translation>値を入力…</translation>
     </message>
 </context>
 <context>
@@ -1980,11 +1980,11 @@
     </message>
     <message>
         <source>Place and size</source>
-        <translation type="unfinished">位置と寸法</translation>
+        <translation>位置と大きさ</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished">はたらき</translation>
+        <translation>役割</translation>
     </message>
     <message>
         <source>Shadow</source>
@@ -2276,11 +2276,11 @@
     <name>LayerFiles</name>
     <message>
         <source>Replace drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>絵を差し替え</translation>
     </message>
     <message>
         <source>Relink drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>絵を再リンク</translation>
     </message>
 </context>
 <context>
@@ -2387,11 +2387,11 @@ Drop a folder of cels here.</source>
     <message>
         <source>%1 missing files in</source>
         <comment>then a folder</comment>
-        <translation type="unfinished"></translation>
+        <translation>見つからないファイル %1 個：</translation>
     </message>
     <message>
         <source>%1, %2 missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（%2 枚が見つかりません）</translation>
     </message>
     <message>
         <source>%1, part of %2</source>
@@ -2409,56 +2409,56 @@ Drop a folder of cels here.</source>
     <name>Layers</name>
     <message>
         <source>Lock layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーをロック</translation>
     </message>
     <message>
         <source>Solo layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーだけを表示</translation>
     </message>
     <message>
         <source>Duplicate layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーを複製</translation>
     </message>
     <message>
         <source>%1 is locked, so nothing is changed. Lock Layer in the Layer menu unlocks it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 はロックされているため変更されません。「レイヤー」メニューの「レイヤーをロック」で解除できます。</translation>
     </message>
     <message>
         <source>Label layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーのラベル</translation>
     </message>
     <message>
         <source>None</source>
         <comment>no label</comment>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>赤</translation>
     </message>
     <message>
         <source>Orange</source>
-        <translation type="unfinished"></translation>
+        <translation>オレンジ</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>黄</translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>緑</translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>青</translation>
     </message>
     <message>
         <source>Purple</source>
-        <translation type="unfinished"></translation>
+        <translation>紫</translation>
     </message>
     <message>
         <source>Pink</source>
-        <translation type="unfinished"></translation>
+        <translation>ピンク</translation>
     </message>
 </context>
 <context>
@@ -2568,7 +2568,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>&amp;Label</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベル(&amp;L)</translation>
     </message>
     <message>
         <source>Background Picture</source>
@@ -2648,7 +2648,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>La&amp;yer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー(&amp;Y)</translation>
     </message>
     <message>
         <source>&amp;Set</source>
@@ -3855,7 +3855,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>it is compressed with Draco, which needs the package DracoPy: {how}</source>
-        <translation type="unfinished"></translation>
+        <translation>Draco で圧縮されています。読むにはパッケージ DracoPy が要ります：{how}</translation>
     </message>
     <message>
         <source>none</source>
@@ -4139,7 +4139,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Alt or A: the other point goes the other way</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt / A: もう一方は反対に動く</translation>
     </message>
     <message>
         <source>At this distance from the feet the reflection has faded away; 0 does not fade.</source>
@@ -4175,7 +4175,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Ctrl: no snapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl: 吸着なし</translation>
     </message>
     <message>
         <source>Disc</source>
@@ -4379,7 +4379,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Overhead radius; the lamp is {away} px outside it</source>
-        <translation type="unfinished"></translation>
+        <translation>真上ライトの範囲（ランプは {away} px 外側にあります）</translation>
     </message>
     <message>
         <source>Overhead simplify</source>
@@ -4435,19 +4435,19 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Shift+Alt or Shift+A: slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+Alt / Shift+A: ゆっくり</translation>
     </message>
     <message>
         <source>Shift: keeps its shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift: 比率を保つ</translation>
     </message>
     <message>
         <source>Shift: one way</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift: 一方向</translation>
     </message>
     <message>
         <source>Shift: steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift: 15° 刻み</translation>
     </message>
     <message>
         <source>Shrink in a jump</source>
@@ -4491,7 +4491,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>The colour of the layer&apos;s label in the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>画面でのレイヤーのラベルの色。</translation>
     </message>
     <message>
         <source>The farm renders the saved project, into {output}: save it before you send the job.</source>
@@ -4543,7 +4543,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>USD files need the package usd-core: {how}</source>
-        <translation type="unfinished"></translation>
+        <translation>USD ファイルにはパッケージ usd-core が要ります：{how}</translation>
     </message>
     <message>
         <source>Upright</source>
@@ -4595,11 +4595,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Whether the window refuses to change the layer; the command line changes it all the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>画面でレイヤーの変更を受け付けないかどうか。コマンドラインでは変更できます。</translation>
     </message>
     <message>
         <source>Whether the window shows the layer alone; exports show all.</source>
-        <translation type="unfinished"></translation>
+        <translation>画面でこのレイヤーだけを表示するかどうか。書き出しにはすべて含まれます。</translation>
     </message>
     <message>
         <source>Width and height of the picture in px; --drawings says what becomes of what is on it.</source>
@@ -4611,7 +4611,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>a column of dialogue or camera work cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>セリフまたはカメラワークの列が読めません</translation>
     </message>
     <message>
         <source>a dash before a number is taken as a minus: {first}</source>
@@ -4699,7 +4699,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>drawing gradients, strokes and curves of Photoshop layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Photoshop レイヤーのグラデーション・境界線・トーンカーブの描画</translation>
     </message>
     <message>
         <source>drawings and all lengths become {percent:.4g} % of what they were</source>
@@ -4715,7 +4715,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>drawings that have another size than before: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>以前とサイズの違う絵：{names}</translation>
     </message>
     <message>
         <source>extra channels are not used: {names}</source>
@@ -4755,7 +4755,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>it cannot go past the key that stays</source>
-        <translation type="unfinished"></translation>
+        <translation>止まっているキーは越えられません</translation>
     </message>
     <message>
         <source>it does not say which axis points up: y is taken</source>
@@ -4787,11 +4787,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>video needs PyAV, which is not installed: {how}</source>
-        <translation type="unfinished"></translation>
+        <translation>動画には PyAV が要りますが、入っていません：{how}</translation>
     </message>
     <message>
         <source>{name}: these are not drawn without a part that is missing ({how}): {by_extra}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}：足りない部品があるため描画されないもの（{how}）：{by_extra}</translation>
     </message>
     <message>
         <source>it is damaged: an instancer names what is not there</source>
@@ -5023,7 +5023,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>lines that are parallel in the picture do not tell the field of view: it stays at {fov}°</source>
-        <translation type="unfinished"></translation>
+        <translation>絵の中で平行な線からは画角が分かりません: {fov}° のままです</translation>
     </message>
     <message>
         <source>markers and notes behind the new end: {count}</source>
@@ -5059,15 +5059,15 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>no drawing of the chosen layers is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>選んだレイヤーに見つからない絵はありません</translation>
     </message>
     <message>
         <source>no key goes before the first frame</source>
-        <translation type="unfinished"></translation>
+        <translation>キーは最初のフレームより前には行けません</translation>
     </message>
     <message>
         <source>no key goes before the first frame, nor past the key that stays</source>
-        <translation type="unfinished"></translation>
+        <translation>キーは最初のフレームより前にも、止まっているキーの先にも行けません</translation>
     </message>
     <message>
         <source>no picture was saved with its layers, so they could not be compared with one</source>
@@ -5147,7 +5147,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>pip install &apos;kagezou[{extra}]&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>pip install &apos;kagezou[{extra}]&apos;</translation>
     </message>
     <message>
         <source>printable text without spaces around it</source>
@@ -5167,11 +5167,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>reading sets in USD files</source>
-        <translation type="unfinished"></translation>
+        <translation>USD ファイルのセットの読み込み</translation>
     </message>
     <message>
         <source>reading sets that are compressed with Draco</source>
-        <translation type="unfinished"></translation>
+        <translation>Draco で圧縮されたセットの読み込み</translation>
     </message>
     <message>
         <source>received shadows</source>
@@ -5183,7 +5183,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>replaced keys: {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>置き換わるキー: {count}</translation>
     </message>
     <message>
         <source>script</source>
@@ -5215,7 +5215,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>stops at its neighbour; Alt or A goes over it</source>
-        <translation type="unfinished"></translation>
+        <translation>隣で止まります（Alt か A で越えます）</translation>
     </message>
     <message>
         <source>taken as one, of which the newest counts: {names}; older drawings: {old}</source>
@@ -5231,7 +5231,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the cut ends here</source>
-        <translation type="unfinished"></translation>
+        <translation>カットはここで終わりです</translation>
     </message>
     <message>
         <source>the extensions {names} are not used</source>
@@ -5335,7 +5335,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>there are no drawings that could take the place of those of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーの絵と差し替えられる絵がありません</translation>
     </message>
     <message>
         <source>there are no triangles in it: {why}</source>
@@ -5431,7 +5431,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>true</source>
-        <translation type="unfinished"></translation>
+        <translation>true</translation>
     </message>
     <message>
         <source>united shadows</source>
@@ -5479,7 +5479,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>writing videos</source>
-        <translation type="unfinished"></translation>
+        <translation>動画の書き出し</translation>
     </message>
     <message>
         <source>{cause}</source>
@@ -5587,7 +5587,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{found} of {count} missing files were found</source>
-        <translation type="unfinished"></translation>
+        <translation>見つからないファイル {count} 個のうち {found} 個が見つかりました</translation>
     </message>
     <message>
         <source>{frame!r}, {component!r} are not a frame and a component, whole numbers from 1</source>
@@ -5595,7 +5595,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{label!r} is no colour of a label: {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>{label!r} はラベルの色ではありません：{known}</translation>
     </message>
     <message>
         <source>{layer} has vector shapes that cannot be drawn</source>
@@ -5651,7 +5651,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name} is true or false, not {word!r}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} は true か false です（{word!r} は不可）</translation>
     </message>
     <message>
         <source>{name} {value}{unit} ({change}{unit})</source>
@@ -5659,11 +5659,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name} {value}{unit}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} {value}{unit}</translation>
     </message>
     <message>
         <source>{name}: a layer holds one character; left out: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}：1 つのレイヤーには 1 人のキャラクターだけです。除外：{names}</translation>
     </message>
     <message>
         <source>{name}: a shadow seems to be painted into its drawings, half-transparent at the base, and casts with them; layers.{name}.shadow.painted=left_out leaves it out</source>
@@ -5719,7 +5719,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: these are other drawings, so they are exposed as their numbers say</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}：別の絵なので、番号どおりに並べました</translation>
     </message>
     <message>
         <source>{name}: which foot carries is doubtful on {count} drawings (frames {frames}); please look at them</source>
@@ -5871,11 +5871,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: none of the missing drawings is there: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}：見つからない絵はここにもありません：{names}</translation>
     </message>
     <message>
         <source>{path}: not there: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}：ここにないもの：{names}</translation>
     </message>
     <message>
         <source>{path}: one figure with one shadow: {names}</source>
@@ -5923,7 +5923,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: this folder is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}：このフォルダーはありません</translation>
     </message>
     <message>
         <source>{path}: {cause}</source>
@@ -6052,47 +6052,47 @@ Drop a folder of cels here.</source>
     <name>MissingParts</name>
     <message>
         <source>“Missing Parts” in the Help menu shows how</source>
-        <translation type="unfinished"></translation>
+        <translation>入れ方は［ヘルプ］の［足りない部品…］にあります</translation>
     </message>
     <message>
         <source>Missing Parts</source>
-        <translation type="unfinished"></translation>
+        <translation>足りない部品</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished">コマンド</translation>
+        <translation>コマンド</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished">コピー</translation>
+        <translation>コピー</translation>
     </message>
     <message>
         <source>Nothing is missing: every part of the program is installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>足りないものはありません。すべての部品が入っています。</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">閉じる</translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>This installation lacks parts for:</source>
-        <translation type="unfinished"></translation>
+        <translation>次のことに必要な部品が入っていません：</translation>
     </message>
     <message>
         <source>They cost nothing and are added once:</source>
-        <translation type="unfinished"></translation>
+        <translation>無料で、追加は一度だけです：</translation>
     </message>
     <message>
         <source>1.  Copy this line.</source>
-        <translation type="unfinished">1.  下の行をコピーします。</translation>
+        <translation>1.  下の行をコピーします。</translation>
     </message>
     <message>
         <source>2.  Open a terminal (in Windows: PowerShell), paste it there and press Enter.</source>
-        <translation type="unfinished">2.  ターミナル（Windows では PowerShell）を開き、貼り付けて Enter を押します。</translation>
+        <translation>2.  ターミナル（Windows では PowerShell）を開き、貼り付けて Enter を押します。</translation>
     </message>
     <message>
         <source>3.  When it is done, close this window: the part is there at once.</source>
-        <translation type="unfinished">3.  終わったらこのウィンドウを閉じます。すぐに使えます。</translation>
+        <translation>3.  終わったらこのウィンドウを閉じます。すぐに使えます。</translation>
     </message>
 </context>
 <context>
@@ -6103,11 +6103,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Add…</source>
-        <translation type="unfinished"></translation>
+        <translation>追加…</translation>
     </message>
     <message>
         <source>Pin a note to this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>このフレームにメモを付けます</translation>
     </message>
     <message>
         <source>Answer…</source>
@@ -6115,7 +6115,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Say something to this note</source>
-        <translation type="unfinished"></translation>
+        <translation>このメモに返信します</translation>
     </message>
     <message>
         <source>More</source>
@@ -6624,11 +6624,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Scene (light, ground)</source>
-        <translation type="unfinished"></translation>
+        <translation>シーン（ライト・地面）</translation>
     </message>
     <message>
         <source>%1 (set)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（セット）</translation>
     </message>
     <message>
         <source>Feet</source>
@@ -6661,7 +6661,7 @@ Drop a folder of cels here.</source>
     <message>
         <source>%1 missing files in</source>
         <comment>then a folder</comment>
-        <translation type="unfinished"></translation>
+        <translation>見つからないファイル %1 個：</translation>
     </message>
 </context>
 <context>
@@ -6687,11 +6687,11 @@ Drop a folder of cels here.</source>
     <name>Section</name>
     <message>
         <source>Less</source>
-        <translation type="unfinished"></translation>
+        <translation>少なく</translation>
     </message>
     <message>
         <source>More…</source>
-        <translation type="unfinished"></translation>
+        <translation>その他…</translation>
     </message>
 </context>
 <context>
@@ -7021,11 +7021,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">幅</translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">高さ</translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Own size</source>

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 from kagezou.document.layer_marks import LABELS, LayerMarks
 from kagezou.ui.panels.layer_model import Role
 from kagezou.ui.system.icons import icon
-from kagezou.ui.system.theme import BRIGHT, DIM, HOVERED, OFF, TEXT, WELL
+from kagezou.ui.system.theme import BRIGHT, DIM, HOVERED, TEXT, WELL
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
 
 _THUMBNAIL = 40
@@ -38,7 +38,8 @@ class LayerDelegate(EyeDelegate):
             _paint_elbow(painter, frame)
         _paint_thumbnail(painter, frame, index.data(Role.THUMBNAIL), faded=not visible)
         _paint_marks(painter, area, frame, index)
-        self._paint_words(painter, option, index, name_tone=(BRIGHT if chosen else TEXT) if visible else OFF)
+        tone, quiet = (BRIGHT if chosen else TEXT) if visible else DIM, TEXT if chosen else DIM
+        self._paint_words(painter, option, index, name_tone=tone, quiet=quiet)
         painter.restore()
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
@@ -51,7 +52,9 @@ class LayerDelegate(EyeDelegate):
         height = editor.sizeHint().height()
         editor.setGeometry(area.left() - 4, area.center().y() - height // 2, area.width() + 2, height)
 
-    def _paint_words(self, painter: QPainter, option: QStyleOptionViewItem, index: Index, *, name_tone: object) -> None:
+    def _paint_words(
+        self, painter: QPainter, option: QStyleOptionViewItem, index: Index, *, name_tone: QColor, quiet: QColor
+    ) -> None:
         area = _words_area(QRect(option.rect), _indent(index))
         area.setRight(area.right() - _SIGN_PX * len(_signs(index)))
         metrics = painter.fontMetrics()
@@ -59,7 +62,7 @@ class LayerDelegate(EyeDelegate):
         name = metrics.elidedText(str(index.data()), Qt.TextElideMode.ElideMiddle, area.width())
         painter.setPen(name_tone)
         painter.drawText(area.left(), middle - 2, name)
-        painter.setPen(DIM)
+        painter.setPen(quiet)
         summary = metrics.elidedText(str(index.data(Role.SUMMARY)), Qt.TextElideMode.ElideRight, area.width())
         painter.drawText(area.left(), middle + metrics.ascent() + 2, summary)
 

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QStyleOptionViewItem, QWidget
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.ui.sets.list_model import PieceRole
 from kagezou.ui.system.icons import kind_icon
-from kagezou.ui.system.theme import BRIGHT, DIM, OFF, TEXT
+from kagezou.ui.system.theme import BRIGHT, DIM, TEXT
 from kagezou.ui.system.words import choice_name
 from kagezou.ui.widgets.eye_delegate import EYE_WIDTH, EyeDelegate, Index
 
@@ -31,7 +31,7 @@ class SetDelegate(EyeDelegate):
         kind = PieceKind(index.data(PieceRole.KIND))
         place = QRect(area.left() + EYE_WIDTH, area.center().y() - _ICON // 2, _ICON, _ICON)
         kind_icon(kind).paint(painter, place, mode=QIcon.Mode.Normal if present else QIcon.Mode.Disabled)
-        self._paint_words(painter, area, index, choice_name(kind), (BRIGHT if chosen else TEXT) if present else OFF)
+        self._paint_words(painter, area, index, choice_name(kind), (BRIGHT if chosen else TEXT) if present else DIM)
         painter.restore()
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from kagezou.document.model import Layer
 from kagezou.tools.timeline.drawing_drag import BarPart
-from kagezou.ui.system.theme import OFF, SELECTED, TEXT
+from kagezou.ui.system.theme import DIM, SELECTED, TEXT
 from kagezou.ui.timeline.drawing_choice import DrawingChoice
 from kagezou.ui.timeline.time_scale import TimeScale
 
@@ -85,7 +85,7 @@ def _paint_empty(painter: QPainter, area: QRectF, *, chosen: bool) -> None:
     """Paint an empty cel: a cross in its first cell, as on paper sheets, and nothing behind it."""
     if chosen:
         painter.fillRect(area, QColor(_CHOSEN.red(), _CHOSEN.green(), _CHOSEN.blue(), 120))
-    painter.setPen(QPen(SELECTED if chosen else OFF, 1.3))
+    painter.setPen(QPen(SELECTED if chosen else DIM, 1.3))
     middle = QPointF(area.left() + min(9.0, area.width() / 2), area.center().y())
     arm = min(3.5, area.width() / 3)
     for turn in (1, -1):

@@ -13,7 +13,7 @@ from kagezou.document.key_edits import all_keys
 from kagezou.document.linking import is_linked
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.missing import NOTHING_MISSING, Missing, missing_words
-from kagezou.ui.system.theme import BRIGHT, CHROME, DIM, LINE, OFF, SELECTED, TEXT
+from kagezou.ui.system.theme import BRIGHT, CHROME, DIM, LINE, SELECTED, TEXT
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.row_signs import paint_label, paint_signs, row_name
@@ -179,7 +179,7 @@ class RowNames(QWidget):
             (x, any(frame > here for frame in frames), 1),
         ):
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(TEXT if exists else OFF)
+            painter.setBrush(TEXT if exists else DIM)
             tip = [
                 QPointF(middle + way * 3.5, y),
                 QPointF(middle - way * 2.5, y - 4),
@@ -238,7 +238,7 @@ class RowNames(QWidget):
 
 def _paint_diamond(painter: QPainter, middle: QPointF, part: float | None) -> None:
     """Paint the diamond: full with ``part`` of the properties keyed here, dotted with some, hollow without keys."""
-    painter.setPen(QPen(SELECTED if part else OFF if part is None else TEXT, 1.3))
+    painter.setPen(QPen(SELECTED if part else DIM if part is None else TEXT, 1.3))
     painter.setBrush(SELECTED if part == 1 else Qt.BrushStyle.NoBrush)
     painter.drawPolygon(_diamond(middle, _DIAMOND_PX))
     if part is not None and part < 1:

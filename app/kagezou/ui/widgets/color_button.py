@@ -4,7 +4,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QColorDialog, QHBoxLayout, QLineEdit, QWidget
 
-from kagezou.ui.system.theme import BRIGHT, CHROME, LINE
+from kagezou.ui.system.theme import BRIGHT, CHROME, DIM
 from kagezou.ui.widgets.scrub_field import MIXED
 
 
@@ -26,7 +26,7 @@ class Swatch(QAbstractButton):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setPen(QPen(BRIGHT if self.hasFocus() or self.underMouse() else LINE, 1))
+        painter.setPen(QPen(BRIGHT if self.hasFocus() or self.underMouse() else DIM, 1))
         painter.setBrush(self.color)
         area = self.rect().adjusted(0, 0, -1, -1)
         painter.drawRect(area)

@@ -2,11 +2,11 @@
 
 from enum import StrEnum
 
-from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
-from kagezou.ui.system.theme import BRIGHT, DIM, OFF, SELECTED, TEXT
+from kagezou.ui.system.theme import BRIGHT, DIM, SELECTED, TEXT
 
 
 class KeyState(StrEnum):
@@ -55,8 +55,8 @@ class KeyButton(QAbstractButton):
         hovered = self.isEnabled() and (self.underMouse() or self.hasFocus())
         match self._state:
             case KeyState.NONE:
-                painter.setPen(QPen(TEXT if hovered else OFF, 1.2))
-                painter.drawPolygon(_diamond(middle, radius - 1.4))
+                painter.setPen(QPen(BRIGHT if hovered else DIM, 1.4))
+                painter.drawPolygon(_diamond(middle, radius - 0.8))
             case KeyState.KEYED:
                 painter.setPen(QPen(BRIGHT if hovered else TEXT, 1.4))
                 painter.drawPolygon(_diamond(middle, radius))
@@ -66,6 +66,10 @@ class KeyButton(QAbstractButton):
                 painter.setPen(QPen(SELECTED, 1.4))
                 painter.setBrush(SELECTED)
                 painter.drawPolygon(_diamond(middle, radius))
+        if self.hasFocus():
+            painter.setPen(QPen(BRIGHT, 1))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3)
         painter.end()
 
 

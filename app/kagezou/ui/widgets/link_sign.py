@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 
-from kagezou.ui.system.theme import BRIGHT, CHANGED, OFF
+from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM
 
 
 def paint_link_sign(painter: QPainter, middle: QPointF, *, linked: bool, hovered: bool = False) -> None:
@@ -13,7 +13,7 @@ def paint_link_sign(painter: QPainter, middle: QPointF, *, linked: bool, hovered
     painter.translate(middle)
     painter.rotate(-45)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(BRIGHT if hovered else CHANGED if linked else OFF, 1.5 if linked else 1.2))
+    painter.setPen(QPen(BRIGHT if hovered else CHANGED if linked else DIM, 1.5))
     gap = -1.2 if linked else 1.4
     painter.drawRoundedRect(QRectF(gap, -2.2, 6, 4.4), 2.2, 2.2)
     painter.drawRoundedRect(QRectF(-6 - gap, -2.2, 6, 4.4), 2.2, 2.2)
