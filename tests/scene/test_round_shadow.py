@@ -11,6 +11,7 @@ import pytest
 
 from kagezou.document import edits
 from kagezou.document.model import Cels, Document, Drawing, Exposure
+from kagezou.document.refitting import Refit, refitted
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import project
 from kagezou.geometry.contact import contact_plane
@@ -54,6 +55,18 @@ def width(document: Document, frame: int = 1) -> float:
 def middle(document: Document, frame: int = 1) -> tuple[float, float]:
     x, y, z = round_cast(document, frame).card.contacts[0]
     return x, y + 0 * z
+
+
+@pytest.mark.parametrize("has_feet", [True, False])
+def test_on_a_canvas_that_is_scaled_the_disc_is_as_much_larger(*, has_feet: bool) -> None:
+    document = standing([((500.0, 700.0), (560.0, 700.0))])
+    if not has_feet:
+        (layer,) = document.layers
+        bare = tuple(replace(drawing, feet=None) for drawing in layer.cels.drawings)
+        document = replace(document, layers=(replace(layer, cels=replace(layer.cels, drawings=bare)),))
+    canvas = document.canvas
+    twice = refitted(document, 2 * canvas.width_px, 2 * canvas.height_px, Refit.SCALE).document
+    assert width(twice) == pytest.approx(2 * width(document), rel=1e-3)
 
 
 def test_it_replaces_what_the_light_casts() -> None:

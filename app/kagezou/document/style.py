@@ -9,6 +9,7 @@ from kagezou.animation.track import Value
 from kagezou.document import properties
 from kagezou.document.address import Address, value_of
 from kagezou.document.figure_properties import BACKGROUND_POSITION, PAINTED
+from kagezou.document.figures import height_of
 from kagezou.document.local_name import LocalName
 from kagezou.document.model import Document
 
@@ -62,5 +63,5 @@ def style_of(document: Document, layer_id: str, frame: int, name: str, *, with_s
     """Return the look that a layer has at a frame; light, ground and set-up are part of it only if they are wished."""
     values = {prop.name: value_of(document, Address(prop, layer_id), frame) for prop in LINES}
     scene = {prop.name: value_of(document, Address(prop), frame) for prop in SCENE_LINES if with_scene}
-    height = float(document.layer(layer_id).figure.height)
+    height = height_of(document.layer(layer_id), frame)
     return Style(LocalName(name.strip()), height, MappingProxyType(values), MappingProxyType(scene))

@@ -14,6 +14,7 @@ from kagezou.animation.track import Value
 from kagezou.document.address import Address, track_of, usual_value, value_of
 from kagezou.document.changes import Change, changes_between, keys_set_between
 from kagezou.document.edits import set_constant, set_key, unset
+from kagezou.document.figures import height_of
 from kagezou.document.model import BroughtLight, Document
 from kagezou.document.properties import OF_DOCUMENT
 from kagezou.document.property import AnyProperty, Kind
@@ -183,7 +184,7 @@ def _dressed(
     """Return the document with the look alone, and the lengths that were kept to their range."""
     limited: list[Address] = []
     for figure_id in figures:
-        scale = document.layer(figure_id).figure.height / style.figure_px
+        scale = height_of(document.layer(figure_id), frame) / style.figure_px
         for prop in LINES:
             address = Address(prop, figure_id)
             value = _scaled(prop, style.values[prop.name], scale) if prop.name in style.values else prop.default

@@ -4,6 +4,7 @@ from math import dist
 from typing import Final
 
 from kagezou.document.edits import set_value
+from kagezou.document.figures import height_of
 from kagezou.document.model import Document
 from kagezou.document.set_properties import PIECE_SCALE
 from kagezou.errors import UsageProblem
@@ -17,7 +18,7 @@ FIGURE_METRES: Final = 1.6
 
 def figure_height(document: Document) -> float:
     """Return the height of the tallest character, px; without one half the canvas, as a character would be drawn."""
-    return float(max((layer.figure.height for layer in document.layers), default=document.canvas.height_px / 2))
+    return float(max((height_of(layer, 1) for layer in document.layers), default=document.canvas.height_px / 2))
 
 
 def sized(

@@ -5,6 +5,7 @@ from typing import Final
 
 from kagezou.document.companion_properties import CONTACT_SIZE, CONTACT_SOFTNESS, CONTACT_STRENGTH
 from kagezou.document.figure_properties import EDGES
+from kagezou.document.figures import height_of
 from kagezou.document.model import Layer
 from kagezou.document.properties import BLEND, COLOR
 from kagezou.document.values import rgb_at, value_at
@@ -50,7 +51,7 @@ def contact_at(on: Moment, figure: Layer, since: int, card: Card) -> Contact | N
     if strength < _LEAST_STRENGTH:
         return None
     found = stances_of(on.document, figure.id)
-    tall = float(figure.figure.height) if found is None else found.height_px
+    tall = height_of(figure, since) if found is None else found.height_px
     radius = _RADIUS_OF_FIGURE * size * tall
     discs = [
         GroundDisc(place, radius * near)

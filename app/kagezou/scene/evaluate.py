@@ -5,7 +5,7 @@ from math import floor
 
 from kagezou.document import properties, set_properties
 from kagezou.document.figure_properties import EDGES, HOLD, LEAST_PART, PAINTED, SHADOWS_UNITE, SHAPE
-from kagezou.document.figures import parts_of
+from kagezou.document.figures import height_of, parts_of
 from kagezou.document.model import Document, Layer, Tracks
 from kagezou.document.values import rgb_at, value_at
 from kagezou.geometry.camera import Camera
@@ -109,7 +109,7 @@ def _layer_scene(on: Moment, layer: Layer) -> LayerScene:
     look = _look(figure.tracks, moment)
     look = look if lift is None else faded(lift, look)
     cels = _cels_of(on, figure) if layer is figure else ()
-    water = water_at(figure.tracks, moment, figure.figure.height, on.document.canvas.length_frames)
+    water = water_at(figure.tracks, moment, height_of(figure, moment), on.document.canvas.length_frames)
     cast = _cast(on, figure, moment, lift, cels, water) if cels else None
     return LayerScene(
         layer.id,

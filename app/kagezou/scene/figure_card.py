@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kagezou.document.figure_properties import STANCE, UPRIGHT
+from kagezou.document.figures import height_of
 from kagezou.document.model import Document, Layer
 from kagezou.document.properties import GROUNDING, TILT
 from kagezou.document.values import value_at
@@ -50,7 +51,7 @@ def card_of(on: Moment, figure: Layer, since: int, stood_up: float = 0.0) -> Car
     tilt, upright = _lean_at(figure, since, stood_up)
     is_on_line = value_at(figure.tracks, STANCE, since) == "line"
     points = () if is_on_line else value_at(figure.tracks, GROUNDING, since)
-    return card_for(on.camera, on.ground, points, tilt, figure.figure.height, upright)
+    return card_for(on.camera, on.ground, points, tilt, height_of(figure, since), upright)
 
 
 def card_on_feet(

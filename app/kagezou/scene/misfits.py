@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from kagezou.animation.frames import spread_frames
+from kagezou.document.figures import height_of
 from kagezou.document.model import Document, Layer
 from kagezou.document.properties import GROUNDING, VISIBLE
 from kagezou.document.values import value_at
@@ -143,7 +144,7 @@ def _slivers(on: Moment, layer: Layer) -> Iterator[Misfit]:
     points = value_at(layer.tracks, GROUNDING, on.frame)
     x, y = (sum(axis) / len(points) for axis in zip(*points, strict=True))
     box = figure_box(on.document, layer.id, on.frame)
-    flat = card_for(on.camera, on.ground, ((x, y),), 0.0, layer.figure.height, card.upright)
+    flat = card_for(on.camera, on.ground, ((x, y),), 0.0, height_of(layer, on.frame), card.upright)
     area, whole = _shadow_area(on, card, box), _shadow_area(on, flat, box)
     if area is None or not whole or area / whole >= _SLIVER:
         return

@@ -5,6 +5,7 @@ from dataclasses import replace
 from math import dist
 from typing import Final
 
+from kagezou.document.figures import height_of
 from kagezou.document.model import Layer
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.card import Card
@@ -63,7 +64,7 @@ def rounded(on: Moment, figure: Layer, since: int, lift: Lift | None, cast: Shad
         below the middle of its box.
     """
     standing, found = feet_at(on.document, figure, on.frame, since), stances_of(on.document, figure.id)
-    tall = float(figure.figure.height) if found is None else found.height_px
+    tall = height_of(figure, since) if found is None else found.height_px
     own = _places(on, standing[0], tall) if standing else []
     own = own or [(place, 1.0) for place in cast.card.contacts or (below_box(on, figure, cast.card),)]
     around = (_around(on, found) if standing and found else []) or [own]

@@ -20,7 +20,7 @@ LEFT = Qt.MouseButton.LeftButton
 def plain(qtbot: QtBot, settings: Settings, filled: OpenProject) -> MainWindow:
     """A window with a character on 240 × 200 px."""
     made = MainWindow(filled, settings, OwnClipboard())
-    qtbot.addWidget(made)
+    qtbot.addWidget(made, before_close_func=MainWindow.close_unasked)
     return made
 
 
@@ -50,7 +50,6 @@ def test_its_size_is_taken_by_a_button_and_the_drawings_stay_in_the_middle(
     assert "position" not in layer.tracks
     plain.parts.bridge.session.undo()
     assert sides(plain) == (240, 200)
-    plain.close_unasked()
 
 
 def test_the_settings_open_with_its_size(qtbot: QtBot, plain: MainWindow, tmp_path: Path) -> None:
@@ -64,7 +63,6 @@ def test_the_settings_open_with_its_size(qtbot: QtBot, plain: MainWindow, tmp_pa
     assert sides(plain) == (480, 400)
     assert plain.parts.bridge.document.layers[0].tracks["scale"].constant == (200.0, 200.0)
     assert plain.parts.files.canvas_offer.isHidden()
-    plain.close_unasked()
 
 
 def test_it_is_not_offered_where_there_is_nothing_to_choose(qtbot: QtBot, plain: MainWindow, tmp_path: Path) -> None:
@@ -83,15 +81,13 @@ def test_it_is_not_offered_where_there_is_nothing_to_choose(qtbot: QtBot, plain:
     assert not offer.isHidden()
     session.undo()
     assert offer.isHidden(), "the background it was about is gone"
-    plain.close_unasked()
 
 
 def test_the_first_picture_of_all_brings_its_size_without_a_question(
     qtbot: QtBot, settings: Settings, open_project: OpenProject, tmp_path: Path
 ) -> None:
     window = MainWindow(open_project, settings, OwnClipboard())
-    qtbot.addWidget(window)
+    qtbot.addWidget(window, before_close_func=MainWindow.close_unasked)
     window.parts.project.put_background(picture(tmp_path, (300, 170)))
     assert sides(window) == (300, 170)
     assert window.parts.files.canvas_offer.isHidden()
-    window.close_unasked()

@@ -29,7 +29,7 @@ from tests.ui.viewing import OwnClipboard
 @pytest.fixture
 def plain(qtbot: QtBot, settings: Settings, filled: OpenProject) -> MainWindow:
     made = MainWindow(filled, settings, OwnClipboard())
-    qtbot.addWidget(made)
+    qtbot.addWidget(made, before_close_func=MainWindow.close_unasked)
     return made
 
 
@@ -55,7 +55,6 @@ def test_the_menu_of_a_layer_has_what_the_layer_menu_has(plain: MainWindow) -> N
     for name in ("replace", "relink", "folder", "duplicate", "lock", "solo"):
         assert plain.parts.actions[f"layer_{name}"].text() in words
     assert plain.parts.menus.labels.menuAction() in context_menu(plain).actions()
-    plain.close_unasked()
 
 
 def test_a_locked_layer_is_left_alone_and_that_is_said(plain: MainWindow) -> None:
@@ -76,7 +75,6 @@ def test_a_locked_layer_is_left_alone_and_that_is_said(plain: MainWindow) -> Non
     assert not parts.actions["layer_lock"].isChecked()
     bridge.session.edit("key", set_constant(bridge.document, Address(OPACITY, layer_id), 0.3))
     assert bridge.document is not before
-    plain.close_unasked()
 
 
 def test_a_layer_is_looked_at_alone_and_nothing_but_the_picture_changes(plain: MainWindow) -> None:
@@ -91,7 +89,6 @@ def test_a_layer_is_looked_at_alone_and_nothing_but_the_picture_changes(plain: M
     assert [value_at(layer.tracks, VISIBLE, 1) for layer in bridge.document.layers] == [True, True]
     parts.actions["layer_solo"].trigger()
     assert bridge.shown is bridge.document
-    plain.close_unasked()
 
 
 def test_a_label_is_seen_in_the_list_and_in_the_timeline(plain: MainWindow) -> None:
@@ -105,7 +102,6 @@ def test_a_label_is_seen_in_the_list_and_in_the_timeline(plain: MainWindow) -> N
     for widget in (parts.panels.layers.view.viewport(), parts.time.timeline.names):
         image = widget.grab().toImage()
         assert wanted in {image.pixelColor(1, y).name() for y in range(image.height())}
-    plain.close_unasked()
 
 
 def test_missing_drawings_are_marked_and_found_again(
@@ -129,13 +125,11 @@ def test_missing_drawings_are_marked_and_found_again(
     qtbot.waitUntil(lambda: "1 missing" in model.index(0).data(Role.SUMMARY))
     parts.bridge.session.undo()
     assert parts.bridge.document.layers[0].cels.drawings[0].path.parent == cels
-    plain.close_unasked()
 
 
 def test_where_nothing_is_missing_that_is_said(plain: MainWindow) -> None:
     plain.parts.actions["layer_relink"].trigger()
     assert "No drawing of the chosen layers is missing" in plain.parts.bar.text
-    plain.close_unasked()
 
 
 def test_other_drawings_take_the_place_and_keys_stay(
@@ -157,7 +151,6 @@ def test_other_drawings_take_the_place_and_keys_stay(
     assert (after.id, after.name) == (layer.id, layer.name)
     assert after.tracks == keyed.layers[0].tracks
     assert bridge.session.undo_name == "Replace drawings"
-    plain.close_unasked()
 
 
 def test_the_folder_of_the_drawings_is_shown(plain: MainWindow, cels: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -165,7 +158,6 @@ def test_the_folder_of_the_drawings_is_shown(plain: MainWindow, cels: Path, monk
     monkeypatch.setattr(plain.parts.files.layers, "_show", opened.append)
     plain.parts.actions["layer_folder"].trigger()
     assert [url.toLocalFile() for url in opened] == [str(cels)]
-    plain.close_unasked()
 
 
 @pytest.mark.parametrize("name", ["Scene", "scene", "SCENE"])
@@ -180,7 +172,6 @@ def test_no_two_rows_bear_one_name(plain: MainWindow, name: str) -> None:
     assert len({each.casefold() for each in row_names(plain)}) == 3
     rows = plain.parts.time.timeline.rows.rows
     assert [row.kind for row in rows if row.is_group] == [RowKind.SCENE, RowKind.PIECE, RowKind.LAYER]
-    plain.close_unasked()
 
 
 def test_a_name_that_is_taken_is_refused_and_said(plain: MainWindow) -> None:
@@ -188,7 +179,6 @@ def test_a_name_that_is_taken_is_refused_and_said(plain: MainWindow) -> None:
     model = plain.parts.panels.layers.model
     assert not model.setData(model.index(0), "WALKER")
     assert "already a layer named 'WALKER'" in plain.parts.bar.text
-    plain.close_unasked()
 
 
 def test_several_folders_are_chosen_in_one_dialog(
@@ -210,4 +200,3 @@ def test_several_folders_are_chosen_in_one_dialog(
     names = {layer.name for layer in plain.parts.bridge.document.layers}
     assert len(names) == 3
     assert "runner" in {name.casefold() for name in names}
-    plain.close_unasked()

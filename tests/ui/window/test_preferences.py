@@ -30,7 +30,7 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def plain(qtbot: QtBot, settings: Settings, filled: OpenProject) -> MainWindow:
     made = MainWindow(filled, settings, OwnClipboard())
-    qtbot.addWidget(made)
+    qtbot.addWidget(made, before_close_func=MainWindow.close_unasked)
     return made
 
 
@@ -60,7 +60,6 @@ def choose(qtbot: QtBot, box: QComboBox, data: object) -> None:
 
 def test_it_lies_where_every_system_has_it(plain: MainWindow) -> None:
     assert plain.parts.actions["preferences"].menuRole() is QAction.MenuRole.PreferencesRole
-    plain.close_unasked()
 
 
 def test_memory_takes_effect_and_is_remembered(
@@ -71,7 +70,6 @@ def test_memory_takes_effect_and_is_remembered(
     typed(qtbot, dialog.memory, "256")
     assert cels.limit_bytes == 256 << 20
     assert preferences_in(settings).memory_mb == 256
-    plain.close_unasked()
 
 
 def test_what_is_too_much_goes_at_once(cels: Path) -> None:
@@ -97,28 +95,25 @@ def test_the_surroundings_change_under_the_dialog(
     picker.reject()
     assert viewpoint.surround == QColor("#9a9a9a"), "what was only tried is taken back"
     assert preferences_in(settings).surround == "#9a9a9a"
-    plain.close_unasked()
 
 
 def test_a_new_window_begins_with_what_was_preferred(qtbot: QtBot, settings: Settings, filled: OpenProject) -> None:
     remember_preferences(settings, Preferences(128, "#9a9a9a"))
     settings.set_word("resolution", Resolution.HALF.value)
     window = MainWindow(filled, settings, OwnClipboard())
-    qtbot.addWidget(window)
+    qtbot.addWidget(window, before_close_func=MainWindow.close_unasked)
     assert window.parts.open_project.cels.limit_bytes == 128 << 20
     assert window.parts.viewport.viewpoint.surround == QColor("#9a9a9a")
     window.parts.actions["preferences"].trigger()
     (dialog,) = window.findChildren(PreferencesDialog)
     assert dialog.resolution.currentData() == Resolution.HALF.value
     assert dialog.memory.value() == 128
-    window.close_unasked()
 
 
 def test_the_resolution_is_that_of_the_menu(qtbot: QtBot, plain: MainWindow, dialog: PreferencesDialog) -> None:
     choose(qtbot, dialog.resolution, Resolution.QUARTER.value)
     assert plain.parts.viewport.resolution is Resolution.QUARTER
     assert [action.isChecked() for action in plain.parts.menus.resolutions.actions()] == [False, False, False, True]
-    plain.close_unasked()
 
 
 def test_another_language_waits_until_the_dialog_is_closed(
@@ -130,19 +125,15 @@ def test_another_language_waits_until_the_dialog_is_closed(
     assert said == []
     dialog.accept()
     qtbot.waitUntil(lambda: said == ["ja"])
-    plain.close_unasked()
 
 
-def test_a_dialog_that_is_closed_as_it_was_changes_no_language(
-    qtbot: QtBot, plain: MainWindow, dialog: PreferencesDialog
-) -> None:
+def test_a_dialog_that_is_closed_as_it_was_changes_no_language(qtbot: QtBot, dialog: PreferencesDialog) -> None:
     with qtbot.assertNotEmitted(dialog.language_chosen):
         dialog.reject()
-    plain.close_unasked()
 
 
 def test_a_settled_folder_is_where_to_begin(
-    qtbot: QtBot, plain: MainWindow, dialog: PreferencesDialog, settings: Settings, tmp_path: Path
+    qtbot: QtBot, dialog: PreferencesDialog, settings: Settings, tmp_path: Path
 ) -> None:
     settings.remember_folder("cels", tmp_path / "walker")
     field = dialog.folders["cels"]
@@ -154,7 +145,6 @@ def test_a_settled_folder_is_where_to_begin(
     field.clear()
     qtbot.keyClick(field, Qt.Key.Key_Return)
     assert settings.folder("cels") == str(tmp_path / "walker")
-    plain.close_unasked()
 
 
 @pytest.mark.parametrize("memory", ["", "much", "-5", "²", "0", "99999999", "9" * 40])

@@ -11,6 +11,7 @@ from kagezou.document.address import Address
 from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
 from kagezou.document.edits import set_constant
 from kagezou.document.figure_properties import LIFT_FADE
+from kagezou.document.figures import height_of
 from kagezou.document.model import Document, Layer
 from kagezou.document.property import AnyProperty
 from kagezou.document.set_properties import SET_COLOR, SET_OPACITY
@@ -66,12 +67,12 @@ def _plain(_layer: Layer) -> dict[AnyProperty, Value]:
 
 
 def _core(layer: Layer) -> dict[AnyProperty, Value]:
-    height = float(layer.figure.height)
+    height = height_of(layer, 1)
     return {**_plain(layer), properties.FADE: max(height * _CORE_HEIGHT, 1.0), properties.FADE_CURVE: 1.0}
 
 
 def _distance(layer: Layer) -> dict[AnyProperty, Value]:
-    reach = min(layer.figure.height * _REACH_HEIGHTS, properties.TIP_DISTANCE.high)
+    reach = min(height_of(layer, 1) * _REACH_HEIGHTS, properties.TIP_DISTANCE.high)
     return {**_plain(layer), properties.TIP_COLOR: _BLACK, properties.TIP_DISTANCE: reach}
 
 

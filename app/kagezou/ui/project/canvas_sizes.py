@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from kagezou.document.model import Document
@@ -32,6 +32,7 @@ class SizeRow(QWidget):
             self.usual.addItem(f"{words}   {size_px[0]} × {size_px[1]}", size_px)
         letter = self.fontMetrics().horizontalAdvance("0")
         for box, value in ((self.width_box, document.canvas.width_px), (self.height_box, document.canvas.height_px)):
+            box.setAlignment(Qt.AlignmentFlag.AlignRight)
             box.setRange(1, MOST_PX)
             box.setValue(value)
             box.setFixedWidth(12 * letter)

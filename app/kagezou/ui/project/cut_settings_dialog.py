@@ -102,7 +102,10 @@ class CutSettingsDialog(QDialog):
             self._say([translated(problem)], is_problem=True)
         else:
             self._show_time(settings)
-            self._say([translated(note) for note in self._changed.notes], is_problem=False)
+            is_same = self._changed.document is self._document
+            self._say(
+                [self.tr("Nothing.")] if is_same else list(map(translated, self._changed.notes)), is_problem=False
+            )
         self.agree.setEnabled(self._changed is not None)
 
     def _show_time(self, settings: CutSettings) -> None:
@@ -154,6 +157,7 @@ class CutSettingsDialog(QDialog):
             (self.length, 1, _MOST_FRAMES, canvas.length_frames),
             (self.first, 0, MAX_FIRST_FRAME, canvas.first_frame),
         ):
+            box.setAlignment(Qt.AlignmentFlag.AlignRight)
             box.setRange(low, high)
             box.setValue(value)
         self.says.setWordWrap(True)

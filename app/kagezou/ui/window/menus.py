@@ -58,7 +58,7 @@ class Menus(QObject):
         self.onion = QMenu(self.tr("Onion Skin &Drawings"), window)
         self.backdrops = QMenu(self.tr("&Backdrop"), window)
         self.resolutions = QMenu(self.tr("Preview &Resolution"), window)
-        self.labels = QMenu(self.tr("&Label"), window)
+        self.labels = QMenu(self.tr("La&bel"), window)
         self._build()
 
     def add_backdrops(self, current: Backdrop, choose: Callable[[Backdrop], None]) -> None:

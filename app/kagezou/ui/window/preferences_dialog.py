@@ -80,6 +80,7 @@ class PreferencesDialog(QDialog):
             self.surround.addItem(words, color)
         self.surround.addItem(self.tr("Own colour…"), None)
         self.memory.setRange(LEAST_MEMORY_MB, max(most_memory_mb(), self._preferences.memory_mb))
+        self.memory.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.memory.setSingleStep(_STEP_MB)
         self.memory.setSuffix(" MB")
         self.memory.setValue(self._preferences.memory_mb)
