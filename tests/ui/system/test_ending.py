@@ -15,8 +15,10 @@ NUMBERS = ("SIGINT", "SIGTERM", "SIGHUP")
 
 @pytest.fixture
 def untouched() -> Iterator[None]:
-    """Put everything back as it was."""
+    """Let the signals do what they usually do, whatever started the tests, and put everything back as it was."""
     before = {name: signal.getsignal(getattr(signal, name)) for name in NUMBERS}
+    for name in NUMBERS:
+        signal.signal(getattr(signal, name), signal.SIG_DFL)
     yield
     signal.set_wakeup_fd(-1)
     for name, handler in before.items():
