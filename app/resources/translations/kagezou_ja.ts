@@ -940,6 +940,10 @@
         <translation>変更</translation>
     </message>
     <message>
+        <source>Nothing.</source>
+        <translation>変更なし</translation>
+    </message>
+    <message>
         <source>to %1</source>
         <translation>～ %1</translation>
     </message>
@@ -2109,6 +2113,10 @@
         <translation>ワークエリアを設定</translation>
     </message>
     <message>
+        <source>Nothing in this project takes the copied keys, or they are more than a project holds.</source>
+        <translation>コピーしたキーを受け取れるものがこのプロジェクトにないか、プロジェクトに入る数を超えています。</translation>
+    </message>
+    <message>
         <source>No keys were copied yet.</source>
         <translation>まだキーがコピーされていません。</translation>
     </message>
@@ -2151,20 +2159,20 @@
         <translation>補間</translation>
     </message>
     <message>
-        <source>Speed in</source>
-        <translation>入り速度</translation>
-    </message>
-    <message>
         <source>Infl. in %</source>
         <translation>入り影響%</translation>
     </message>
     <message>
-        <source>Speed out</source>
-        <translation>出速度</translation>
-    </message>
-    <message>
         <source>Infl. out %</source>
         <translation>出影響%</translation>
+    </message>
+    <message>
+        <source>Speed in /frame</source>
+        <translation>入る速度 /コマ</translation>
+    </message>
+    <message>
+        <source>Speed out /frame</source>
+        <translation>出る速度 /コマ</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -2567,10 +2575,6 @@ Drop a folder of cels here.</source>
         <translation>プレビュー解像度(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Label</source>
-        <translation>ラベル(&amp;L)</translation>
-    </message>
-    <message>
         <source>Background Picture</source>
         <translation>背景画像</translation>
     </message>
@@ -2661,6 +2665,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>&amp;Playback</source>
         <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>La&amp;bel</source>
+        <translation>ラベル(&amp;B)</translation>
     </message>
     <message>
         <source>F&amp;ile</source>
@@ -6473,8 +6481,8 @@ Drop a folder of cels here.</source>
         <translation>破棄</translation>
     </message>
     <message>
-        <source>Kagezou did not end as it should. This work was put aside and never saved:</source>
-        <translation>前回 Kagezou は正常に終了しませんでした。次の作業は保存されていませんが、控えが残っています:</translation>
+        <source>Kagezou ended before this work was saved. It was put aside:</source>
+        <translation>この作業が保存される前に Kagezou が終了しました。作業は退避してあります:</translation>
     </message>
     <message>
         <source>Show Folder</source>
@@ -7232,6 +7240,13 @@ Drop a folder of cels here.</source>
     <message>
         <source>no log could be written</source>
         <translation>ログを書き込めませんでした</translation>
+    </message>
+</context>
+<context>
+    <name>Units</name>
+    <message>
+        <source>px/frame</source>
+        <translation>px/コマ</translation>
     </message>
 </context>
 <context>
