@@ -36,6 +36,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return command_line.run(words, EntryPoints(open_context, open_window, has_display()))
 
 
+def window(arguments: Sequence[str] | None = None) -> int:
+    """Open the window from a desktop, where there may be no console; with a file that was double-clicked, if any."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    # Without a console Python has no streams at all, and whatever is printed would be an error of its own.
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115 - open to the very end
+    return main(words[:1])
+
+
 def has_display() -> bool:
     """Return whether a window could be seen here."""
     if platform.system() != "Linux":

@@ -72,6 +72,13 @@ def test_without_a_display_there_is_no_window(shell: Shell, words: list[str]) ->
     assert "no display" in shell.fails(6, *words)
 
 
+def test_a_desktop_without_a_console_gets_the_window_or_silence() -> None:
+    code = "import os, sys\nfor name in ('DISPLAY', 'WAYLAND_DISPLAY'): os.environ.pop(name, None)\n"
+    code += "from kagezou.__main__ import window; sys.stdout = sys.stderr = None; sys.exit(window(['p.kage', 'x']))"
+    done = python("-c", code)
+    assert (done.returncode, done.stdout, done.stderr) == (6, "", "")
+
+
 def test_the_command_line_imports_neither_qt_nor_anything_heavy() -> None:
     code = "import sys; from kagezou.__main__ import main; main(['--version']); main(['render', '--help'])\n"
     code += "print(sorted({name.split('.')[0] for name in sys.modules} & set(sys.argv[1:])))"

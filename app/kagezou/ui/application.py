@@ -23,6 +23,7 @@ from kagezou.ui.system.icons import application_icon
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.listeners import forget_listeners, senders_within
 from kagezou.ui.system.offscreen_context import surface_format
+from kagezou.ui.system.opened_files import OpenedFiles
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.unforeseen import UnforeseenErrors
 from kagezou.ui.widgets.message_bar import Severity
@@ -54,6 +55,8 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     ends = EndSignals()
     ends.came.connect(program.end)
     ends.watch()
+    files = OpenedFiles(application)
+    files.came.connect(program.open)
     application.commitDataRequest.connect(program.be_ended)
     application.saveStateRequest.connect(lambda _: program.keep())
     program.show()
@@ -126,6 +129,11 @@ class Application:
             dialog.recovered.connect(self._recover)
             dialog.failed.connect(self.say)
             dialog.open()
+
+    def open(self, path: Path) -> None:
+        """Open what the desktop hands over, unless what is open is not to be left."""
+        self.window.parts.project.bring([path])
+        self.window.activateWindow()
 
     def keep(self) -> None:
         """Put unsaved work aside, and wait until it lies there."""

@@ -572,6 +572,10 @@
         <translation>パネルを隠す (&amp;H)</translation>
     </message>
     <message>
+        <source>What Is under the Pointer &amp;Fills the Window; Again: Back</source>
+        <translation>ポインターの下を全面に／もう一度で戻す(&amp;F)</translation>
+    </message>
+    <message>
         <source>&amp;Reset Layout</source>
         <translation>レイアウトをリセット (&amp;R)</translation>
     </message>
@@ -6456,6 +6460,82 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Drive</source>
+        <translation>ドライブ</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>%1 File</source>
+        <translation>%1 ファイル</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>ファイル フォルダー</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>エイリアス</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>ショートカット</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>不明</translation>
+    </message>
+</context>
+<context>
+    <name>QColorDialog</name>
+    <message>
+        <source>Pick Screen Color</source>
+        <translation>画面の色を選ぶ</translation>
+    </message>
+    <message>
+        <source>&amp;Pick Screen Color</source>
+        <translation>画面の色を選ぶ(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>&amp;Look in:</source>
+        <translation>場所(&amp;L):</translation>
+    </message>
+    <message>
+        <source>Files of &amp;type:</source>
+        <translation>ファイルの種類(&amp;T):</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>%1 KiB</source>
+        <translation>%1 KB</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GiB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>%1 TiB</source>
+        <translation>%1 TB</translation>
+    </message>
+</context>
+<context>
     <name>Readout</name>
     <message>
         <source>%1 since key %2</source>
@@ -7257,7 +7337,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>%1 / frame</source>
-        <translation>%1 / フレーム</translation>
+        <translation>%1 / コマ</translation>
     </message>
     <message>
         <source>Incoming</source>

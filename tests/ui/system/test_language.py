@@ -1,12 +1,16 @@
 """The language of the window: the system's where it is spoken, and no translator that stays behind."""
 
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QObject, QTranslator
+from PySide6.QtWidgets import QFileDialog, QLabel, QPushButton
 
 from kagezou.ui.system import language
 from kagezou.ui.system.language import Language, system_language
+from kagezou.ui.system.qt_words import OF_QT
 
 
 @pytest.mark.parametrize(
@@ -64,3 +68,18 @@ def test_another_language_than_there_is_means_the_system_s(monkeypatch: pytest.M
         spoken.speak(chosen)
         assert spoken.code == "ja"
     spoken.fall_silent()
+
+
+def test_a_file_dialog_is_of_one_language_whole(english: Language, tmp_path: Path) -> None:
+    english.speak("ja")
+    (tmp_path / "cels").mkdir()
+    for name in ("a.png", "b.kage"):
+        (tmp_path / name).touch()
+    dialog = QFileDialog(None, "", str(tmp_path))
+    labels = {label.objectName(): label.text() for label in dialog.findChildren(QLabel) if label.text()}
+    assert set(labels) == {"lookInLabel", "fileNameLabel", "fileTypeLabel"}
+    words = [*labels.values(), *(button.text() for button in dialog.findChildren(QPushButton) if button.text())]
+    words += [QCoreApplication.translate(*each) for each in OF_QT]
+    for text in words:
+        assert not re.search(r"[A-Za-z]{4,}", text), text
+    dialog.deleteLater()

@@ -344,3 +344,21 @@ def test_no_two_entries_of_a_menu_share_a_letter(window: MainWindow) -> None:
     for menu in menus:
         letters = [action.text().split("&")[1][0].lower() for action in menu.actions() if "&" in action.text()]
         assert len(set(letters)) == len(letters), (menu.title(), sorted(letters))
+
+
+def test_what_is_under_the_pointer_fills_the_window_and_goes_back(qtbot: QtBot, walking: MainWindow) -> None:
+    layout, timeline = walking.docks.layout, walking.parts.time.timeline
+    before = {dock.objectName(): dock.isVisible() for dock in walking.docks.all}
+    high = timeline.height()
+    layout.fill(timeline.lanes)
+    qtbot.waitUntil(lambda: timeline.height() > 2 * high)
+    assert [dock.objectName() for dock in walking.docks.all if dock.isVisible()] == ["timeline"]
+    assert not walking.parts.viewport.isVisible()
+    layout.fill(timeline.lanes)
+    qtbot.waitUntil(walking.parts.viewport.isVisible)
+    assert {dock.objectName(): dock.isVisible() for dock in walking.docks.all} == before
+    layout.fill(walking.parts.viewport)
+    assert not any(dock.isVisible() for dock in walking.docks.all)
+    assert walking.parts.viewport.isVisible()
+    layout.reset()
+    assert {dock.objectName(): dock.isVisible() for dock in walking.docks.all} == before

@@ -1,6 +1,7 @@
 """The commands as Qt's actions of one window: who answers each, and on which keys it lies now."""
 
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QApplication, QWidget
@@ -10,6 +11,13 @@ from kagezou.ui.system.icons import icon
 from kagezou.ui.system.menu_words import plain
 
 Answer = Callable[[], object]
+
+_ROLES: Mapping[str, QAction.MenuRole] = MappingProxyType({
+    "quit": QAction.MenuRole.QuitRole,
+    "about": QAction.MenuRole.AboutRole,
+    "preferences": QAction.MenuRole.PreferencesRole,
+})  # fmt: skip
+"""What macOS puts into the program's own menu."""
 
 
 class Actions:
@@ -98,6 +106,8 @@ def _action(command: Command, owner: QWidget) -> QAction:
     action.setObjectName(command.name)
     action.setCheckable(command.checkable)
     action.setVisible(False)
+    # By name, not by words: macOS would take "Cut Settings…" for the preferences, and none of them in Japanese.
+    action.setMenuRole(_ROLES.get(command.name, QAction.MenuRole.NoRole))
     if command.icon:
         action.setIcon(icon(command.icon))
         # A menu shows the tick of a switch in the icon's place.

@@ -1,6 +1,6 @@
 """The panels of a window at its sides: where each lies at first, and how much room it gets."""
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
 from kagezou.ui.panels.layer_list import LayerList
@@ -65,7 +65,7 @@ class Docks(QObject):
         self._add(parts)
         self._arrange()
         # With its panels in it: Qt shares out the room of a window that has a size.
-        window.resize(*_WINDOW_PX)
+        window.resize(_first_size(window))
         self._share_room()
         self.layout = PanelLayout(window, _VERSION, self._share_room)
 
@@ -110,3 +110,9 @@ class Docks(QObject):
         self._window.resizeDocks([layers, inspector], [_DOCK_LETTERS * letter] * 2, Qt.Orientation.Horizontal)
         self._window.resizeDocks([timeline], [height * _TIMELINE_SHARE // 100], Qt.Orientation.Vertical)
         self._window.resizeDocks([layers, inspector], [_LAYERS_SHARE, 100 - _LAYERS_SHARE], Qt.Orientation.Vertical)
+
+
+def _first_size(window: QMainWindow) -> QSize:
+    """Return the size of a new window: the usual one, as far as its screen has room for it."""
+    wanted, screen = QSize(*_WINDOW_PX), window.screen()
+    return wanted if screen is None else wanted.boundedTo(screen.availableGeometry().size())

@@ -212,7 +212,9 @@ class Menus(QObject):
         names = [command.name for command in timeline_commands()]
         self.view.addMenu(self._menu(None, self.tr("&Timeline Shows"), [*names[3:], _SEPARATOR, *names[:3]]))
         self.view.addMenu(self.panels)
-        self._fill(self.panels, ["timeline", "curves", _SEPARATOR, "hide_docks", "full_screen", "reset_layout"])
+        self._fill(
+            self.panels, ["timeline", "curves", _SEPARATOR, "hide_docks", "fill_window", "full_screen", "reset_layout"]
+        )
 
     def _menu(self, bar: QMenuBar | None, title: str, names: Iterable[str]) -> QMenu:
         menu = QMenu(title, self._window)

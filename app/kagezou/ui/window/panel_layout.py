@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QByteArray, QObject, Qt
 from PySide6.QtGui import QAction, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
 
@@ -28,9 +28,11 @@ class PanelLayout(QObject):
         self._first = window.saveState(version)
         self._before = self._first
         self._reasons: set[str] = set()
+        self._before_filled: QByteArray | None = None
 
     def reset(self) -> None:
         """Put every panel back to where it was at first."""
+        self._go_back()
         self._before = self._first
         if not self._reasons:
             self._window.restoreState(self._first, self._version)
@@ -44,8 +46,34 @@ class PanelLayout(QObject):
             dock.raise_()
             dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
 
+    def fill(self, widget: QWidget | None) -> None:
+        """Let the panel with a widget, or the picture where it is in none, fill the window; what fills it goes back."""
+        if self._before_filled is not None:
+            self._go_back()
+            return
+        if self._reasons:
+            return
+        docks = self._window.findChildren(QDockWidget)
+        chosen = next((dock for dock in docks if widget is not None and dock.isAncestorOf(widget)), None)
+        self._before_filled = self._window.saveState(self._version)
+        for dock in docks:
+            dock.setVisible(dock is chosen)
+        self._show_picture(shown=chosen is None)
+
+    def _go_back(self) -> None:
+        before, self._before_filled = self._before_filled, None
+        self._show_picture(shown=True)
+        if before is not None:
+            self._window.restoreState(before, self._version)
+
+    def _show_picture(self, *, shown: bool) -> None:
+        middle = self._window.centralWidget()
+        if middle is not None:
+            middle.setVisible(shown)
+
     def hide(self, on: bool, reason: str = "asked") -> None:
         """Hide all panels for a reason, or let it go; without any reason those that were there come back."""
+        self._go_back()
         hidden = bool(self._reasons)
         if on:
             self._reasons.add(reason)
@@ -60,6 +88,7 @@ class PanelLayout(QObject):
 
     def bring_back(self) -> None:
         """Show the panels again whatever hid them."""
+        self._go_back()
         if self._reasons:
             self._reasons.clear()
             self._bring_back()

@@ -1,7 +1,7 @@
 """Who tells whom about preferences."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QColor
+from PySide6.QtGui import QColor
 
 from kagezou.ui.system.preferences import Preferences, preferences_in
 from kagezou.ui.viewport.resolution import Resolution
@@ -13,8 +13,6 @@ from kagezou.ui.window.verbs import WindowVerbs
 def connect_preferences(parts: Parts, verbs: WindowVerbs) -> None:
     """Put what is remembered into effect, and connect the dialog in which it is changed."""
     _take_effect(parts, preferences_in(parts.settings))
-    action = parts.actions["preferences"]
-    action.setMenuRole(QAction.MenuRole.PreferencesRole)
     parts.actions.on("preferences", lambda: ask_preferences(parts, verbs))
 
 

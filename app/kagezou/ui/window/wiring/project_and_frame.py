@@ -1,6 +1,8 @@
 """Who tells whom: the connections between the parts of the main window, by subject."""
 
 from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QCursor
+from PySide6.QtWidgets import QApplication
 
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import ExportOutcome
@@ -108,6 +110,7 @@ def connect_frame(parts: Parts, layout: PanelLayout, verbs: WindowVerbs) -> None
     actions.on("reset_layout", reset)
     actions.on("timeline", lambda: layout.show("timeline"))
     actions.on_toggled("hide_docks", layout.hide)
+    actions.on("fill_window", lambda: layout.fill(QApplication.widgetAt(QCursor.pos())))
     actions.on_toggled("full_screen", verbs.show_full_screen)
 
 
