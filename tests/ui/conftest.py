@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings, SignalInstance
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings, SignalInstance
 from PySide6.QtGui import QGuiApplication, QOpenGLContext
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
@@ -110,6 +110,13 @@ def _no_context_stays_current(qapp: QApplication) -> Iterator[None]:  # noqa: AR
     current = QOpenGLContext.currentContext()
     if current is not None:
         current.doneCurrent()
+
+
+@pytest.fixture(autouse=True)
+def _nothing_that_is_gone_stays(qapp: QApplication) -> Iterator[None]:  # noqa: ARG001 - it takes the events
+    """Windows that were put away are destroyed at once: they would hear every event of the tests that follow."""
+    yield
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture

@@ -22,7 +22,7 @@ from kagezou.ui.time.transport import FrameField, Transport
 from kagezou.ui.timeline.ruler import Ruler
 from kagezou.ui.timeline.time_scale import TimeScale
 from kagezou.ui.widgets.key_button import KeyState
-from kagezou.ui.widgets.scrub_field import ScrubField
+from kagezou.ui.widgets.scrub_field import AxisField, ScrubField
 from tests.ui.viewing import move
 
 # The platform plugin without a screen says this of every view with a size hint.
@@ -86,7 +86,7 @@ def test_shares_are_read_and_typed_as_per_cent_and_kept_as_shares(
 
 
 def test_places_bear_the_letters_of_their_axes(inspector: Inspector) -> None:
-    bare, lettered = ScrubField(), ScrubField(axis="X")
+    bare, lettered = ScrubField(), AxisField(1.0, 2, "X")
     for field in (bare, lettered):
         field.resize(90, 26)
     assert bare.grab().toImage() != lettered.grab().toImage()

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QCoreApplication, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QDialog,
@@ -23,6 +23,8 @@ from kagezou.ui.system.language import in_all_languages
 from kagezou.ui.system.menu_words import plain
 
 _COLUMNS = 2
+_EDGE_PX = 20
+"""So much of the window stays to be seen around the sheet."""
 
 
 class SheetRow(QWidget):
@@ -93,7 +95,9 @@ class ShortcutSheet(QDialog):
         self._nothing.hide()
         self._lay_out(set_name)
         letter = self.fontMetrics().averageCharWidth()
-        self.resize(132 * letter, 44 * self.fontMetrics().height())
+        wanted = QSize(132 * letter, 44 * self.fontMetrics().height())
+        # Within the window, which is within the screen: nothing of it is out of reach.
+        self.resize(wanted.boundedTo(parent.window().size() - QSize(2 * _EDGE_PX, 2 * _EDGE_PX)))
 
     def _lay_out(self, set_name: str) -> None:
         head = QHBoxLayout()

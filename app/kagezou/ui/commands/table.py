@@ -194,7 +194,9 @@ def window_commands() -> tuple[Command, ...]:
         Command("curves", translate("Commands", "Show &Curve Editor"), ("Shift+F3", "Alt+F")),
         Command("hide_docks", translate("Commands", "&Hide Panels"), ("Ctrl+Tab",), checkable=True),
         Command(
-            "fill_window", translate("Commands", "What Is under the Pointer &Fills the Window; Again: Back"), ("`",)
+            "fill_window",
+            translate("Commands", "What Is under the Pointer &Fills the Window; Again: Back"),
+            ("`", "Ctrl+Alt+F"),
         ),
         Command("reset_layout", translate("Commands", "&Reset Layout")),
         Command("full_screen", translate("Commands", "F&ull Screen"), ("F11",), checkable=True),

@@ -11,7 +11,7 @@ from kagezou.ui.panels.shown_units import shown_unit
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.widgets.color_button import ColorField
 from kagezou.ui.widgets.range_slider import RangeSlider
-from kagezou.ui.widgets.scrub_field import MIXED, ScrubField
+from kagezou.ui.widgets.scrub_field import MIXED, AxisField, ScrubField
 
 
 class Editor(QWidget):
@@ -54,9 +54,9 @@ class NumbersEditor(Editor):
         self._single = prop.kind is Kind.NUMBER
         step, decimals = _grain(prop)
         self._shown = shown_unit(prop)
-        unit = self._shown.unit if self._single else ""
-        axes = [""] if self._single else [each.upper() for each in prop.components]
-        self.fields = [ScrubField(step, decimals, unit, axis) for axis in axes]
+        self.fields: list[ScrubField] = [ScrubField(step, decimals, self._shown.unit)]
+        if not self._single:
+            self.fields = [AxisField(step, decimals, each.upper()) for each in prop.components]
         self._values: list[float] = [0.0] * len(self.fields)
         for index, (field, component) in enumerate(zip(self.fields, prop.components, strict=True)):
             field.set_range(prop.low * self._shown.factor, prop.high * self._shown.factor)

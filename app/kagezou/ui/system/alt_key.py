@@ -25,6 +25,12 @@ class AltKey(QObject):
         assert application is not None
         application.installEventFilter(self)
 
+    def finish(self) -> None:
+        """Look at events no more, before the window goes."""
+        application = QApplication.instance()
+        if application is not None:
+            application.removeEventFilter(self)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
         if kind in _KEYS and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_A:

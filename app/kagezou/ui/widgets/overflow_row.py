@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QToolButton, QWidget
 
@@ -68,8 +68,18 @@ class OverflowRow(QWidget):
         super().resizeEvent(event)
         self._share_room()
 
+    def event(self, event: QEvent) -> bool:
+        # What a button needs may be known only once it has its style.
+        if event.type() is QEvent.Type.LayoutRequest:
+            self._share_room()
+        return super().event(event)
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        for widget in (*self._fixed, *(button for _, button in self._tools), self.more):
+            # What the layout keeps of it is from before it had its style.
+            widget.ensurePolished()
+            widget.updateGeometry()
         self._share_room()
 
     def _add(self, words: str, tip: str) -> QAction:
@@ -96,4 +106,5 @@ class OverflowRow(QWidget):
         menu.addActions(self.left_over)
 
     def _width_of(self, widgets: list[QWidget]) -> int:
-        return 2 * _GAP_PX + sum(widget.sizeHint().width() + _GAP_PX for widget in widgets)
+        # Two edges, and the gap before the room that is left over.
+        return 3 * _GAP_PX + sum(widget.sizeHint().width() + _GAP_PX for widget in widgets)

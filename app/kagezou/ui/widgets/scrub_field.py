@@ -30,8 +30,6 @@ class ScrubField(QLineEdit):
         Digits shown behind the point at most.
     unit
         Written behind the number while it is not typed in.
-    axis
-        A letter before the number, such as ``X`` of a place.
     """
 
     drag_began = Signal()
@@ -42,9 +40,8 @@ class ScrubField(QLineEdit):
     calculated = Signal(str)
     """Typed while several values differ: a change of each of them, such as ``*2``."""
 
-    def __init__(self, step: float = 1.0, decimals: int = 2, unit: str = "", axis: str = "") -> None:
+    def __init__(self, step: float = 1.0, decimals: int = 2, unit: str = "") -> None:
         super().__init__()
-        self._axis = axis
         self._value = 0.0
         self._is_mixed = False
         self._step, self._decimals, self._unit = step, decimals, unit
@@ -167,14 +164,6 @@ class ScrubField(QLineEdit):
             case _:
                 event.ignore()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self._axis and not self.is_typing:
-            painter = QPainter(self)
-            painter.setPen(DIM)
-            painter.drawText(self.rect().adjusted(_AXIS_PX, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, self._axis)
-            painter.end()
-
     def focusOutEvent(self, event: QFocusEvent) -> None:
         if self.is_typing:
             self._accept()
@@ -225,6 +214,22 @@ class ScrubField(QLineEdit):
             return
         self.setText(f"{_plain(self._value, self._decimals)}{_gap_before(self._unit)}{self._unit}")
         self.setCursorPosition(0)
+
+
+class AxisField(ScrubField):
+    """A coordinate: its letter, such as ``X``, stands before the number."""
+
+    def __init__(self, step: float, decimals: int, axis: str) -> None:
+        super().__init__(step, decimals)
+        self._axis = axis
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self.is_typing:
+            painter = QPainter(self)
+            painter.setPen(DIM)
+            painter.drawText(self.rect().adjusted(_AXIS_PX, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, self._axis)
+            painter.end()
 
 
 class ScrubLabel(QLabel):

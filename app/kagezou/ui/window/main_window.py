@@ -148,6 +148,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.parts.finish()
+        self.alt_key.finish()
         self.docks.remember(self.parts.settings)
         event.accept()
 

@@ -18,6 +18,10 @@ from kagezou.ui.system.menu_words import plain
 from kagezou.ui.viewport.resolution import Resolution
 
 _SEPARATOR = ""
+_EDITING = (
+    *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
+    *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts", "preferences"),
+)
 _ON_KEYS = (
     *("set_keys", _SEPARATOR, "copy_keys", "cut_keys", "paste_keys", "paste_in_place", "delete", _SEPARATOR),
     *("ease_both", "ease_in", "ease_out", "linear", "hold", "velocity"),
@@ -167,14 +171,7 @@ class Menus(QObject):
         self._fill(file, ["import_set", "import_timesheet", "background", "background_pictures"])
         self._fill(file, ["no_background", _SEPARATOR, "cut_settings", _SEPARATOR])
         self._fill(file, ["export", "export_timesheet", "export_notes", _SEPARATOR, "quit"])
-        self._menu(
-            bar,
-            self.tr("&Edit"),
-            [
-                *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
-                *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts", "preferences"),
-            ],
-        )
+        self._menu(bar, self.tr("&Edit"), _EDITING)
         self._menu(bar, self.tr("&Keys"), [*_ON_KEYS, _SEPARATOR, "select_keys", *_NUDGES])
         self._menu(bar, self.tr("&Drawings"), _ON_DRAWINGS)
         self._menu(
