@@ -4391,11 +4391,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Overhead radius; the lamp is {away} px outside it</source>
-        <translation>真上ライトの範囲（ランプは {away} px 外側にあります）</translation>
+        <translation>真上ライトの範囲（ライトは {away} px 外側にあります）</translation>
     </message>
     <message>
         <source>Overhead simplify</source>
-        <translation>頭上ライトの単純化</translation>
+        <translation>真上ライトの単純化</translation>
     </message>
     <message>
         <source>Painted shadow</source>
