@@ -1131,10 +1131,6 @@
         <translation>「%1」は別のウィンドウで開かれています。ここでも開きますか？</translation>
     </message>
     <message>
-        <source>Whoever saves last wins. It is open there: %1.</source>
-        <translation>後から保存した内容が残ります。開いている場所: %1</translation>
-    </message>
-    <message>
         <source>Open Anyway</source>
         <translation>それでも開く</translation>
     </message>
@@ -1145,6 +1141,14 @@
     <message>
         <source>Replace</source>
         <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Whoever saves last wins. The other window is on this computer.</source>
+        <translation>後から保存した方が残ります。もう一つのウィンドウはこのコンピューターで開いています。</translation>
+    </message>
+    <message>
+        <source>Whoever saves last wins. The other window is on %1.</source>
+        <translation>後から保存した方が残ります。もう一つのウィンドウは %1 で開いています。</translation>
     </message>
     <message>
         <source>“%1” was changed outside this window. Replace it?</source>
@@ -2512,7 +2516,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Finding a place for the lamp for %1</source>
-        <translation>%1のランプの位置を探しています</translation>
+        <translation>%1のライトの位置を探しています</translation>
     </message>
     <message>
         <source>Looking for the feet of %1</source>
@@ -2719,7 +2723,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>A lamp at a position, or the sun in a direction.</source>
-        <translation>位置を持つランプ、または方向だけの太陽。</translation>
+        <translation>位置を持つライト、または方向だけの太陽。</translation>
     </message>
     <message>
         <source>A point of the ground line, where the ground meets the drawing.</source>
@@ -2939,11 +2943,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Lamp</source>
-        <translation>ランプ</translation>
+        <translation>ライト</translation>
     </message>
     <message>
         <source>Lamp&apos;s foot</source>
-        <translation>ランプの足元</translation>
+        <translation>ライトの足元</translation>
     </message>
     <message>
         <source>Lean</source>
@@ -3215,7 +3219,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Where the lamp stands; z &gt; 0 is on the viewer&apos;s side and throws shadows behind the character.</source>
-        <translation>ランプの位置。z が正なら手前側にあり、影は奥へ落ちる。</translation>
+        <translation>ライトの位置。z が正なら手前側にあり、影は奥へ落ちる。</translation>
     </message>
     <message>
         <source>Whether an imported set is drawn under the background picture rather than over it.</source>
@@ -3279,7 +3283,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Within this distance over the character the lamp is spread into four, so that light from straight above still casts.</source>
-        <translation>キャラの真上でこの距離以内のランプを四つに分け、真上の光でも影を落とす。</translation>
+        <translation>キャラの真上でこの距離以内のライトを四つに分け、真上の光でも影を落とす。</translation>
     </message>
     <message>
         <source>Y</source>
@@ -4043,7 +4047,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the lamp stands within the card: its depth map cannot hold what lies around it</source>
-        <translation>ランプがカードの中にあります。深度マップには周りを収められません</translation>
+        <translation>ライトがカードの中にあります。深度マップには周りを収められません</translation>
     </message>
     <message>
         <source>the layer has no drawings</source>
@@ -4511,7 +4515,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>The lamp moves by whole steps of this length, so that pixel art does not shimmer; 0 moves freely.</source>
-        <translation>ランプがこの長さの刻みで動き、ドット絵の影がちらつきません。0 で自由に動きます。</translation>
+        <translation>ライトがこの長さの刻みで動き、ドット絵の影がちらつきません。0 で自由に動きます。</translation>
     </message>
     <message>
         <source>The layer whose figure this one is a part of; empty for a figure of its own.</source>
@@ -5063,7 +5067,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>near the lamp the shadow turns round while the figure travels; the sun, or a lamp farther off, keeps its direction</source>
-        <translation>ランプが近いため、人物の移動につれて影の向きが回ります。太陽光にするか、ランプを遠ざけると向きが保たれます</translation>
+        <translation>ライトが近いため、人物の移動につれて影の向きが回ります。太陽光にするか、ライトを遠ざけると向きが保たれます</translation>
     </message>
     <message>
         <source>no alpha channel: white that reaches the border was taken as clear</source>
@@ -5291,7 +5295,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
-        <translation>光源を太陽にしました：ランプの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
+        <translation>光源を太陽にしました：ライトの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
     </message>
     <message>
         <source>the light that another style had brought was taken back</source>
@@ -7159,11 +7163,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Drag the lamp to move the shadow; right-click a foot to say what it does, double-click to add one</source>
-        <translation>ランプをドラッグして影を動かします。足を右クリックで接地を指定、ダブルクリックで足を追加</translation>
+        <translation>ライトをドラッグして影を動かします。足を右クリックで接地を指定、ダブルクリックで足を追加</translation>
     </message>
     <message>
         <source>Drag the lamp to move the shadow; double-click on the character to add a grounding point</source>
-        <translation>ランプをドラッグすると影が動きます。キャラクターをダブルクリックすると接地点を追加します</translation>
+        <translation>ライトをドラッグすると影が動きます。キャラクターをダブルクリックすると接地点を追加します</translation>
     </message>
 </context>
 <context>
@@ -7429,8 +7433,8 @@ Drop a folder of cels here.</source>
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Begin with a look</source>
-        <translation>見た目を選んで始める</translation>
+        <source>Begin with a style</source>
+        <translation>スタイルを選んで始める</translation>
     </message>
     <message>
         <source>The next character gets it; the Styles panel changes it at any time.</source>

@@ -3,7 +3,7 @@
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, QSysInfo
 from PySide6.QtWidgets import QAbstractItemView, QFileDialog, QInputDialog, QMessageBox, QWidget
 
 from kagezou.importing.found_characters import FoundCharacters
@@ -150,9 +150,11 @@ class Dialogs:
         return answers.get(box.exec(), Answer.CANCEL)
 
     def open_twice(self, name: str, holder: str) -> bool:
-        """Ask whether to open a project that another window has open; ``holder`` is its computer and process."""
+        """Ask whether to open a project that another window has open; ``holder`` is its computer."""
         question = QCoreApplication.translate("Dialogs", "“%1” is open in another window. Open it here too?")
-        note = QCoreApplication.translate("Dialogs", "Whoever saves last wins. It is open there: %1.")
+        here = QCoreApplication.translate("Dialogs", "Whoever saves last wins. The other window is on this computer.")
+        there = QCoreApplication.translate("Dialogs", "Whoever saves last wins. The other window is on %1.")
+        note = here if holder == QSysInfo.machineHostName() else there
         return self._agrees(
             question.replace("%1", name),
             note.replace("%1", holder),

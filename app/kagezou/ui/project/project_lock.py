@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile
+from PySide6.QtCore import QLockFile, QSysInfo
 
 
 class ProjectLock:
@@ -30,7 +30,7 @@ class ProjectLock:
         self._lock, self._path = None, None
 
     def holder_of(self, path: Path) -> str:
-        """Return which process of which computer has a project open; empty if no other has."""
+        """Return the name of the computer that has a project open; empty if no other window has."""
         if path == self._path:
             return ""
         lock = _lock_beside(path)
@@ -39,8 +39,8 @@ class ProjectLock:
             return ""
         if lock.error() is not QLockFile.LockError.LockFailedError:
             return ""
-        process, host, _program = lock.getLockInfo()
-        return f"{host}, {process}"
+        _process, host, _program = lock.getLockInfo()
+        return str(host) or QSysInfo.machineHostName()
 
 
 def _lock_beside(path: Path) -> QLockFile:

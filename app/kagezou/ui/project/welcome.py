@@ -180,7 +180,7 @@ class Welcome(QScrollArea):
         row.addStretch(1)
         column = QVBoxLayout()
         column.setSpacing(6)
-        column.addWidget(_heading(self.tr("Begin with a look")))
+        column.addWidget(_heading(self.tr("Begin with a style")))
         column.addWidget(_hint(self.tr("The next character gets it; the Styles panel changes it at any time.")))
         column.addLayout(row)
         return column
