@@ -8,7 +8,7 @@ from kagezou.document.piece_kinds import TRAITS
 from kagezou.message import Message
 
 CHOICE_LABELS: Final[Mapping[str, Message]] = MappingProxyType({
-    "point": Message("Lamp"),
+    "point": Message("Lamp", "a kind of light"),
     "sun": Message("Sun"),
     "feet": Message("Feet"),
     "points": Message("Grounding points"),

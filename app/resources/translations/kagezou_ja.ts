@@ -4814,6 +4814,11 @@ Drop a folder of cels here.</source>
         <translation>壊れています：インスタンサーが存在しないものを参照しています</translation>
     </message>
     <message>
+        <source>Lamp</source>
+        <comment>a kind of light</comment>
+        <translation>ランプ</translation>
+    </message>
+    <message>
         <source>it is damaged: instances are made of themselves</source>
         <translation>壊れています：インスタンスが自分自身を含んでいます</translation>
     </message>

@@ -47,7 +47,9 @@ class HandleMenu:
         """
         menu = QMenu(over)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addSection(name)
+        # Not a section: styles differ in whether they show its words.
+        menu.addAction(name).setEnabled(False)
+        menu.addSeparator()
         edited = [EditedProperty(self._bridge, address) for address in addresses]
         for each in edited:
             part = menu if len(edited) == 1 else menu.addMenu(translated(each.address.property.label))
