@@ -328,6 +328,13 @@ def test_the_letter_a_is_alt_while_the_hand_drags(qtbot: QtBot, walking: MainWin
     assert second[0] == pytest.approx(230.0 - first[0], abs=0.01), "the other one went the other way"
 
 
+def test_the_letter_a_is_not_held_on_when_the_window_is_left(qtbot: QtBot, walking: MainWindow) -> None:
+    qtbot.keyPress(walking.parts.viewport, Qt.Key.Key_A)
+    assert walking.alt_key.is_held
+    QApplication.sendEvent(walking, QEvent(QEvent.Type.WindowDeactivate))
+    assert not walking.alt_key.is_held
+
+
 def test_messages_step_aside_while_the_hand_drags(qtbot: QtBot, walking: MainWindow) -> None:
     viewport = walking.parts.viewport
     walking.parts.bar.say("x", "Something to know.")

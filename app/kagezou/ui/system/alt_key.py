@@ -33,6 +33,9 @@ class AltKey(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
+        if kind is QEvent.Type.WindowDeactivate:
+            # Where the key comes up then, nobody here sees it.
+            self.is_held = False
         if kind in _KEYS and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_A:
             return self._take(event)
         if kind in _POINTING and self.is_held and isinstance(event, QSinglePointEvent):

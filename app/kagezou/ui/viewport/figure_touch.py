@@ -6,7 +6,7 @@ from kagezou.geometry.box import centred_offset
 from kagezou.geometry.placement import centred_from_canvas
 from kagezou.geometry.vectors import Point2
 from kagezou.io.images.cel_cache import CelSource
-from kagezou.scene.placing import drawing_of, placement_at, shown_parts
+from kagezou.scene.placing import drawing_of, shown_parts
 
 
 def is_on_figure(
@@ -39,7 +39,7 @@ def _is_painted(
         return False
     if matte.box is None:
         return False
-    back = centred_from_canvas(placement_at(document, layer, frame))
+    back = centred_from_canvas(shown.placement)
     left, top = centred_offset(document.canvas.box, *drawing_size(document.canvas, drawing))
     x, y, _ = back @ (*canvas_px, 1.0)
     # As wide as the placed drawing makes it: a cel shown small is reached from farther off in its own px.
