@@ -18,7 +18,7 @@ class Property {
     constructor(matchName, value, layer) {
         this.matchName = matchName; this._name = matchName; this._value = value; this.layer = layer || null;
         this.keys = []; this.children = {}; this.expression = ""; this.group = null; this.enabled = true;
-        this.isSpatial = ["ADBE Position", "ADBE Anchor Point"].includes(matchName);
+        this.isSpatial = ["ADBE Position", "ADBE Anchor Point", "ADBE Geometry2-0001", "ADBE Geometry2-0002", "ADBE Point Control-0001"].includes(matchName);
         /* Scale has a third number in flat layers too; a place has one ease for all of its numbers. */
         this.eases = matchName === "ADBE Scale" ? 3 : 1;
         this._separated = false;
@@ -496,7 +496,7 @@ class CompItem extends Item {
 class Project {
     constructor() {
         this.all = []; this.rootFolder = { name: "root" }; this.activeItem = null; this.file = null;
-        this.linearBlending = false; this.workingSpace = ""; this.bitsPerChannel = 8;
+        this.linearBlending = false; this.linearizeWorkingSpace = false; this.workingSpace = ""; this.bitsPerChannel = 8;
     }
     get numItems() { return this.all.length; }
     item(index) { return this.all[index - 1]; }

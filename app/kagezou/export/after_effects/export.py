@@ -12,6 +12,7 @@ from kagezou.document.model import Document
 from kagezou.errors import Stopped, UsageProblem
 from kagezou.export.after_effects.building import RenderedFootage, Written, hand_off
 from kagezou.export.after_effects.drawings import CelFootage, remove_beyond
+from kagezou.export.after_effects.labels import labelled
 from kagezou.export.after_effects.mattes import MATTES
 from kagezou.export.after_effects.renderings import Rendering, renderings_of
 from kagezou.export.after_effects.script import script_of
@@ -202,7 +203,7 @@ class _ScriptRun:
         lit = "lit" in request.mattes
         written = Written(request.folder, self.footage, cels, background, lit, united.of_several())
         file = safe_names([request.name])[request.name] + ".jsx"
-        text = script_of(hand_off(document, request.name, file, written))
+        text = script_of(labelled(document, hand_off(document, request.name, file, written)))
         write_bytes(request.folder / file, text.encode("ascii"))
         self._tell(self._all, self._all)
         copied = notes_on_copies(self._drawings, self._staying, copies=request.copies)
