@@ -6404,6 +6404,10 @@ Drop a folder of cels here.</source>
         <translation>セルに使うメモリー</translation>
     </message>
     <message>
+        <source>Name under notes</source>
+        <translation>メモに付く名前</translation>
+    </message>
+    <message>
         <source>Unsaved work</source>
         <translation>未保存の作業</translation>
     </message>

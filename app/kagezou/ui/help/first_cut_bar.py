@@ -17,6 +17,8 @@ class FirstCutBar(QWidget):
 
     Attributes
     ----------
+    guide
+        The same.
     show_me, skip, leave
         Its buttons.
     """
@@ -25,7 +27,7 @@ class FirstCutBar(QWidget):
         super().__init__()
         self.setObjectName("set_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self._guide = guide
+        self.guide = guide
         self._marks = [QLabel() for _ in STEPS]
         self._words = QLabel()
         self._words.setObjectName("set_name")
@@ -53,7 +55,7 @@ class FirstCutBar(QWidget):
         return self._words.text()
 
     def _show(self) -> None:
-        number, step = self._guide.number, self._guide.step
+        number, step = self.guide.number, self.guide.step
         self.setVisible(number is not None)
         if number is None:
             return
@@ -63,7 +65,7 @@ class FirstCutBar(QWidget):
             mark.setPixmap(icon(name).pixmap(size, self.devicePixelRatioF()))
         done = self.tr("Step %1 of %2").replace("%1", str(min(number + 1, len(STEPS)))).replace("%2", str(len(STEPS)))
         self.setAccessibleName(done)
-        self._words.setText(self._guide.words)
+        self._words.setText(self.guide.words)
         self.show_me.setVisible(step is not None and step.about is not None)
         self.skip.setVisible(step is not None)
         self.leave.setText(self.tr("Leave") if step is not None else self.tr("Close"))

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
 from PySide6.QtCore import QByteArray, QEvent, Qt, QUrl
-from PySide6.QtGui import QFont, QTextBlock, QTextCursor, QTextDocument, QTextFormat
+from PySide6.QtGui import QFont, QImage, QTextBlock, QTextCursor, QTextDocument, QTextFormat
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
@@ -27,6 +27,8 @@ from kagezou.ui.widgets.tool_button import tool_button
 _LETTERS: Final = (112, 40)
 _LIST_LETTERS: Final = 24
 _MARGIN_PX: Final = 18.0
+_PICTURE_PX: Final = 640
+"""The most that a picture is wide, so that it needs no scrolling beside the list."""
 
 
 def page_of(url: QUrl) -> str:
@@ -64,7 +66,12 @@ class Pages(QTextBrowser):
         page = self._pages.get(page_of(QUrl(name)))
         if kind == QTextDocument.ResourceType.MarkdownResource.value and page is not None:
             return QByteArray(with_properties(page.text, self._sections).encode())
-        return super().loadResource(kind, name)
+        found = super().loadResource(kind, name)
+        if kind == QTextDocument.ResourceType.ImageResource.value and isinstance(found, QByteArray):
+            picture = QImage.fromData(found)
+            if picture.width() > _PICTURE_PX:
+                return picture.scaledToWidth(_PICTURE_PX, Qt.TransformationMode.SmoothTransformation)
+        return found
 
     def open(self, name: str, term: str = "") -> None:
         """Show a page, and bring where it explains a term to the top; without one, its beginning."""
@@ -83,14 +90,14 @@ class Pages(QTextBrowser):
         return selections[0].cursor.block().text() if selections else ""
 
     def _explaining(self, term: str) -> QTextBlock | None:
-        """Return the paragraph that begins with a term in bold, or is a heading of it."""
+        """Return the paragraph that begins with a term in bold; a heading explains nothing."""
         block = self.document().begin()
         while block.isValid():
             fragments = block.begin()
-            if not fragments.atEnd():
+            if not fragments.atEnd() and not block.blockFormat().headingLevel():
                 first = fragments.fragment()
                 is_bold = first.charFormat().fontWeight() > QFont.Weight.Normal
-                if is_bold and first.text().strip(" .:：") == term:
+                if is_bold and first.text() == term:
                     return block
             block = block.next()
         return None

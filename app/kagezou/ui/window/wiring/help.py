@@ -1,4 +1,4 @@
-"""Who tells whom about help: which page explains what, when the manual opens, and the guided first cut."""
+"""Who tells whom about the manual: which page explains what, and when it opens."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -6,19 +6,16 @@ from typing import Final
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QCursor, QGuiApplication, QShortcut
-from PySide6.QtWidgets import QApplication, QDialog, QMainWindow, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QMainWindow, QWidget
 
-from kagezou.document.address import Address
 from kagezou.document.properties import TABLE
-from kagezou.document.property import AnyProperty, Scope
-from kagezou.export.exporters.exporter import ExportOutcome
+from kagezou.document.property import AnyProperty
 from kagezou.ui.commands.shortcut_editor import ShortcutEditor
 from kagezou.ui.commands.shortcut_sheet import ShortcutSheet
 from kagezou.ui.curves.panel import CurvesPanel
 from kagezou.ui.curves.review_bar import ReviewBar
 from kagezou.ui.export.dialog import ExportDialog
 from kagezou.ui.export.result import ExportResult
-from kagezou.ui.help.first_cut import FirstCut
 from kagezou.ui.help.first_cut_bar import FirstCutBar
 from kagezou.ui.help.manual import Manual
 from kagezou.ui.help.pages import FIRST
@@ -28,7 +25,6 @@ from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.style_list import StyleList
 from kagezou.ui.project.cut_settings_dialog import CutSettingsDialog
-from kagezou.ui.project.demo import DemoOpener
 from kagezou.ui.project.found_dialog import FoundDialog
 from kagezou.ui.project.welcome import Welcome
 from kagezou.ui.sets.import_bar import SetBar
@@ -38,7 +34,6 @@ from kagezou.ui.time.transport import Transport
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.viewport.viewport import Viewport
 from kagezou.ui.widgets.missing_parts import MissingParts
-from kagezou.ui.window.panel_layout import PanelLayout
 from kagezou.ui.window.parts import Parts
 from kagezou.ui.window.preferences_dialog import PreferencesDialog
 
@@ -133,8 +128,8 @@ class Help(QObject):
         if self.manual is None or self.manual.parentWidget() is not owner:
             if self.manual is not None:
                 self.manual.deleteLater()
-            self.manual = Manual(sections(), owner)
-            self.manual.destroyed.connect(self._forget)
+            made = self.manual = Manual(sections(), owner)
+            made.destroyed.connect(lambda: self._forget(made))
         self.manual.open(*place)
 
     def place_of(self, widget: QWidget | None) -> Place:
@@ -169,65 +164,17 @@ class Help(QObject):
         rows = self._parts.panels.inspector.rows
         return next((row.address.property for row in rows if widget in row.widgets), None)
 
-    def _forget(self, gone: QObject) -> None:
+    def _forget(self, gone: Manual) -> None:
         if self.manual is gone:
             self.manual = None
 
 
-def connect_help(window: QMainWindow, parts: Parts, layout: PanelLayout) -> Help:
-    """Connect the manual and the guided first cut."""
+def connect_help(window: QMainWindow, parts: Parts) -> Help:
+    """Connect the manual with its key, and with the dialogs that come up."""
     manual = Help(window, parts)
     parts.actions.on("manual", manual.open)
     application = QGuiApplication.instance()
     if isinstance(application, QGuiApplication):
         # A receiver that is an object of ours: the connection goes with the window.
         application.focusWindowChanged.connect(manual.follow_window)
-    if parts.demo is not None:
-        _connect_first_cut(window, parts, parts.demo, layout)
     return manual
-
-
-def _connect_first_cut(window: QMainWindow, parts: Parts, demo: DemoOpener, layout: PanelLayout) -> None:
-    guide, bridge = FirstCut(), parts.bridge
-    bar = FirstCutBar(guide)
-    guide.setParent(bar)
-    middle = window.centralWidget()
-    column = None if middle is None else middle.layout()
-    assert isinstance(column, QVBoxLayout)
-    column.insertWidget(0, bar)
-    wanted = False
-
-    def ask() -> None:
-        nonlocal wanted
-        wanted = True
-        demo.open()
-
-    def follow_project() -> None:
-        nonlocal wanted
-        is_demo = parts.open_project.path == demo.project
-        if wanted and is_demo:
-            guide.begin(bridge.document)
-        elif not is_demo:
-            guide.end()
-        wanted = wanted and not is_demo
-
-    def show_me() -> None:
-        step = guide.step
-        if step is None or step.about is None:
-            return
-        layout.show("inspector")
-        owner = bridge.layer_id if step.about.scope is Scope.LAYER else None
-        parts.panels.inspector.reveal((Address(step.about, owner),))
-
-    def see_export(outcome: ExportOutcome) -> None:
-        if outcome.problem is None and not outcome.cancelled:
-            guide.see_export(bridge.document)
-
-    parts.actions.on("first_cut", ask)
-    parts.welcome.guide_asked.connect(ask)
-    parts.open_project.path_changed.connect(follow_project)
-    bridge.history_changed.connect(lambda: guide.see(bridge.document))
-    parts.exporting.ended.connect(see_export)
-    bar.show_me.clicked.connect(show_me)
-    bar.skip.clicked.connect(lambda: guide.skip(bridge.document))
-    bar.leave.clicked.connect(guide.end)
