@@ -1633,8 +1633,8 @@
 <context>
     <name>FirstCut</name>
     <message>
-        <source>Drag the lamp in the picture, or its foot on the ground: the shadow follows.</source>
-        <translation>画面のライトか、地面にある足元の印をドラッグしてください。影がついてきます。</translation>
+        <source>Drag the light in the picture, here the sun on its dial under the feet: the shadow follows.</source>
+        <translation>足の下の文字盤にある太陽（ライト）をドラッグしてください。影がついてきます。</translation>
     </message>
     <message>
         <source>Say from how high the ground is seen: drag the lever under the feet, or Declination.</source>
@@ -7248,11 +7248,11 @@ Drop a folder of cels here.</source>
         <translation>線をドラッグでセットを移動、矢印で寸法、正面のレバーで回転</translation>
     </message>
     <message>
-        <source>Drag the lamp to move the shadow; right-click a foot to say what it does, double-click to add one</source>
+        <source>Drag the light to move the shadow; right-click a foot to say what it does, double-click to add one</source>
         <translation>ライトをドラッグして影を動かします。足を右クリックで接地を指定、ダブルクリックで足を追加</translation>
     </message>
     <message>
-        <source>Drag the lamp to move the shadow; double-click on the character to add a grounding point</source>
+        <source>Drag the light to move the shadow; double-click on the character to add a grounding point</source>
         <translation>ライトをドラッグすると影が動きます。キャラクターをダブルクリックすると接地点を追加します</translation>
     </message>
 </context>

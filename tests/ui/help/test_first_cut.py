@@ -142,7 +142,7 @@ def bar_of(window: MainWindow) -> FirstCutBar:
 
 def test_it_leads_through_a_cut(qtbot: QtBot, guided: MainWindow) -> None:
     bar, parts = bar_of(guided), guided.parts
-    assert bar.text == "Drag the lamp in the picture, or its foot on the ground: the shadow follows."
+    assert bar.text == "Drag the light in the picture, here the sun on its dial under the feet: the shadow follows."
     qtbot.waitUntil(lambda: parts.viewport.controller.handles.find("light.lamp") is not None)
     drag(qtbot, parts.viewport, "light.lamp", QPoint(30, 10), let_go=False)
     assert bar.guide.number == 0, "while the hand drags, the words stay"

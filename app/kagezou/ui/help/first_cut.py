@@ -30,12 +30,12 @@ class Step:
     is_done
         Whether it is done; None for a step that ends with an export.
     about
-        The property that it changes, to be pointed at.
+        The properties that it changes, to be pointed at.
     """
 
     words: str
     is_done: IsDone | None
-    about: AnyProperty | None
+    about: tuple[AnyProperty, ...]
 
 
 def translate(_context: str, text: str) -> str:
@@ -72,19 +72,21 @@ def _is_in(document: Document, address: Address) -> bool:
 
 STEPS: Final = (
     Step(
-        translate("FirstCut", "Drag the lamp in the picture, or its foot on the ground: the shadow follows."),
+        translate(
+            "FirstCut", "Drag the light in the picture, here the sun on its dial under the feet: the shadow follows."
+        ),
         changes(properties.LIGHT_POSITION, properties.LIGHT_AZIMUTH, properties.LIGHT_ELEVATION),
-        properties.LIGHT_POSITION,
+        (properties.LIGHT_POSITION, properties.LIGHT_AZIMUTH, properties.LIGHT_ELEVATION),
     ),
     Step(
         translate("FirstCut", "Say from how high the ground is seen: drag the lever under the feet, or Declination."),
         changes(properties.GROUND_DECLINATION),
-        properties.GROUND_DECLINATION,
+        (properties.GROUND_DECLINATION,),
     ),
     Step(
         translate("FirstCut", "Make the shape as simple as it would be drawn: drag Simplify, under Shape."),
         changes(properties.SIMPLIFY, properties.DISTANCE),
-        properties.SIMPLIFY,
+        (properties.SIMPLIFY,),
     ),
     Step(
         translate(
@@ -92,12 +94,12 @@ STEPS: Final = (
             "Let it change over time: click the diamond before Opacity, go to another frame, and change the value.",
         ),
         sets_keys,
-        properties.OPACITY,
+        (properties.OPACITY,),
     ),
     Step(
         translate("FirstCut", "Hand it over: press Export at the top right, choose After Effects, and export."),
         None,
-        None,
+        (),
     ),
 )
 

@@ -66,7 +66,7 @@ class FirstCutBar(QWidget):
         done = self.tr("Step %1 of %2").replace("%1", str(min(number + 1, len(STEPS)))).replace("%2", str(len(STEPS)))
         self.setAccessibleName(done)
         self._words.setText(self.guide.words)
-        self.show_me.setVisible(step is not None and step.about is not None)
+        self.show_me.setVisible(step is not None and bool(step.about))
         self.skip.setVisible(step is not None)
         self.leave.setText(self.tr("Leave") if step is not None else self.tr("Close"))
 

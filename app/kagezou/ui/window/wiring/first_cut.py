@@ -2,8 +2,6 @@
 
 from PySide6.QtWidgets import QMainWindow, QVBoxLayout
 
-from kagezou.document.address import Address
-from kagezou.document.property import Scope
 from kagezou.export.exporters.exporter import ExportOutcome
 from kagezou.ui.help.first_cut import FirstCut
 from kagezou.ui.help.first_cut_bar import FirstCutBar
@@ -59,9 +57,9 @@ def _see_export(parts: Parts, guide: FirstCut, outcome: ExportOutcome) -> None:
 
 
 def _show_step(parts: Parts, guide: FirstCut, layout: PanelLayout) -> None:
-    """Mark the row of the property that the step is about."""
-    step = guide.step
-    if step is not None and step.about is not None:
-        layout.show("inspector")
-        owner = parts.bridge.layer_id if step.about.scope is Scope.LAYER else None
-        parts.panels.inspector.reveal((Address(step.about, owner),))
+    """Mark the rows of the properties that the step is about, as far as they mean something in this light."""
+    if guide.step is None or not guide.step.about:
+        return
+    layout.show("inspector")
+    rows = [parts.panels.inspector.row(prop.name) for prop in guide.step.about]
+    parts.panels.inspector.reveal(row.address for row in rows if not row.label.isHidden())
