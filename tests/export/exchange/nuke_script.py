@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tests.export.exchange.cuts import pixels_of
 
 Pixels = NDArray[np.float64]
-_NODE = re.compile(r"^(\w+) \{\n(.*?)^\}$", re.MULTILINE | re.DOTALL)
+_STATEMENT = re.compile(r"^(\w+) \{\n(.*?)^\}$|^(set|push) (\S+)(?: \[stack 0\])?$", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -31,15 +31,19 @@ class Node:
 def nodes_of(script: str) -> list[Node]:
     """Return the nodes of a script, in their order: each takes its inputs from the top of the stack."""
     stack: list[Node] = []
+    named: dict[str, Node] = {}
     found = []
-    for kind, body in _NODE.findall(script):
-        knobs = dict(line.strip().split(" ", 1) for line in body.splitlines())
-        count = int(knobs.get("inputs", "1"))
-        inputs = tuple(stack.pop() for _ in range(count))
-        node = Node(kind, knobs, inputs)
-        found.append(node)
-        if kind != "Root":
-            stack.append(node)
+    for kind, body, command, name in _STATEMENT.findall(script):
+        if command == "set":
+            named[name] = stack[-1]
+        elif command == "push":
+            stack.append(named[name.removeprefix("$")])
+        else:
+            knobs = dict(line.strip().split(" ", 1) for line in body.splitlines())
+            inputs = tuple(stack.pop() for _ in range(int(knobs.get("inputs", "1"))))
+            found.append(Node(kind, knobs, inputs))
+            if kind != "Root":
+                stack.append(found[-1])
     return found
 
 
@@ -57,7 +61,7 @@ def _read(node: Node, folder: Path, frame: int) -> Pixels:
 
 def _constant(node: Node, _folder: Path, _frame: int) -> Pixels:
     width, height = map(int, node.knob("format").split()[:2])
-    return np.zeros((height, width, 4))
+    return np.full((height, width, 4), np.array(node.knobs["color"].strip("{}").split(), float))
 
 
 def _premult(node: Node, folder: Path, frame: int) -> Pixels:
@@ -82,13 +86,11 @@ def _colorspace(node: Node, folder: Path, frame: int) -> Pixels:
 def _merge(node: Node, folder: Path, frame: int) -> Pixels:
     under, over = (shown(each, folder, frame) for each in node.inputs)
     b, a = under[..., 3:], over[..., 3:]
-    if node.knobs["operation"] == "over":
-        laid = over + under * (1 - a)
-    else:
-        assert (node.knobs["operation"], node.knobs["screen_alpha"]) == ("multiply", "true")
-        laid = over * (1 - b) + under * (1 - a) + over * under
-        laid[..., 3:] = a + b - a * b
-    return under + (laid - under) * _at(node.knobs["mix"], frame)
+    laid = {"over": over + under * (1 - a), "under": over * (1 - b) + under, "multiply": over * under}
+    made: Pixels = under + (laid[node.knobs["operation"]] - under) * _at(node.knobs.get("mix", "1"), frame)
+    if node.knobs.get("output", "").endswith("-rgba.alpha}"):
+        made[..., 3:] = b
+    return made
 
 
 def _at(value: str, frame: int) -> float:

@@ -49,16 +49,10 @@ def test_time_size_and_order_are_those_of_the_cut(tmp_path: Path) -> None:
     assert (root.kind, root.knob("first_frame"), root.knob("last_frame")) == ("Root", "101", "108")
     assert (root.knob("fps"), root.knob("format")) == ("23.976024", "64 48 0 0 64 48 1 kagezou")
     assert "nuke.script_directory()" in root.knobs["project_directory"]
-    labels = [node.knob("label") for node in of_kind(nodes, "Merge2")]
+    laid = [node for node in of_kind(nodes, "Merge2") if node.knob("name").startswith("Merge")]
+    labels = [node.knob("label") for node in laid]
     assert labels == ["background", "主役 #1_shadow", "相棒_shadow", "主役 #1", "相棒"]
-    assert [node.inputs[1].inputs[0].knob("label") for node in of_kind(nodes, "Merge2")] == labels
-    assert [node.knobs["operation"] for node in of_kind(nodes, "Merge2")] == [
-        "over",
-        "multiply",
-        "over",
-        "over",
-        "over",
-    ]
+    assert [node.knobs["operation"] for node in laid] == ["over", "multiply", "over", "over", "over"]
     for node in of_kind(nodes, "Read"):
         file = node.knob("file")
         assert not Path(file).is_absolute()
@@ -78,4 +72,4 @@ def test_what_people_wrote_is_never_run() -> None:
     layer = StackLayer('[exit] $HOME "} {', "a", multiply=True, pictures=(1,), opacities=(0.5,))
     text = NUKE.write(Stack(NAME, 8, 8, 24, 1, 1, (layer,), every_frame=True)).text  # type: ignore[arg-type]
     assert r'label "\[exit] \$HOME \"} {"' in text
-    assert "mix 0.5\n" in text
+    assert "\n mix 0.5\n" in text

@@ -1,15 +1,12 @@
 """Scenes for Blender: a Python script that builds cards before an orthographic camera."""
 
-import json
 from fractions import Fraction
 from typing import Any, Final
 
+from kagezou.export.exchange.scripts import filled_in
 from kagezou.export.exchange.stack import FOLDER, SceneTarget, SceneText, Stack, StackLayer, held
-from kagezou.locations import resource_folder
 from kagezou.message import Message
 
-_BUILDER: Final = "exchange/build_blender.py.in"
-_MARK: Final = 'json.loads("null")'
 _MOST_FPS: Final = 32767
 
 
@@ -28,12 +25,8 @@ def blender_scene(stack: Stack) -> SceneText:
         "depth": stack.depth,
         "layers": [_layer(stack, each) for each in stack.layers],
     }
-    builder = (resource_folder() / _BUILDER).read_text(encoding="ascii")
-    before, mark, after = builder.partition(_MARK)
-    assert mark, "the builder has a place for what is to be built"
-    literal = repr(json.dumps(cut, ensure_ascii=True, allow_nan=False, indent=1)).replace("\\n", "\\n\\\n")
     notes = () if stack.is_filled else (Message("nothing fills the canvas; Blender has white there"),)
-    return SceneText(f"{before}json.loads({literal}){after}", notes)
+    return SceneText(filled_in("build_blender.py.in", cut), notes)
 
 
 def rate_of(rate: Fraction) -> tuple[int, float]:

@@ -1,7 +1,8 @@
 """Scenes for Nuke: a script of Read and Merge nodes.
 
 Pictures are read as they are stored and laid on each other so; the sum is turned to linear light at the end, which is
-what a viewer and writers of Nuke expect. Merge's multiply with alpha masking is A(1-b) + B(1-a) + AB.
+what a viewer and writers of Nuke expect. A layer that multiplies is laid on white first, and what is under it is
+multiplied with that, so that no setting of alpha matters; where nothing may be under it, it is laid under the product.
 """
 
 from collections.abc import Iterator
@@ -17,8 +18,10 @@ _FULL: Final = 1.0
 
 def nuke_scene(stack: Stack) -> SceneText:
     """Return the script of a cut; it finds the pictures beside itself."""
-    nodes = [_root(stack), *_reads(stack), _base(stack), *_merges(stack), *_to_linear(stack)]
-    return SceneText("\n".join(nodes) + "\n")
+    nodes = [_root(stack), *_canvases(stack)]
+    for place, layer in enumerate(stack.layers, start=1):
+        nodes += [*_picture(stack, layer, place), *(_multiplied if layer.multiply else _over)(stack, layer, place)]
+    return SceneText("\n".join((*nodes, *_to_linear(stack))) + "\n")
 
 
 def _root(stack: Stack) -> str:
@@ -35,57 +38,77 @@ def _root(stack: Stack) -> str:
     )
 
 
-def _reads(stack: Stack) -> Iterator[str]:
-    """Yield what reads the layers, the uppermost first: merges take the last that was made first."""
-    for place, layer in reversed(list(enumerate(stack.layers))):
-        x = place * _COLUMN_PX
+def _canvases(stack: Stack) -> Iterator[str]:
+    """Yield a clear canvas, the sum so far, and a white one."""
+    for name, color in (("Clear", "{0 0 0 0}"), ("White", "{1 1 1 1}")):
         yield _node(
-            "Read",
+            "Constant",
             inputs=0,
-            file_type="png",
-            file=_quoted(stack.pattern(layer.label, "#" * stack.digits)),
+            channels="rgba",
+            color=color,
             format=_quoted(f"{_format(stack)} kagezou"),
             first=stack.first_frame,
             last=stack.last_frame,
-            origfirst=stack.first_frame,
-            origlast=stack.last_frame,
-            origset="true",
-            raw="true",
-            name=f"Read{place + 1}",
-            label=_quoted(layer.name),
-            xpos=x,
+            name=name,
+            xpos=-_COLUMN_PX * (1 if name == "Clear" else 2),
             ypos=0,
         )
-        yield _node("Premult", name=f"Premult{place + 1}", xpos=x, ypos=_ROW_PX)
+        yield f"set {name} [stack 0]"
+    yield "push $Clear"
+    yield "set Sum [stack 0]"
 
 
-def _base(stack: Stack) -> str:
-    return _node(
-        "Constant",
+def _picture(stack: Stack, layer: StackLayer, place: int) -> Iterator[str]:
+    """Yield what reads a layer, its colour multiplied by its alpha."""
+    x, y = place * _COLUMN_PX, (place - 1) * _ROW_PX
+    yield _node(
+        "Read",
         inputs=0,
-        channels="rgba",
+        file_type="png",
+        file=_quoted(stack.pattern(layer.label, "#" * stack.digits)),
         format=_quoted(f"{_format(stack)} kagezou"),
         first=stack.first_frame,
         last=stack.last_frame,
-        name="Canvas",
-        xpos=-_COLUMN_PX,
-        ypos=_ROW_PX,
+        origfirst=stack.first_frame,
+        origlast=stack.last_frame,
+        origset="true",
+        raw="true",
+        name=f"Read{place}",
+        label=_quoted(layer.name),
+        xpos=x,
+        ypos=y,
     )
+    yield _node("Premult", name=f"Premult{place}", xpos=x, ypos=y + _ROW_PX)
+    yield "set Picture [stack 0]"
 
 
-def _merges(stack: Stack) -> Iterator[str]:
-    for place, layer in enumerate(stack.layers):
-        way = {"operation": "multiply", "screen_alpha": "true"} if layer.multiply else {"operation": "over"}
-        yield _node(
-            "Merge2",
-            inputs=2,
-            **way,
-            mix=_mix(stack, layer),
-            name=f"Merge{place + 1}",
-            label=_quoted(layer.name),
-            xpos=-_COLUMN_PX,
-            ypos=(place + 2) * _ROW_PX,
-        )
+def _over(stack: Stack, layer: StackLayer, place: int) -> Iterator[str]:
+    yield "push $Sum"
+    yield _merge(layer, f"Merge{place}", place, operation="over", mix=_mix(stack, layer))
+    yield "set Sum [stack 0]"
+
+
+def _multiplied(stack: Stack, layer: StackLayer, place: int) -> Iterator[str]:
+    """Yield what multiplies the sum; of two inputs the upper one of the stack is B."""
+    rgb = "{rgba.red rgba.green rgba.blue -rgba.alpha}"
+    yield "push $White"
+    yield "push $Picture"
+    yield _merge(layer, f"OnWhite{place}", place, operation="under")
+    yield "push $Sum"
+    yield _merge(layer, f"Merge{place}", place, operation="multiply", output=rgb, mix=_mix(stack, layer))
+    yield "set Sum [stack 0]"
+    if not stack.is_filled:
+        yield "push $Picture"
+        yield "push $Sum"
+        yield _merge(layer, f"Under{place}", place, operation="under", mix=_mix(stack, layer))
+        yield "set Sum [stack 0]"
+
+
+def _merge(layer: StackLayer, name: str, place: int, **knobs: str) -> str:
+    """Return a merge of two inputs."""
+    down = {"OnWhite": 1, "Merge": 2, "Under": 3}[name.rstrip("0123456789")]
+    y = (place - 1) * _ROW_PX + down * _ROW_PX // 3
+    return _node("Merge2", inputs=2, **knobs, name=name, label=_quoted(layer.name), xpos=-_COLUMN_PX, ypos=y)
 
 
 def _to_linear(stack: Stack) -> Iterator[str]:
