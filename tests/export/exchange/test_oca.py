@@ -1,4 +1,4 @@
-"""Open Cel Animation, written: what its frames say is the composite, and each value is one that its specification has."""
+"""Open Cel Animation, written: what its frames say is the composite, in the words of its specification."""
 
 import json
 from pathlib import Path
@@ -54,7 +54,7 @@ def test_the_root_says_what_the_cut_is(tmp_path: Path) -> None:
     assert (root["ocaVersion"], root["originApp"], root["name"]) == ("1.1.0", "Kagezou", "カット 12")
     assert (root["width"], root["height"], root["startTime"], root["endTime"]) == (64, 48, 0, LENGTH)
     assert (root["frameRate"], root["colorDepth"]) == (pytest.approx(24000 / 1001), "U16")
-    assert [layer["name"] for layer in root["layers"]][0] == "background"
+    assert root["layers"][0]["name"] == "background"
     assert any("frame 0 is frame 101 here" in str(note) for note in done.notes)
     for layer in root["layers"]:
         assert sum(frame["duration"] for frame in layer["frames"]) == LENGTH
