@@ -9,9 +9,7 @@ from kagezou.message import Message
 
 def _steps(file: str) -> tuple[Message, ...]:
     return (
-        Message(
-            "In Blender 3.4 or newer: Scripting > Open {file}, then Run Script; or blender --python {file}", file=file
-        ),
+        Message("In Blender 3.4 or newer: Scripting > Open {file}, then Run Script.", file=file),
         Message("It builds a scene of its own: cards, camera, frame rate, and View Transform Raw, which must stay."),
     )
 
