@@ -4223,6 +4223,10 @@ Drop a folder of cels here.</source>
         <translation>AWS Deadline Cloud：deadline bundle submit {folder}</translation>
     </message>
     <message>
+        <source>After Effects and Blender import it by RxLab&apos;s add-ons; holds, opacity and blend modes are in it.</source>
+        <translation>After Effects と Blender は RxLab のアドオンで読み込みます。コマ数、不透明度、描画モードが入っています。</translation>
+    </message>
+    <message>
         <source>After Effects</source>
         <translation>After Effects</translation>
     </message>
@@ -4241,6 +4245,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Background position</source>
         <translation>背景の位置</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>Cast</source>
@@ -4317,6 +4325,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>From one row of gaps to the next on the ground; 0 is the length of wave 1.</source>
         <translation>地面上での切れ目の列の間隔。0では波1の波長になります。</translation>
+    </message>
+    <message>
+        <source>Fusion</source>
+        <translation>Fusion</translation>
     </message>
     <message>
         <source>Ground below the foot</source>
@@ -4415,6 +4427,22 @@ Drop a folder of cels here.</source>
         <translation>After Effects で［ファイル］＞［スクリプト］＞［スクリプトファイルを実行…］を選び、{script} を開きます。</translation>
     </message>
     <message>
+        <source>In Blender 3.4 or newer: Scripting &gt; Open {file}, then Run Script.</source>
+        <translation>Blender 3.4 以降：「Scripting」で {file} を開き、「スクリプト実行」を押します。</translation>
+    </message>
+    <message>
+        <source>In Fusion: File &gt; Open…, and choose {file}; in DaVinci Resolve: Import Composition.</source>
+        <translation>Fusion：File &gt; Open… で {file} を選びます。DaVinci Resolve では Import Composition を使います。</translation>
+    </message>
+    <message>
+        <source>In Nuke: File &gt; Open Comp…, and choose {file}.</source>
+        <translation>Nuke：File &gt; Open Comp… で {file} を選びます。</translation>
+    </message>
+    <message>
+        <source>It builds a scene of its own: cards, camera, frame rate, and View Transform Raw, which must stay.</source>
+        <translation>カード、カメラ、フレームレート、ビュー変換 Raw を持つ新しいシーンができます。Raw は変えないでください。</translation>
+    </message>
+    <message>
         <source>It builds the composition: frame rate, alpha, order, Multiply and opacity are set.</source>
         <translation>コンポジションが組み上がります。フレームレート、アルファ、重ね順、乗算、不透明度は設定済みです。</translation>
     </message>
@@ -4439,6 +4467,10 @@ Drop a folder of cels here.</source>
         <translation>レイヤー付きフレーム</translation>
     </message>
     <message>
+        <source>Layers are merged as they are stored; the last nodes turn the sum to linear light.</source>
+        <translation>レイヤーは保存された値のまま重ねられ、最後のノードで結果がリニアに変換されます。</translation>
+    </message>
+    <message>
         <source>Least part</source>
         <translation>最小の部分</translation>
     </message>
@@ -4449,6 +4481,22 @@ Drop a folder of cels here.</source>
     <message>
         <source>Light step</source>
         <translation>ライトの刻み</translation>
+    </message>
+    <message>
+        <source>Loaders read the pictures as they are stored: set no colour space for them.</source>
+        <translation>Loader は画像を保存された値のまま読みます。カラースペースは設定しないでください。</translation>
+    </message>
+    <message>
+        <source>Natron 2 builds the project when it is started with the script: Natron {file}</source>
+        <translation>Natron 2 をスクリプト付きで起動するとプロジェクトができます：Natron {file}</translation>
+    </message>
+    <message>
+        <source>Natron</source>
+        <translation>Natron</translation>
+    </message>
+    <message>
+        <source>Nuke</source>
+        <translation>Nuke</translation>
     </message>
     <message>
         <source>Nuke, Natron and Blender read the parts as layers.</source>
@@ -4465,6 +4513,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>Opacity of the figure mirrored in the ground, moved by the waves of its shadow; 0 is none.</source>
         <translation>地面に映るキャラクターの不透明度。影と同じ波で揺れます。0 でなし。</translation>
+    </message>
+    <message>
+        <source>Open Cel Animation</source>
+        <translation>Open Cel Animation（OCA）</translation>
+    </message>
+    <message>
+        <source>OpenToonz imports {file} by File &gt; Import &gt; OCA File…; it has no blend modes there.</source>
+        <translation>OpenToonz は File &gt; Import &gt; OCA File… で {file} を読み込みます。描画モードは読まれません。</translation>
     </message>
     <message>
         <source>Other farms: openjd run {template} --step Render</source>
@@ -4619,6 +4675,10 @@ Drop a folder of cels here.</source>
         <translation>位置に置かれるセル上の点。セルはこの点を中心に回転・拡大します。</translation>
     </message>
     <message>
+        <source>The scene finds its pictures beside itself: move the folder as a whole.</source>
+        <translation>シーンは同じフォルダーの画像を使います。移動するときはフォルダーごと移してください。</translation>
+    </message>
+    <message>
         <source>The script is written last, when all it needs is there.</source>
         <translation>スクリプトは、必要なものがそろった最後に書き出されます。</translation>
     </message>
@@ -4707,6 +4767,10 @@ Drop a folder of cels here.</source>
         <translation>セリフまたはカメラワークの列が読めません</translation>
     </message>
     <message>
+        <source>a composition of Loaders and Merges</source>
+        <translation>Loader と Merge のコンポジション</translation>
+    </message>
+    <message>
         <source>a dash before a number is taken as a minus: {first}</source>
         <translation>番号の前のハイフンをマイナスとみなしました：{first}</translation>
     </message>
@@ -4725,6 +4789,18 @@ Drop a folder of cels here.</source>
     <message>
         <source>a project holds at most {megabytes} MB and {most} values</source>
         <translation>1 つのプロジェクトに入るのは {megabytes} MB、値 {most} 個までです</translation>
+    </message>
+    <message>
+        <source>a scene has at most {most} px a side, the canvas has more</source>
+        <translation>シーンの一辺は最大 {most} px ですが、キャンバスはそれより大きいです</translation>
+    </message>
+    <message>
+        <source>a script of Read and Merge nodes</source>
+        <translation>Read ノードと Merge ノードのスクリプト</translation>
+    </message>
+    <message>
+        <source>a script that builds readers and merges</source>
+        <translation>Read と Merge を組むスクリプト</translation>
     </message>
     <message>
         <source>a script that builds the whole composition</source>
@@ -4761,6 +4837,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>canvas: a first frame of {first} is not within 0 to {most}</source>
         <translation>canvas：開始フレーム {first} は 0～{most} の範囲にありません</translation>
+    </message>
+    <message>
+        <source>cards before a camera, shadows among them</source>
+        <translation>カメラの前に並べたカードと影</translation>
     </message>
     <message>
         <source>character {name}{joins}: {drawings} of {width} × {height} px, seen to frame {last}: {names}</source>
@@ -4827,8 +4907,16 @@ Drop a folder of cels here.</source>
         <translation>フレーム</translation>
     </message>
     <message>
+        <source>frames are counted from 0 in OCA: its frame 0 is frame {first} here</source>
+        <translation>OCA ではフレームを 0 から数えます。OCA のフレーム 0 はここではフレーム {first} です</translation>
+    </message>
+    <message>
         <source>frames made by other machines</source>
         <translation>ほかのマシンでフレームを書き出すジョブ</translation>
+    </message>
+    <message>
+        <source>frames of sets as clay</source>
+        <translation>クレイ表示のセットのフレーム</translation>
     </message>
     <message>
         <source>groups are clipped to the layer below them, as Clip Studio Paint does: {names}</source>
@@ -4877,6 +4965,38 @@ Drop a folder of cels here.</source>
     <message>
         <source>it has no scene: all of its nodes are read</source>
         <translation>シーンがないため、すべてのノードを読みます</translation>
+    </message>
+    <message>
+        <source>layers and holds for many programs</source>
+        <translation>多くのソフトで読めるレイヤーとコマ</translation>
+    </message>
+    <message>
+        <source>nothing fills the canvas; Blender has white there</source>
+        <translation>キャンバスを埋めるものがありません。Blender ではそこが白になります</translation>
+    </message>
+    <message>
+        <source>nothing fills the canvas; Fusion has white there</source>
+        <translation>キャンバスを埋めるものがありません。Fusion ではそこが白になります</translation>
+    </message>
+    <message>
+        <source>pictures of layers</source>
+        <translation>レイヤーの画像</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>シーン</translation>
+    </message>
+    <message>
+        <source>the layer {name!r} lies in the folder {folder!r}</source>
+        <translation>レイヤー{name!r} はフォルダー{folder!r} にあります</translation>
+    </message>
+    <message>
+        <source>the layer {name!r} multiplies on some frames and lies plainly on others; here it has one way for all of them, that of its first frame</source>
+        <translation>レイヤー{name!r} は乗算のフレームと通常のフレームがあります。ここでは最初のフレームの描画モードに統一されます</translation>
+    </message>
+    <message>
+        <source>the shadows of {layers} are handed over as one, with their opacity in it, for no layers make the picture: they unite on some frames only, have a second colour, or change places with others</source>
+        <translation>{layers} の影は、レイヤーの重ね合わせでは同じ絵にならないため、不透明度を含めて一枚にまとめて渡します（一部のフレームでだけ一体になる、第二の色がある、または他の影と順序が入れ替わるため）</translation>
     </message>
     <message>
         <source>video needs PyAV, which is not installed: {how}</source>
@@ -5414,10 +5534,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>the set is made of {count} parts, more than the {most} that are drawn while you work: left out here, but not of what is exported: {names}</source>
         <translation>セットは {count} 個の部分からできていて、作業中に描ける {most} 個を超えています。ここでは省きますが、書き出しには入ります：{names}</translation>
-    </message>
-    <message>
-        <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
-        <translation>{layers} の影は画面では一つに重なりますが、レイヤーでは別々のままで、重なる所が濃くなります。見た目がフレームによって違うか、2色の影だからです</translation>
     </message>
     <message>
         <source>the sides have another proportion: what was the picture is now the middle {width} × {height} px</source>
