@@ -75,10 +75,11 @@ class Property {
     keyInTemporalEase(index) { return this._eases(this._key(index).ease_in); }
     keyOutTemporalEase(index) { return this._eases(this._key(index).ease_out); }
     _eases(known) { return known ? [].concat(known) : new Array(this.eases).fill({ speed: 0, influence: 16.666666667 }); }
-    keyInSpatialTangent(index) { this._key(index); if (!this.isSpatial) fail("no tangents"); return [0, 0, 0]; }
+    keyInSpatialTangent(index) { this._key(index); if (!this.isSpatial) fail("no tangents"); return new Array(this._directions()).fill(0); }
+    _directions() { return /^ADBE (Position|Anchor Point)$/.test(this.matchName) ? 3 : 2; }
     setSpatialAutoBezierAtKey(index, on) { this._key(index).is_curved = on; }
     setSpatialTangentsAtKey(index, into, out) {
-        if (!this.isSpatial || into.length !== 3 || out.length !== 3) fail("three tangents");
+        if (!this.isSpatial || into.length !== this._directions() || out.length !== this._directions()) fail("tangents of other directions");
         this._key(index).is_curved = into.concat(out).some((each) => each !== 0);
     }
     valueAtTime(time, isBefore) {
@@ -175,7 +176,7 @@ function named(list, name) {
 function compWords(comp, time) { return { layer: (name) => ({ effect: (called) => effectWords(named(comp.all, name), called, time) }) }; }
 function effectWords(layer, name, time) {
     const effect = named(Object.values(layer._groups["ADBE Effect Parade"].children), name);
-    return (part) => effect.property(part).valueAtTime(time, false);
+    return (part) => ({ value: effect.property(part).valueAtTime(time, false) });
 }
 
 const EFFECTS = {

@@ -62,6 +62,7 @@
             });
         }
         followBounds(entry);
+        followControls(entry, wanted.driven);
         if (mark(propertyOf(layer, "ADBE Marker"), wanted.markers, layer.startTime, entry.memory)) {
             tellLeft(nameOfEntry(entry), "n");
         }

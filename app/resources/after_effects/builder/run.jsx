@@ -43,7 +43,8 @@
                 var part = plans[i].parts[j];
                 wanted["$" + part.tag] = part;
                 var isThere = entriesOf(part.tag).length > 0;
-                if (!isThere && (plans[i].isTarget || plans[i].instances.length > 0 || plans[i].wanted.tag === "main")) {
+                var isAsked = part.kind !== "controls" || HAND_OFF.controls;
+                if (!isThere && isAsked && (plans[i].isTarget || plans[i].instances.length > 0 || plans[i].wanted.tag === "main")) {
                     deletedNames.push(part.name);
                 }
             }
