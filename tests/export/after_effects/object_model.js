@@ -45,6 +45,7 @@ class Property {
         this._separated = on;
     }
     _open() {
+        if (this.layer) this.layer._unlocked();
         const place = this.group && this.group.children["ADBE Position"];
         const isShut = place && (this === place ? place._separated : /^ADBE Position_/.test(this.matchName) && !place._separated);
         if (isShut) fail("hidden by the dimensions: " + this.matchName);
@@ -204,10 +205,10 @@ class Effects extends Property {
 class Layer {
     constructor(comp, source, duration) {
         this.id = ++open.ids;
-        this.comp = comp; this.source = source; this.name = source.name; this.comment = ""; this.label = 5;
-        this.blendingMode = BlendingMode.NORMAL; this.enabled = true; this.stretch = 100; this.selected = false;
+        this.comp = comp; this.source = source; this.name = source.name; this.comment = "";
+        this.enabled = true; this.stretch = 100; this.selected = false;
         this._parent = null; this.threeDLayer = false; this.hasTrackMatte = false; this.autoOrient = "NO"; this.nullLayer = false;
-        this.startTime = 5; this.inPoint = 0; this.outPoint = duration; this._remap = false;
+        this._start = 5; this._in = 0; this._out = duration; this._remap = false; this.locked = false; this._label = 5; this._blend = BlendingMode.NORMAL;
         this._groups = {
             "ADBE Transform Group": new Property("ADBE Transform Group", undefined, this),
             "ADBE Effect Parade": new Effects("ADBE Effect Parade", undefined, this),
@@ -218,8 +219,20 @@ class Layer {
         const middle = source.width ? [source.width / 2, source.height / 2] : [0, 0];
         const usual = [["ADBE Opacity", 100], ["ADBE Anchor Point", middle], ["ADBE Scale", [100, 100]], ["ADBE Rotate Z", 0],
             ["ADBE Position_0", 0], ["ADBE Position_1", 0], ["ADBE Position", [comp.width / 2, comp.height / 2]]];
-        for (const [name, value] of usual) this._groups["ADBE Transform Group"].put(new Property(name, value));
+        for (const [name, value] of usual) this._groups["ADBE Transform Group"].put(new Property(name, value, this));
     }
+    /* Whether a script may change a locked layer is written nowhere; here it may not. */
+    _unlocked() { if (this.locked) fail("the layer is locked: " + this.name); }
+    get startTime() { return this._start; }
+    set startTime(value) { this._unlocked(); this._start = value; }
+    get inPoint() { return this._in; }
+    set inPoint(value) { this._unlocked(); this._in = value; }
+    get outPoint() { return this._out; }
+    set outPoint(value) { this._unlocked(); this._out = value; }
+    get label() { return this._label; }
+    set label(value) { this._unlocked(); this._label = value; }
+    get blendingMode() { return this._blend; }
+    set blendingMode(value) { this._unlocked(); this._blend = value; }
     get transform() { return this._groups["ADBE Transform Group"].children; }
     get index() { return this.comp.all.indexOf(this) + 1; }
     get containingComp() { return this.comp; }

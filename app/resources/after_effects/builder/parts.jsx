@@ -63,13 +63,22 @@
      */
     function putOver(layer, lower) {
         if (lower !== null) {
-            layer.moveBefore(lower);
+            layer.moveBefore(withMatte(lower));
         } else {
             layer.moveToEnd();
         }
     }
 
     /* Right under the character, so over those before it; what is cast on a character right over it. */
+    /**
+     * Until After Effects 23 a track matte is the layer right above, and nothing may come between.
+     * @param {any} layer
+     * @returns {Layer}
+     */
+    function withMatte(layer) {
+        return layer.trackMatteLayer === undefined && layer.hasTrackMatte ? layer.containingComp.layer(layer.index - 1) : layer;
+    }
+
     /**
      * @param {AVLayer} layer
      * @param {any} wanted

@@ -50,14 +50,23 @@
             }
         }
         for (i = 0; i < entries.length; i++) {
-            var mine = wanted["$" + entries[i].tag];
-            if (!mine) {
-                switchOff(entries[i]);
-            } else if (mine.kind === "layer") {
-                updateLayer(entries[i], mine.wanted);
-            } else if (mine.kind === "null") {
-                updateNull(entries[i], mine.wanted);
-            }
+            updatePart(entries[i], wanted["$" + entries[i].tag]);
+        }
+    }
+
+    /* A lock is against a slip of the hand, so it is no reason to leave a layer alone. */
+    function updatePart(entry, part) {
+        var isLocked = entry.layer.locked;
+        entry.layer.locked = false;
+        if (!part) {
+            switchOff(entry);
+        } else if (part.kind === "layer") {
+            updateLayer(entry, part.wanted);
+        } else if (part.kind === "null") {
+            updateNull(entry, part.wanted);
+        }
+        if (isLocked) {
+            entry.layer.locked = true;
         }
     }
 
