@@ -216,3 +216,41 @@ def test_what_was_deleted_stays_so_without_the_folders(document: Document, tmp_p
     run = rerun(document, document, edit, tmp_path)
     assert run.left() == ["A shadow"]
     assert "A shadow" not in [layer["name"] for layer in run.item("cut", "CompItem")["layers"]]
+
+
+UNITED = {
+    "as it was": "",
+    "precomposed with all attributes": "main.layers.precompose(["
+    "at('A').index, at('A, B shadows').index, at('Background').index], 'pre', true);",
+    "precomposed without": "main.layers.precompose([at('A, B shadows').index], 'pre', false);",
+    "copied deep": "var deep = comp('A, B shadows').duplicate(); main.duplicate().all.forEach((each) => {"
+    " if (each.source.name === 'A, B shadows') each.replaceSource(deep); });",
+}
+
+
+@pytest.mark.parametrize("keeps", ["corner", "middle"])
+@pytest.mark.parametrize("edit", UNITED.values(), ids=UNITED)
+def test_united_shadows_follow_too(document: Document, edit: str, keeps: str, tmp_path: Path) -> None:
+    united = with_values(document, layers__B__shadow__opacity=0.6)
+    canvas = replace(united.canvas, width_px=WIDTH + 22, height_px=HEIGHT + 9)
+    canvas = replace(canvas, frame_rate=Fraction(25), length_frames=5)
+    red = {f"layers__{name}__shadow__color": "#801010" for name in "AB"}
+    changed = with_values(set_canvas(united, canvas), **red)
+    run = rerun(united, changed, edit + f"settings.resizeKeeps = '{keeps}';", tmp_path)
+    assert run.left() == []
+    names = {each["name"] for each in run.tree["items"] if each["layers"]}
+    assert furthest(run, changed, tmp_path) <= 1
+    if "cut 2" in names:
+        for frame in (1, 5):
+            assert np.array_equal(composed(run, "cut 2", frame), composed(run, "cut", frame))
+
+
+def test_a_missing_file_changes_nothing(document: Document, tmp_path: Path) -> None:
+    first, second = (script_of(handed_off(document, tmp_path / name)) for name in "12")
+    (tmp_path / "2" / "characters" / "B" / "B_0001.png").unlink()
+    once = run_edited(first, tmp_path / "1.json", ("", first))
+    run = run_edited(first, tmp_path / "2.json", ("", first), ("", second))
+    assert "B_0001.png" in run.tree["alerts"][-1]
+    assert run.tree["items"] == once.tree["items"]
+    fresh = run_edited(second, tmp_path / "3.json", ("", second))
+    assert fresh.tree["items"] == []

@@ -1,3 +1,18 @@
+    /* Before anything is changed: a file that is missing leaves the project as it is. */
+    function checkFiles(plans, target) {
+        for (var i = 0; i < HAND_OFF.footage.length; i++) {
+            var footage = HAND_OFF.footage[i];
+            if (isNeeded(footage.tag, target) && (itemsOfFootage(footage.tag).length > 0 || isToImport(footage.tag, plans))) {
+                fileOf(footage);
+            }
+        }
+    }
+
+    function isToImport(tag, plans) {
+        var wasThere = wasMade(coded("footage:" + tag), null) && !isReturning();
+        return itemsOfFootage(tag).length === 0 && isWanted(tag, plans, wasThere);
+    }
+
     function bringFootage(plans, root, target) {
         for (var i = 0; i < HAND_OFF.footage.length; i++) {
             var footage = HAND_OFF.footage[i];
@@ -6,14 +21,13 @@
                 continue;
             }
             var items = itemsOfFootage(footage.tag);
-            var tag = coded("footage:" + footage.tag);
-            if (items.length === 0 && isWanted(footage.tag, plans, wasMade(tag, null) && !isReturning())) {
+            if (isToImport(footage.tag, plans)) {
                 importFootage(footage, root);
-                noteMade(tag);
+                noteMade(coded("footage:" + footage.tag));
             }
             for (var j = 0; j < items.length; j++) {
                 updateFootage(/** @type {FootageItem} */ (items[j]), footage);
-                noteMade(tag);
+                noteMade(coded("footage:" + footage.tag));
             }
         }
     }
@@ -158,8 +172,9 @@
         if (!target) {
             askAbout(instances);
         }
-        var root = folderOf(null, app.project.rootFolder);
         showProgress(stepsOf());
+        checkFiles(plans, target);
+        var root = folderOf(null, app.project.rootFolder);
         bringFootage(plans, root, target);
         for (var i = 0; i < plans.length; i++) {
             bringComp(plans[i], root, target);
