@@ -254,3 +254,23 @@ def test_a_missing_file_changes_nothing(document: Document, tmp_path: Path) -> N
     assert run.tree["items"] == once.tree["items"]
     fresh = run_edited(second, tmp_path / "3.json", ("", second))
     assert fresh.tree["items"] == []
+
+
+def test_another_order_arrives_unless_the_user_has_one(document: Document, tmp_path: Path) -> None:
+    turned = replace(document, layers=document.layers[::-1])
+    own = "main.layers.addSolid([1, 0, 0], 'own', 8, 8, 1, 1).moveBefore(at('A shadow')); at('own').enabled = false;"
+    run = rerun(document, turned, own, tmp_path)
+    names = [layer["name"] for layer in reversed(run.item("cut", "CompItem")["layers"])]
+    assert names[:6] == ["Background", "own", "B shadow", "A shadow", "B", "A"]
+    assert run.summary()[CHANGED] == ["cut: stacking order"]
+    assert furthest(run, turned, tmp_path) <= 1
+    run = rerun(document, turned, "at('A').moveToEnd();", tmp_path)
+    assert run.left() == ["cut: stacking order"]
+    assert run.item("cut", "CompItem")["layers"][-1]["name"] == "A"
+
+
+def test_a_layer_that_was_off_is_off_when_it_comes_back(document: Document, tmp_path: Path) -> None:
+    alone = replace(document, layers=document.layers[:1])
+    first, second = (script_of(handed_off(each, tmp_path / name)) for each, name in ((document, "1"), (alone, "2")))
+    run = run_edited(first, tmp_path / "ae.json", (TOP + "at('B').enabled = false;", second), ("", first))
+    assert [run.layer("cut", name)["enabled"] for name in ("B", "B shadow")] == [False, True]

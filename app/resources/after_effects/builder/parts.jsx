@@ -1,6 +1,6 @@
     /* The character of what others cast on it, by its name, for its layer is the user's own. */
     function characterOf(target, received) {
-        var name = received.name.replace(/ received$/, "");
+        var name = received.name.replace(/ received( normal)?$/, "");
         for (var i = 1; i <= target.comp.numLayers; i++) {
             if (target.comp.layer(i).name === name) {
                 return target.comp.layer(i);

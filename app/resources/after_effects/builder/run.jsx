@@ -202,6 +202,9 @@
             origins["$" + target.comp.id] = [Math.floor((target.comp.width - HAND_OFF.width) / 2), Math.floor((target.comp.height - HAND_OFF.height) / 2)];
         }
         for (i = 0; i < plan.instances.length; i++) {
+            if (!plan.isTarget) {
+                followOrder(plan, plan.instances[i]);
+            }
             addParts(plan, plan.instances[i], root, target, i > 0);
             markComp(plan, plan.instances[i]);
         }

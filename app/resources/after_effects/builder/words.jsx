@@ -50,6 +50,8 @@
             l: ja ? "\u30e9\u30d9\u30eb" : "label",
             k: ja ? "\u30b9\u30e9\u30a4\u30c0\u30fc" : "sliders",
             x: ja ? "\u30a8\u30af\u30b9\u30d7\u30ec\u30c3\u30b7\u30e7\u30f3" : "expressions",
+            h: ja ? "\u540d\u524d" : "name",
+            u: ja ? "\u91cd\u306d\u9806" : "stacking order",
             n: ja ? "\u30de\u30fc\u30ab\u30fc" : "markers",
             S: ja ? "\u30b5\u30a4\u30ba" : "size",
             F: ja ? "\u30d5\u30ec\u30fc\u30e0\u30ec\u30fc\u30c8" : "frame rate",
