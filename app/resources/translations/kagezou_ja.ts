@@ -2581,6 +2581,10 @@ Drop a folder of cels here.</source>
         <translation>%1 の足を探しています</translation>
     </message>
     <message>
+        <source>Comparing the drawings of %1 with those of before</source>
+        <translation>%1のセルを前のセルと比べています</translation>
+    </message>
+    <message>
         <source>Reading drawings of %1</source>
         <translation>%1のセルを読み込んでいます</translation>
     </message>
@@ -4971,6 +4975,10 @@ Drop a folder of cels here.</source>
         <translation>多くのソフトで読めるレイヤーとコマ</translation>
     </message>
     <message>
+        <source>no drawing is missing</source>
+        <translation>見つからないセルはありません</translation>
+    </message>
+    <message>
         <source>nothing fills the canvas; Blender has white there</source>
         <translation>キャンバスを埋めるものがありません。Blender ではそこが白になります</translation>
     </message>
@@ -5003,8 +5011,40 @@ Drop a folder of cels here.</source>
         <translation>動画には PyAV が要りますが、入っていません：{how}</translation>
     </message>
     <message>
+        <source>{name}: contacts that moved by more than 1 % of the height: frames {frames}</source>
+        <translation>{name}：接地が身長の 1 % より大きく動いたフレーム：{frames}</translation>
+    </message>
+    <message>
+        <source>{name}: drawings that are gone: {names}</source>
+        <translation>{name}：なくなったセル：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: keys that came upon another key and are left out: {keys}</source>
+        <translation>{name}：ほかのキーと重なるため除いたキー：{keys}</translation>
+    </message>
+    <message>
+        <source>{name}: known again under another name: {picture} by the same picture, {likeness} by likeness, {order} by their order</source>
+        <translation>{name}：名前の変わったセル：同じ画像 {picture} 枚、似た画像 {likeness} 枚、並び順 {order} 枚</translation>
+    </message>
+    <message>
+        <source>{name}: new drawings: {names}</source>
+        <translation>{name}：新しいセル：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: no timing shows these: {names}</source>
+        <translation>{name}：どのコマにも出ないセル：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: please look at frames {frames}</source>
+        <translation>{name}：確認してほしいフレーム：{frames}</translation>
+    </message>
+    <message>
         <source>{name}: these are not drawn without a part that is missing ({how}): {by_extra}</source>
         <translation>{name}：足りない部品があるため描画されないもの（{how}）：{by_extra}</translation>
+    </message>
+    <message>
+        <source>{name}: where a drawing is gone the one before is held (frames {frames})</source>
+        <translation>{name}：なくなったセルのコマは、前のセルを止めて使います（フレーム {frames}）</translation>
     </message>
     <message>
         <source>it is damaged: an instancer names what is not there</source>
@@ -5274,10 +5314,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>no alpha channel: white that reaches the border was taken as clear</source>
         <translation>アルファチャンネルがないため、画像の縁につながる白を透明として扱いました</translation>
-    </message>
-    <message>
-        <source>no drawing of the chosen layers is missing</source>
-        <translation>選んだレイヤーに見つからないセルはありません</translation>
     </message>
     <message>
         <source>no key goes before the first frame</source>
@@ -5932,12 +5968,12 @@ Drop a folder of cels here.</source>
         <translation>{name}：描画されないもの：{never}</translation>
     </message>
     <message>
-        <source>{name}: these are other drawings, so they are exposed as their numbers say</source>
-        <translation>{name}：別のセルなので、番号どおりに並べました</translation>
-    </message>
-    <message>
         <source>{name}: which foot carries is doubtful on {count} drawings (frames {frames}); please look at them</source>
         <translation>{name}：{count} 枚のセルで接地足が疑わしいです（フレーム {frames}）。確認してください</translation>
+    </message>
+    <message>
+        <source>{name}: words about feet that are not there any more: {names}</source>
+        <translation>{name}：足がなくなったため除いた足の指定：{names}</translation>
     </message>
     <message>
         <source>{name}: {cause}</source>
@@ -5956,12 +5992,20 @@ Drop a folder of cels here.</source>
         <translation>{name}：{count} 枚、{numbers}、{first} … {last}</translation>
     </message>
     <message>
+        <source>{name}: {count} keys went along with their drawings</source>
+        <translation>{name}：キー {count} 個がセルと一緒に移動しました</translation>
+    </message>
+    <message>
         <source>{name}: {note}, in all its {count} files</source>
         <translation>{name}：{note}（{count} 個のファイルすべて）</translation>
     </message>
     <message>
         <source>{name}: {note}, in {files} of {count} files, first in {path}</source>
         <translation>{name}：{note}（{count} 個中 {files} 個、最初は {path}）</translation>
+    </message>
+    <message>
+        <source>{name}: {same} drawings are as before, {changed} are other pictures, {new} are new, {gone} are gone</source>
+        <translation>{name}：前と同じセル {same} 枚、変わったセル {changed} 枚、新しいセル {new} 枚、なくなったセル {gone} 枚</translation>
     </message>
     <message>
         <source>{part} is a part of {figure} and has no shadow of its own; please ask for {figure}</source>
