@@ -37,9 +37,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
-    parser.add_argument(
-        "--depth", choices=("auto", "8", "16"), default="auto", help="bits a channel (auto: 8; exr has 16, tga 8)"
-    )
+    parser.add_argument("--depth", choices=("auto", "8", "16"), default="auto", help="bits a channel (8; exr has 16)")
     parser.add_argument(
         "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
     )
