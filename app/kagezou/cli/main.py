@@ -28,6 +28,7 @@ VERBS: Final = {
     "render": "write the shadow layers as numbered frames",
     "video": "write the finished picture, or one shadow with alpha, as a video",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",
+    "export-scene": "hand all layers to Blender, Nuke and others, with a scene that lays them",
     "timesheet": "write when which drawing is exposed, as XDTS",
     "notes": "list what people said about the cut, as text or a table",
     "farm": "write a job bundle for a render farm",

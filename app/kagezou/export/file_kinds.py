@@ -26,6 +26,8 @@ BACKGROUNDS: Final = Message("copies of the background")
 SCRIPT: Final = Message("script")
 VIDEO: Final = Message("video")
 JOB_FILES: Final = Message("files of the job")
+LAYER_PICTURES: Final = Message("pictures of layers")
+SCENE: Final = Message("scene")
 
 _OF_SUBJECTS: Final[dict[type[Subject], Message]] = {
     ShadowSubject: Message("shadow frames"),

@@ -20,10 +20,14 @@ EIGHT, SIXTEEN = 255, 32768
 
 def composed(run: Run, comp: str, frame: int, full: int = EIGHT) -> Pixels:
     """Return what a composition shows on a frame, counted from 1: (H, W, 4), straight, clear where nothing lies."""
-    item = run.item(comp, "CompItem")
+    return _composed(run, run.item(comp, "CompItem"), frame, full)
+
+
+def _composed(run: Run, item: dict[str, Any], frame: int, full: int) -> Pixels:
     shown = _stored(np.zeros((item["height"], item["width"], 4)), full)
+    time = (frame - 1) / item["frameRate"]
     for layer in reversed(item["layers"]):
-        if layer["enabled"]:
+        if layer["enabled"] and layer["inPoint"] - 1e-6 <= time < layer["outPoint"] - 1e-6:
             shown = _laid(run, layer, shown, frame, item["frameRate"], full)
     return shown
 
@@ -80,16 +84,17 @@ def _moved(layer: dict[str, Any], pixels: Pixels, shape: tuple[int, ...], time: 
 
 
 def _source(run: Run, layer: dict[str, Any], frame: int, rate: float, full: int) -> Pixels:
-    found = [each for each in run.tree["items"] if each["name"] == layer["source"] and each["kind"] != "FolderItem"]
-    assert len(found) == 1, layer["source"]
-    if found[0]["kind"] == "CompItem":
-        return composed(run, layer["source"], frame, full)
+    (found,) = [each for each in run.tree["items"] if each["id"] == layer["source_id"]]
     picture = frame - 1
     if layer["remap"]:
         picture = int(value_at(property_of(layer, "ADBE Time Remapping"), (frame - 1) / rate) * rate)
-    first = Path(found[0]["file"])
+    if found["kind"] == "CompItem":
+        return _composed(run, found, picture + 1, full)
+    if found["kind"] == "SolidItem":
+        return _stored(np.ones((found["height"], found["width"], 4)), full)
+    first = Path(found["file"])
     path = first
-    if found[0]["frames"] > 1:
+    if found["frames"] > 1:
         stem, _, number = first.stem.rpartition("_")
         path = first.with_name(f"{stem}_{int(number) + picture:0{len(number)}d}{first.suffix}")
     # A background whose alpha is 0 everywhere would be seen; footage has the alpha that it has.

@@ -110,6 +110,7 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
         frame_rate=float(rate),
         frames=canvas.length_frames,
         duration=float(canvas.length_frames / rate),
+        first_frame=canvas.first_frame,
         work_area=(seconds(first, rate), float((last - first + 1) / rate)),
         footage=_footage(document, written),
         comps=(*_lit(document, written), *united_comps(document, written.united.of_several(), shown), main),

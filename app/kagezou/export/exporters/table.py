@@ -4,10 +4,15 @@ from dataclasses import replace
 from typing import Any, Final
 
 from kagezou.export.choices import ExportChoices
+from kagezou.export.exporters.blender_scene import BLENDER_SCENE
 from kagezou.export.exporters.exporter import Exporter
 from kagezou.export.exporters.farm_job import FARM_JOB
+from kagezou.export.exporters.fusion_scene import FUSION_SCENE
 from kagezou.export.exporters.hand_off import HAND_OFF
 from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
+from kagezou.export.exporters.natron_scene import NATRON_SCENE
+from kagezou.export.exporters.nuke_scene import NUKE_SCENE
+from kagezou.export.exporters.oca_scene import OCA_SCENE
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.video_file import VIDEO_FILE
 from kagezou.export.request import DEPTHS
@@ -15,7 +20,17 @@ from kagezou.export.request import DEPTHS
 AnyExporter = Exporter[Any, Any]
 """An exporter whose requests and results are its own matter."""
 
-EXPORTERS: Final[tuple[AnyExporter, ...]] = (SHADOW_LAYERS, LAYERED_FRAMES, VIDEO_FILE, HAND_OFF, FARM_JOB)
+SCENES: Final = (BLENDER_SCENE, NUKE_SCENE, NATRON_SCENE, FUSION_SCENE, OCA_SCENE)
+"""Those that write a scene for another program."""
+
+EXPORTERS: Final[tuple[AnyExporter, ...]] = (
+    SHADOW_LAYERS,
+    LAYERED_FRAMES,
+    VIDEO_FILE,
+    HAND_OFF,
+    *SCENES,
+    FARM_JOB,
+)
 """In the order in which they are offered; the first is the usual one."""
 
 _BY_KEY: Final = {each.key: each for each in EXPORTERS}
