@@ -10,7 +10,7 @@ from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
-from kagezou.cli.terminal import ProgressLine, note
+from kagezou.cli.terminal import note
 from kagezou.message import Message
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     depth, said = _depth(options, form)
     request = _request(options, form, depth)
     exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
-    lines = JobLines() if options.openjd else ProgressLine("rendering")
+    lines = JobLines() if options.openjd else entry_points.line("rendering")
     with stopping_gently() as interruption, lines as line:
         if isinstance(lines, JobLines) and said is not None:
             lines.say(said)
