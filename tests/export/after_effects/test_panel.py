@@ -110,7 +110,7 @@ def test_what_characters_cast_on_each_other_comes_back_over_them(panel: Panel, s
         var cut = newComp('cut', 4);
         ['under', 'A', 'B', 'over'].forEach((name) => { cut.put(file, name).selected = name.length < 2; });
         press(make); press(bring);
-        system.callSystem("'" + app.settings.kept.program + "' set '" + settings.saveTo + "' layers.A.receives=true");
+        callProgram('set', settings.saveTo, 'layers.A.receives=true');
         press(bring); press(bring);
     """)
     assert run.tree["alerts"] == []
