@@ -155,10 +155,14 @@
         return new Date().getTime();
     }
 
-    function begin(words, doing, files, then) {
+    /* Whoever presses a button while Kagezou is at work is asked nothing. */
+    function beIdle() {
         if (job !== null) {
             throw new Error(WORDS.busy);
         }
+    }
+
+    function begin(words, doing, files, then) {
         var told = tempFile("progress");
         var started = start(words.concat(["--progress-file", told.fsName]), true);
         job = { doing: doing, told: told, stop: fileAt(told.fsName + ".stop"), files: files.concat([started]), then: then, beat: "", heard: now(), isStarted: false, isStopping: false, task: 0 };
@@ -817,6 +821,7 @@
     }
 
     function makeProject() {
+        beIdle();
         var comp = activeComp();
         var layers = selectedFromBottom(comp);
         if (layers.length === 0) {
@@ -908,6 +913,7 @@
     }
 
     function bringBack() {
+        beIdle();
         var comp = activeComp();
         var path = projectOf(comp);
         if (path === null) {

@@ -45,7 +45,7 @@ function callSystem(line) {
     const started = Date.now();
     const script = /^powershell\.exe .*-EncodedCommand ([A-Za-z0-9+\/=]+)$/.exec(line);
     const said = script ? powerShell(Buffer.from(script[1], "base64").toString("utf16le"))
-        : require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh" });
+        : require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh", timeout: 60000 });
     settings.waited = Math.max(settings.waited || 0, Date.now() - started);
     return said;
 }
