@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushBu
 from kagezou.animation.track import Value
 from kagezou.document.property import AnyProperty, Kind
 from kagezou.ui.panels.filter_pictures import tip_of
-from kagezou.ui.panels.shown_units import shown_unit
+from kagezou.ui.system.shown_units import shown_unit
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.widgets.color_button import ColorField
 from kagezou.ui.widgets.range_slider import RangeSlider

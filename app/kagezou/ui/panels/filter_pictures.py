@@ -12,7 +12,7 @@ from typing import Final
 from kagezou.animation.track import Value
 from kagezou.document.property import AnyProperty
 from kagezou.locations import manual_folder
-from kagezou.ui.panels.shown_units import shown_unit
+from kagezou.ui.system.shown_units import shown_unit
 from kagezou.ui.system.words import translated
 
 _WIDTH_PX: Final = 420
