@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.terminal import Json, ProgressLine, give, give_json, note, one_line
+from kagezou.cli.terminal import Json, give, give_json, note, one_line
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document, Layer
@@ -28,7 +28,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
-def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Look through the drawings, write what was found, and list it."""
     from kagezou.importing.feet import document_with_feet
     from kagezou.io.project.file import load, save
@@ -36,7 +36,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     before = document = load(options.project)
     layers = _layers(document, options.layer)
     if not options.list:
-        with ProgressLine("looking for feet") as line:
+        with entry_points.line("looking for feet") as line:
             found = document_with_feet(
                 document, [layer.id for layer in layers], lambda _part, done, whole: line.update(done, whole)
             )
