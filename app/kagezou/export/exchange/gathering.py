@@ -62,7 +62,7 @@ class Gathered:
     ----------
     folder
         Where the scene will lie.
-    name, depth, every_frame
+    name, depth, every_frame, separator
         As of `Stack`.
     canvas
         That of the document.
@@ -79,6 +79,7 @@ class Gathered:
     frames: tuple[int, ...]
     every_frame: bool
     layers: tuple[Who, ...]
+    separator: str = "_"
     _shown: dict[tuple[Who, int], _Shown] = field(default_factory=dict)
     _numbers: dict[Who, dict[str, int]] = field(default_factory=dict)
     _paths: dict[tuple[Who, int], Path] = field(default_factory=dict)
@@ -145,7 +146,7 @@ class Gathered:
         for label in self._labels.values():
             folder = self.folder / FOLDER / label
             for path in folder.iterdir() if folder.is_dir() else ():
-                is_numbered = re.fullmatch(re.escape(label) + r"_[0-9]+\.png", path.name)
+                is_numbered = re.fullmatch(re.escape(label) + r"[_.][0-9]+\.png", path.name)
                 if is_numbered and path not in there:
                     path.unlink()
 
@@ -163,6 +164,7 @@ class Gathered:
             digits=self.digits,
             depth=self.depth,
             every_frame=self.every_frame,
+            separator=self.separator,
             is_filled=bool(seen) and all(each.is_filled for each in self._over_time(seen[0])),
         )
         return stack, tuple(self._notes(seen))
@@ -214,7 +216,7 @@ class Gathered:
 
     def _path(self, who: Who, number: int) -> Path:
         label = self._labels[who]
-        return self.folder / FOLDER / label / f"{label}_{number:0{self.digits}d}.png"
+        return self.folder / FOLDER / label / f"{label}{self.separator}{number:0{self.digits}d}.png"
 
 
 def _make(folder: Path) -> None:
