@@ -15,6 +15,11 @@ def resource_folder() -> Path:
     return _bundled("resources", checkout=("app", "resources"))
 
 
+def manual_folder() -> Path:
+    """Return the folder of the manual, a folder a language."""
+    return _bundled("docs", checkout=("docs",))
+
+
 @cache
 def _bundled(name: str, *, checkout: tuple[str, ...]) -> Path:
     package = Path(__file__).resolve().parent

@@ -3,7 +3,8 @@
 
 #include "meshes/surface.glsl"
 
-uniform int u_wanted;                  // the flags, both, of what is drawn
+uniform int u_wanted;                  // which of the flags of u_asked what is drawn has
+uniform int u_asked;
 out vec4 o_color;
 
 const vec3 LAMP = vec3(-0.43, -0.65, 0.63);
@@ -20,7 +21,7 @@ void main() {
     vec2 sum = vec2(0.0);
     for (int part = 0; part < PARTS; ++part) {
         int triangle = part_triangle(record, part);
-        if (triangle > 0 && (int(triangle_part(triangle, 0).w) & u_wanted) == u_wanted) {
+        if (triangle > 0 && (int(triangle_part(triangle, 0).w) & u_asked) == u_wanted) {
             float weight = count_of(part_mask(record, part)) / 16.0;
             sum += weight * vec2(grey_of(plane_of(triangle), pixel), 1.0);
         }

@@ -14,12 +14,12 @@ from kagezou.export.contents import (
     BlankContent,
     CompositeContent,
     Content,
-    ReceivedContent,
     ReceiverContent,
     SetShadowContent,
     ShadowContent,
 )
 from kagezou.export.layered import LayeredContent
+from kagezou.export.mixed_contents import ReceivedContent
 from kagezou.export.painter import Painter
 from kagezou.export.pictures import FlatPicture, LayeredPicture, Picture, ShadowPicture
 from kagezou.export.request import ExportRequest

@@ -267,12 +267,12 @@ def test_the_parts_of_an_exr_name_their_group(alike: Document, tmp_path: Path) -
     alone.close()
 
 
-def test_what_unites_on_some_frames_only_stays_apart_and_that_is_said(alike: Document, tmp_path: Path) -> None:
+def test_what_unites_on_some_frames_only_is_one_layer_and_that_is_said(alike: Document, tmp_path: Path) -> None:
     document = with_key(with_key(alike, "layers.相棒.shadow.opacity", 1, 0.5), "layers.相棒.shadow.opacity", 2, 0.2)
     summary = export(document, tmp_path / "out", layered=True, format="psd", frames=(1,))
     assert [each.name for each in PSDImage.open(tmp_path / "out/layered/layered_0001.psd")] == [
-        "background", "主役_shadow", "相棒_shadow", "主役", "相棒",
+        "background", "shadows", "主役", "相棒",
     ]  # fmt: skip
     (note,) = map(str, summary.notes)
-    assert note.startswith("the shadows of '主役', '相棒' unite in the picture, but stay apart as layers")
+    assert note.startswith("the shadows of '主役', '相棒' are handed over as one, with their opacity in it")
     assert export(alike, tmp_path / "more", layered=True, format="psd", frames=(1,)).notes == ()

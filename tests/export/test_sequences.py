@@ -77,7 +77,7 @@ def test_layered_frames_are_one_sequence(document: Document) -> None:
     (found,) = subjects(document, layered=True, format="psd").values()
     assert isinstance(found, LayeredSubject)
     assert (found.has_set, found.is_whole) == (True, True)
-    assert [(each.name, each.receives) for each in found.layers] == [("A", True), ("A_shadow", False), ("set", False)]
+    assert [(each.name, each.received) for each in found.layers] == [("A", (True,)), ("A_shadow", ()), ("set", ())]
     (one,) = subjects(document, layered=True, format="psd", layers=("set",)).values()
     assert one == LayeredSubject((found.layers[2],), has_set=False, is_whole=False)
 

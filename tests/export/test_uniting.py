@@ -26,10 +26,11 @@ def three(tmp_path: Path) -> Document:
     return document
 
 
-def grouped(document: Document, *, of_one_color: bool = True) -> tuple[list[list[str]], list[str]]:
+def grouped(document: Document, *, of_one_color: bool = True) -> tuple[list[list[str]], list[list[str]]]:
     found = cut_groups(document, of_one_color=of_one_color)
     names = {layer.id: layer.name for layer in document.layers}
-    return [[names[each] for each in group.ids] for group in found.groups], list(found.apart)
+    together = [[names[each] for each in group.ids] for group in found.together()]
+    return [[names[each] for each in group.ids] for group in found.groups], together
 
 
 def test_equal_looks_are_one_group(three: Document) -> None:
@@ -43,15 +44,29 @@ def test_only_frames_on_which_both_are_there_count(three: Document) -> None:
     document = with_key(with_key(three, "layers.B.shadow.blend", 1, "multiply"), "layers.B.shadow.blend", 3, "normal")
     assert grouped(document) == ([["A", "B", "C"]], [])
     document = with_key(with_key(three, "layers.C.shadow.blend", 1, "multiply"), "layers.C.shadow.blend", 3, "normal")
-    assert grouped(document) == ([["A", "B"], ["C"]], ["A", "B", "C"])
+    assert grouped(document) == ([["A", "B", "C"]], [["A", "B", "C"]])
+    assert [group.laid for group in cut_groups(document, of_one_color=True).groups] == [(True, False)]
     document = with_key(with_key(three, "scene.shadows_unite", 1, value=True), "scene.shadows_unite", 3, value=False)
-    assert grouped(document) == ([["A", "B"], ["C"]], ["A", "B", "C"])
+    assert grouped(document) == ([["A", "B", "C"]], [["A", "B", "C"]])
+    assert [group.laid for group in cut_groups(document, of_one_color=True).groups] == [(True,)]
 
 
 def test_second_colours_are_one_group_where_they_may_be(three: Document) -> None:
     document = with_values(three, layers__B__shadow__tip_distance=20.0, layers__C__shadow__tip_distance=20.0)
-    assert grouped(document) == ([["A"], ["B"], ["C"]], ["B", "C"])
+    assert grouped(document) == ([["A"], ["B", "C"]], [["B", "C"]])
     assert grouped(document, of_one_color=False) == ([["A"], ["B", "C"]], [])
+
+
+def test_shadows_that_change_places_are_handed_over_together(three: Document) -> None:
+    """A and C unite, and B lies between them; while A is hidden B lies under C."""
+    document = with_values(three, layers__B__shadow__color="#803010")
+    for frame, seen in ((1, False), (2, True)):
+        document = with_key(document, "layers.A.visible", frame, seen)
+    assert grouped(document) == ([["A", "C"], ["B"]], []), "which of two that multiply is lower cannot be seen"
+    document = with_values(document, layers__B__shadow__blend="normal")
+    assert grouped(document) == ([["A", "B", "C"]], [["A", "B", "C"]])
+    document = with_key(document, "layers.A.visible", 1, value=True)
+    assert grouped(document) == ([["A", "C"], ["B"]], [])
 
 
 def test_layers_that_never_meet_are_not_grouped(three: Document) -> None:
@@ -97,10 +112,12 @@ def test_two_colours_as_one(three: Document, tmp_path: Path) -> None:
     assert np.abs(taken[3] - np.max(taken[:3], 0)).max() < 0.012
 
 
-def test_what_stays_apart_is_said_once(three: Document, tmp_path: Path) -> None:
+def test_what_goes_together_is_said_once_and_is_the_picture(three: Document, tmp_path: Path) -> None:
     document = with_key(with_key(three, "layers.C.shadow.blend", 1, "multiply"), "layers.C.shadow.blend", 3, "normal")
-    (note,) = map(str, export(document, tmp_path / "out", united=True, frames=(1,)).notes)
-    assert "'A', 'B', 'C'" in note
+    summary = export(document, tmp_path / "out", united=True, frames=(1,))
+    (note,) = map(str, summary.notes)
+    assert note.startswith("the shadows of 'A', 'B', 'C' are handed over as one")
+    assert [folder.name for folder in summary.folders][3:] == ["shadows", "shadows_normal"]
     assert export(document, tmp_path / "more", frames=(1,)).notes == ()
 
 

@@ -41,17 +41,18 @@ def run_installed(installed: Path, cwd: Path, arguments: Sequence[str]) -> subpr
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300, cwd=cwd, env=environment)
 
 
-def test_the_wheel_carries_its_shaders_and_resources(installed: Path, tmp_path: Path) -> None:
+def test_the_wheel_carries_its_shaders_resources_and_manual(installed: Path, tmp_path: Path) -> None:
     program = (
-        "from kagezou.locations import resource_folder, shader_folder\n"
-        "for folder in (shader_folder(), resource_folder()):\n"
+        "from kagezou.locations import manual_folder, resource_folder, shader_folder\n"
+        "for folder in (shader_folder(), resource_folder(), manual_folder()):\n"
         "    print(folder)\n"
         "    assert any(folder.iterdir()), folder\n"
     )
     done = run_installed(installed, tmp_path, ["-c", program])
     assert done.returncode == 0, done.stderr
     package = installed.resolve() / "kagezou"
-    assert [Path(line) for line in done.stdout.splitlines()] == [package / "shaders", package / "resources"]
+    folders = [package / name for name in ("shaders", "resources", "docs")]
+    assert [Path(line) for line in done.stdout.splitlines()] == folders
 
 
 @pytest.mark.skipif(importlib.util.find_spec("kagezou.__main__") is None, reason="the program has no door yet")

@@ -70,7 +70,7 @@ class Content(ABC):
 
 
 @dataclass(frozen=True, slots=True)
-class _ShadowLike(Content):
+class ShadowLike(Content):
     """A picture that is clear but for a shadow or a matte."""
 
     @property
@@ -80,7 +80,7 @@ class _ShadowLike(Content):
 
 
 @dataclass(frozen=True, slots=True)
-class BlankContent(_ShadowLike):
+class BlankContent(ShadowLike):
     """A shadow where there is none: its colour, 8 bit sRGB, clear everywhere."""
 
     color: tuple[int, int, int]
@@ -98,7 +98,7 @@ class BlankContent(_ShadowLike):
 
 
 @dataclass(frozen=True, slots=True)
-class ShadowContent(_ShadowLike):
+class ShadowContent(ShadowLike):
     """A character's shadow; ``layer`` is what to draw it from and not compared."""
 
     layer: LayerScene = field(compare=False, repr=False)
@@ -118,12 +118,12 @@ class ShadowContent(_ShadowLike):
     @property
     def sources(self) -> Sources:
         """The alpha of its drawing, in colour where a painted shadow is to be found there, and the sets it falls on."""
-        sources, sets = self.cast.sources, _sets_in(self.scene)
+        sources, sets = self.cast.sources, sets_in(self.scene)
         return Sources(cels=sources, sets=sets) if self.cast.without_painted else Sources(mattes=sources, sets=sets)
 
 
 @dataclass(frozen=True, slots=True)
-class UnitedContent(_ShadowLike):
+class UnitedContent(ShadowLike):
     """The shadows of several characters as one; ``layers`` is what to draw it from and not compared."""
 
     layers: tuple[LayerScene, ...] = field(compare=False, repr=False)
@@ -144,13 +144,11 @@ class UnitedContent(_ShadowLike):
     @property
     def sources(self) -> Sources:
         """The alphas of the drawings, and the sets they fall on."""
-        return Sources(
-            mattes=tuple(source for cast in self.casts for source in cast.sources), sets=_sets_in(self.scene)
-        )
+        return Sources(mattes=tuple(source for cast in self.casts for source in cast.sources), sets=sets_in(self.scene))
 
 
 @dataclass(frozen=True, slots=True)
-class SetShadowContent(_ShadowLike):
+class SetShadowContent(ShadowLike):
     """The shadow of the set itself."""
 
     shadow: SetShadow
@@ -168,25 +166,7 @@ class SetShadowContent(_ShadowLike):
     @property
     def sources(self) -> Sources:
         """The sets."""
-        return Sources(sets=_sets_in(self.scene))
-
-
-@dataclass(frozen=True, slots=True)
-class ReceivedContent(_ShadowLike):
-    """What others cast on a character; ``layer`` is what to draw it from and not compared."""
-
-    layer: LayerScene = field(compare=False, repr=False)
-    received: Received
-
-    def draw(self, painter: Painter) -> Picture:
-        """Draw what falls on the character."""
-        return ShadowPicture(painter.renderer.received(self.scene, self.layer, painter.depth))
-
-    @property
-    def sources(self) -> Sources:
-        """The alphas of its drawing and of those that cast on it."""
-        casting = (source for shade in self.received.shades for cast in shade.casts for source in cast.sources)
-        return Sources(mattes=tuple(dict.fromkeys((self.received.drawing.source, *casting))))
+        return Sources(sets=sets_in(self.scene))
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,7 +183,7 @@ class ReflectionContent(Content):
     @property
     def sources(self) -> Sources:
         """Its drawings in colour, and the sets that hide ground."""
-        return Sources(cels=self.reflection.sources, sets=_sets_in(self.scene))
+        return Sources(cels=self.reflection.sources, sets=sets_in(self.scene))
 
     @property
     def is_filled(self) -> bool:
@@ -212,7 +192,7 @@ class ReflectionContent(Content):
 
 
 @dataclass(frozen=True, slots=True)
-class ReceiverContent(_ShadowLike):
+class ReceiverContent(ShadowLike):
     """The matte of a receiver.
 
     Parameters
@@ -230,7 +210,7 @@ class ReceiverContent(_ShadowLike):
     @property
     def sources(self) -> Sources:
         """The sets."""
-        return Sources(sets=_sets_in(self.scene))
+        return Sources(sets=sets_in(self.scene))
 
 
 _Shown: TypeAlias = tuple[
@@ -242,8 +222,8 @@ _Shown: TypeAlias = tuple[
 class CompositeContent(Content):
     """The finished picture: the background and each layer, from the bottom.
 
-    ``clay`` is what imported sets drawn as clay are seen with, and they themselves; None without any. ``guides`` are
-    lines drawn over everything, None for none.
+    ``clay`` is what imported sets are seen with, and they themselves, as each hides others; None where none is drawn as
+    clay. ``guides`` are lines drawn over everything, None for none.
     """
 
     background: PlacedDrawing | None
@@ -259,9 +239,7 @@ class CompositeContent(Content):
         layers = tuple(
             (each.drawing, each.cast, each.look, each.received, each.contact, each.reflection) for each in scene.layers
         )
-        clay = tuple(piece for piece in scene.pieces if piece.mesh is not None and piece.display == "clay")
-        seen_as_clay = (scene.camera, clay) if clay else None
-        return cls(scene, scene.background, layers, scene.set_shadow, seen_as_clay, scene.shadows_unite, guides)
+        return cls(scene, scene.background, layers, scene.set_shadow, clay_in(scene), scene.shadows_unite, guides)
 
     def draw(self, painter: Painter) -> Picture:
         """Draw it over the background."""
@@ -276,7 +254,7 @@ class CompositeContent(Content):
         mirrored = tuple(source for *_, each in self.layers if each is not None for source in each.sources)
         cels = tuple(dict.fromkeys((*shown, *mirrored)))
         behind = None if self.background is None else self.background.source
-        return Sources(cels=cels, background=behind, sets=_sets_in(self.scene))
+        return Sources(cels=cels, background=behind, sets=sets_in(self.scene))
 
     @property
     def is_filled(self) -> bool:
@@ -284,5 +262,12 @@ class CompositeContent(Content):
         return True
 
 
-def _sets_in(scene: Scene) -> tuple[Path, ...]:
+def sets_in(scene: Scene) -> tuple[Path, ...]:
+    """Return the files of the sets of a scene."""
     return tuple(dict.fromkeys(piece.mesh.path for piece in scene.pieces if piece.mesh is not None))
+
+
+def clay_in(scene: Scene) -> tuple[Camera, tuple[PieceScene, ...]] | None:
+    """Return what decides how sets are seen as clay; None where none is."""
+    meshes = tuple(piece for piece in scene.pieces if piece.mesh is not None)
+    return (scene.camera, meshes) if any(piece.display == "clay" for piece in meshes) else None

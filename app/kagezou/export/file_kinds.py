@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from kagezou.export.subjects import (
+    ClaySubject,
     CompositeSubject,
     ContactSubject,
     LayeredSubject,
@@ -14,6 +15,7 @@ from kagezou.export.subjects import (
     SetShadowSubject,
     ShadowSubject,
     Subject,
+    TogetherSubject,
     UnitedSubject,
 )
 from kagezou.message import Message
@@ -30,7 +32,9 @@ SCENE: Final = Message("scene")
 _OF_SUBJECTS: Final[dict[type[Subject], Message]] = {
     ShadowSubject: Message("shadow frames"),
     SetShadowSubject: Message("shadow frames of the set"),
+    ClaySubject: Message("frames of sets as clay"),
     UnitedSubject: Message("united shadows"),
+    TogetherSubject: Message("united shadows"),
     ReceivedSubject: Message("received shadows"),
     ContactSubject: Message("contacts"),
     ReflectionSubject: Message("reflections"),

@@ -1,4 +1,4 @@
-"""A frame as layers: background, the set's shadow, what each character casts, its patches and reflection, and itself.
+"""A frame as layers: background and sets, the set's shadow, what each character casts, its companions, and itself.
 
 What falls on a character lies over it.
 """
@@ -11,6 +11,8 @@ from typing import Final
 import numpy as np
 
 from kagezou.export.contents import CompositeContent, Content
+from kagezou.export.layers_of_frame import CLAY_NAMES, LayerOfFrame, all_unlike, groups_of, two_names
+from kagezou.export.mixed_contents import TogetherContent
 from kagezou.export.painter import Painter
 from kagezou.export.part_groups import as_group
 from kagezou.export.pictures import LayeredPicture, Picture
@@ -32,33 +34,6 @@ _NO_LOOK: Final = ShadowLook((0, 0, 0), 1.0, multiply=True)
 
 
 @dataclass(frozen=True, slots=True)
-class LayerOfFrame:
-    """A character of layered frames, also of those that do not show it.
-
-    Parameters
-    ----------
-    id, name
-        As of the document's layer.
-    receives
-        Whether it receives the shadows of others at any time.
-    group
-        The name of the group in which its shadow unites with those of others over the whole cut; empty for none.
-    has_shadow
-        Whether it is a figure of its own; a part of another's shares the shadow of that.
-    has_contact, is_mirrored
-        Whether it has patches under its feet, and whether the ground mirrors it, at any time.
-    """
-
-    id: str
-    name: str
-    receives: bool = False
-    group: str = ""
-    has_shadow: bool = True
-    has_contact: bool = False
-    is_mirrored: bool = False
-
-
-@dataclass(frozen=True, slots=True)
 class LayeredContent(Content):
     """All that decides a frame of layers but its size and format.
 
@@ -70,11 +45,14 @@ class LayeredContent(Content):
         The characters, from the bottom.
     has_set
         Whether the set casts a shadow at any time.
+    clay
+        Where sets are drawn as clay at any time: True for under the background picture, False for over it.
     """
 
     picture: CompositeContent
     layers: tuple[LayerOfFrame, ...]
     has_set: bool
+    clay: tuple[bool, ...] = ()
 
     def draw(self, painter: Painter) -> Picture:
         """Draw every layer; with their opacity beside them, and merged too, where the files keep that."""
@@ -104,29 +82,30 @@ class LayeredContent(Content):
         A character may be called as another's shadow is; the later one of the two gets a ``_`` more.
         """
         names = self._names_below
-        names += [f"{layer.name}_shadow" for group in _groups(self.layers) for layer in group]
+        for group in groups_of(self.layers):
+            whole, ways = group[0].group, group[0].together
+            names += two_names(whole, ways) if ways else [f"{layer.name}_shadow" for layer in group]
         names += [f"{layer.name}_contact" for layer in self.layers if layer.has_contact]
         names += [f"{layer.name}_reflection" for layer in self.layers if layer.is_mirrored]
         for layer in self.layers:
-            names += [layer.name, f"{layer.name}_received"] if layer.receives else [layer.name]
-        unlike: list[str] = []
-        for name in names:
-            free = name
-            while free in unlike:
-                free += "_"
-            unlike.append(free)
-        return tuple(unlike)
+            names += [layer.name, *two_names(f"{layer.name}_received", layer.received)]
+        return all_unlike(names)
 
     @property
     def group_names(self) -> tuple[str, ...]:
         """What the groups are called in which the layers of the file are, from the bottom; empty for none."""
-        groups = [group[0].group for group in _groups(self.layers) for _ in group]
+        groups: list[str] = []
+        for group in groups_of(self.layers):
+            ways = group[0].together
+            groups += [""] * len(ways) if ways else [group[0].group] * len(group)
         below, above = len(self._names_below), len(self.part_names)
         return (*[""] * below, *groups, *[""] * (above - below - len(groups)))
 
     @property
     def _names_below(self) -> list[str]:
-        return [_BACKGROUND] * (self.picture.background is not None) + [_SET_SHADOW] * self.has_set
+        under, over = ([CLAY_NAMES[where]] * (where in self.clay) for where in (True, False))
+        background = [_BACKGROUND] * (self.picture.background is not None)
+        return under + background + over + [_SET_SHADOW] * self.has_set
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,12 +119,17 @@ class _Parts:
         """Yield the parts in the order of their names, without these."""
         scene, characters = self.content.scene, self.content.layers
         seen = {layer.id: layer for layer in scene.layers}
+        yield from self._clay_parts(is_under=True)
         if scene.background is not None:
             yield self._background_part(scene.background)
+        yield from self._clay_parts(is_under=False)
         if self.content.has_set:
             yield self._set_part()
-        for group in _groups(characters):
-            yield from self._shadow_parts([seen.get(each.id) for each in group], group[0].group)
+        for group in groups_of(characters):
+            if group[0].together:
+                yield from self._together_parts(group)
+            else:
+                yield from self._shadow_parts([seen.get(each.id) for each in group], group[0].group)
         for character in (each for each in characters if each.has_contact):
             yield self._contact_part(seen.get(character.id))
         for character in (each for each in characters if each.is_mirrored):
@@ -153,13 +137,16 @@ class _Parts:
         for character in characters:
             layer = seen.get(character.id)
             yield self._character_part(layer)
-            if character.receives:
-                yield self._received_part(layer)
+            yield from (self._received_part(layer, multiply=way) for way in character.received)
 
     def _background_part(self, behind: PlacedDrawing) -> LayerPart:
         if behind.placement is None:
             return _cel_part(self.painter.background(behind.source), self.content.scene.canvas)
         return self._as_seen(replace(self.content.scene, layers=(), pieces=(), set_shadow=None), Backdrop.BACKGROUND)
+
+    def _clay_parts(self, *, is_under: bool) -> Iterator[LayerPart]:
+        if is_under in self.content.clay:
+            yield self._cut_part(self.painter.renderer.clay(self.content.scene, self.painter.depth, is_under=is_under))
 
     def _set_part(self) -> LayerPart:
         shadow = self.content.scene.set_shadow
@@ -216,13 +203,23 @@ class _Parts:
             self._empty_part() if box is None else LayerPart("", seen[box.top : box.bottom, box.left : box.right], box)
         )
 
-    def _received_part(self, layer: LayerScene | None) -> LayerPart:
+    def _received_part(self, layer: LayerScene | None, *, multiply: bool) -> LayerPart:
         """Return what others cast on a layer, at the opacity of those who cast."""
         if layer is None:
-            return self._empty_part()
-        first = layer.received.shades[0].look if layer.received and layer.received.shades else layer.look
-        drawn = self.painter.renderer.received(self.content.scene, layer, self.painter.depth)
-        return _part_of(drawn, 1.0, multiply=first.multiply)
+            return replace(self._empty_part(), multiply=multiply)
+        drawn = self.painter.renderer.received(self.content.scene, layer, self.painter.depth, multiply=multiply)
+        return _part_of(drawn, 1.0, multiply=multiply)
+
+    def _together_parts(self, group: tuple[LayerOfFrame, ...]) -> Iterator[LayerPart]:
+        """Yield the shadows of a group as one picture, or as one of those that multiply and one of the others."""
+        scene, ids = self.content.scene, {each.id for each in group}
+        layers = tuple(layer for layer in scene.layers if layer.id in ids and layer.cast is not None)
+        for multiply in group[0].together:
+            if not layers:
+                yield replace(self._empty_part(), multiply=multiply)
+                continue
+            drawn = TogetherContent.of(scene, layers, multiply=multiply).image(self.painter)
+            yield _part_of(drawn, 1.0, multiply=multiply)
 
     def _laid(self, draw: Callable[[ShadowLook], ShadowImage], look: ShadowLook) -> LayerPart:
         """Return a shadow; drawn in full where its opacity is kept beside it."""
@@ -240,15 +237,6 @@ class _Parts:
 
     def _empty_part(self) -> LayerPart:
         return LayerPart("", np.zeros((0, 0, 4), np.uint8 if self.painter.depth == 8 else np.uint16), _NOTHING)
-
-
-def _groups(layers: tuple[LayerOfFrame, ...]) -> tuple[tuple[LayerOfFrame, ...], ...]:
-    """Return layers by the groups of their shadows, in the order of the lowest of each; those without one alone."""
-    groups: dict[tuple[str, str], tuple[LayerOfFrame, ...]] = {}
-    for layer in (each for each in layers if each.has_shadow):
-        key = (layer.group, "" if layer.group else layer.id)
-        groups[key] = (*groups.get(key, ()), layer)
-    return tuple(groups.values())
 
 
 def _part_of(drawn: ShadowImage, opacity: float, *, multiply: bool) -> LayerPart:

@@ -24,9 +24,11 @@ SHADOWS: Final = "shadows"
 RECEIVED: Final = "received"
 CONTACTS: Final = "contacts"
 REFLECTIONS: Final = "reflections"
+CLAY: Final = "clay"
+TOGETHER: Final = "together"
 RECEIVERS: Final = "receivers"
 """What may be asked for alone: shadows on the ground and the set, what characters cast on each other, the patches under
-their feet, their reflections, or where the ground and the pieces of the set are seen."""
+their feet, their reflections, sets drawn as clay, shadows that go over together, or where ground and set are seen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +60,8 @@ class ExportRequest:
         Whether each frame is one file that holds background, shadows and characters as layers, instead of a folder
         for each shadow.
     only
-        `SHADOWS`, `RECEIVED`, `CONTACTS`, `REFLECTIONS` or `RECEIVERS`; None for all but the last.
+        `SHADOWS`, `RECEIVED`, `CONTACTS`, `REFLECTIONS`, `CLAY`, `TOGETHER` or `RECEIVERS`; None for all but the last
+        two.
     receivers
         Whether mattes of the ground and of every set piece are written as well.
     united

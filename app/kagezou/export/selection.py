@@ -2,14 +2,17 @@
 
 from difflib import get_close_matches
 
-from kagezou.animation.track import Track
+from kagezou.animation.track import Track, Value
 from kagezou.document import properties
 from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
-from kagezou.document.model import Document, Layer
+from kagezou.document.model import Document, Layer, Tracks
+from kagezou.document.piece_kinds import kind_of
 from kagezou.document.property import Property
-from kagezou.document.set_properties import PIECE_CASTS
+from kagezou.document.set_properties import PIECE_CASTS, PIECE_DISPLAY, PIECE_UNDER
+from kagezou.document.values import value_at
 from kagezou.errors import UsageProblem
 from kagezou.export.request import ExportRequest
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.message import Message
 
 
@@ -78,6 +81,19 @@ def ever_receives(layer: Layer) -> bool:
     return _is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)
 
 
+def received_ways(document: Document, layer: Layer) -> tuple[bool, ...]:
+    """Return how what others cast on a layer is laid at any time, the lower first: True for by multiplying.
+
+    Nothing for a layer that receives nothing.
+    """
+    if not ever_receives(layer):
+        return ()
+    figure = layer.joins or layer.id
+    others = (each for each in document.layers if each.joins is None and each.id != figure)
+    blends = {value == "multiply" for each in others for value in _values_of(each.tracks, properties.BLEND)}
+    return tuple(each for each in (True, False) if each in blends) or (True,)
+
+
 def ever_has_contact(layer: Layer) -> bool:
     """Return whether a figure has patches under its feet at any time; a part of another's has none."""
     return layer.joins is None and _is_ever_over_0(layer, CONTACT_STRENGTH)
@@ -91,6 +107,18 @@ def ever_is_mirrored(layer: Layer) -> bool:
 def set_ever_casts(document: Document) -> bool:
     """Return whether any piece of the set casts a shadow at any time."""
     return any(_is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
+
+
+def ever_clay(document: Document) -> tuple[bool, ...]:
+    """Return where sets are drawn as clay at any time: True for under the background picture, then False for over."""
+    seen = {
+        value_at(piece.tracks, PIECE_UNDER, frame)
+        for piece in document.pieces
+        if piece.source is not None
+        for frame in range(1, document.canvas.length_frames + 1)
+        if kind_of(piece, frame) is PieceKind.MESH and value_at(piece.tracks, PIECE_DISPLAY, frame) == "clay"
+    }
+    return tuple(each for each in (True, False) if each in seen)
 
 
 def _no_layer(name: str, known: tuple[str, ...]) -> Message:
@@ -113,6 +141,14 @@ def _is_ever_over_0(layer: Layer, prop: Property[float]) -> bool:
         return prop.default > 0
     values = [key.value for key in track.keys] if track.is_keyed else [track.constant]
     return any(isinstance(value, float) and value > 0 for value in values)
+
+
+def _values_of(tracks: Tracks, prop: Property[str]) -> tuple[Value, ...]:
+    """Return the values that a property has at any time."""
+    track = tracks.get(prop.name)
+    if track is None:
+        return (prop.default,)
+    return tuple(key.value for key in track.keys) if track.is_keyed else (track.constant,)
 
 
 def _is_ever(track: Track | None, prop: Property[bool]) -> bool:

@@ -1,25 +1,27 @@
 """The sequences of an export: what each shows, and by which names it lies where."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
 from kagezou.document.model import Document, Layer
 from kagezou.errors import UsageProblem
-from kagezou.export.layered import LayerOfFrame
+from kagezou.export.layers_of_frame import CLAY_NAMES, OVER, LayerOfFrame
 from kagezou.export.names import digits_for, safe_names
 from kagezou.export.receivers import receivers_of
-from kagezou.export.request import CONTACTS, RECEIVED, RECEIVERS, REFLECTIONS, SHADOWS, ExportRequest
+from kagezou.export.request import CLAY, CONTACTS, RECEIVED, RECEIVERS, REFLECTIONS, SHADOWS, TOGETHER, ExportRequest
 from kagezou.export.selection import (
     chosen_layers,
+    ever_clay,
     ever_has_contact,
     ever_is_mirrored,
-    ever_receives,
+    received_ways,
     set_ever_casts,
     with_shadows,
 )
 from kagezou.export.subjects import (
+    ClaySubject,
     CompositeSubject,
     ContactSubject,
     LayeredSubject,
@@ -28,9 +30,10 @@ from kagezou.export.subjects import (
     SetShadowSubject,
     ShadowSubject,
     Subject,
+    TogetherSubject,
     UnitedSubject,
 )
-from kagezou.export.uniting import CutGroups, cut_groups
+from kagezou.export.uniting import CutGroup, cut_groups
 from kagezou.message import Message
 
 COMPOSITE: Final = "composite"
@@ -100,42 +103,48 @@ def layered_subject(document: Document, request: ExportRequest) -> LayeredSubjec
     if not layers:
         raise _nothing()
     is_whole = request.layers is None
-    groups = _group_names(document, layers)
+    groups = {each: (label, group) for label, group in _named_groups(document, layers) for each in group.ids}
+    alone = ("", CutGroup(()))
     characters = tuple(
         LayerOfFrame(
             layer.id,
             layer.name,
-            receives=ever_receives(layer),
-            group=groups.get(layer.id, ""),
+            received=received_ways(document, layer),
+            group=groups.get(layer.id, alone)[0],
+            together=_together_ways(groups.get(layer.id, alone)[1]),
             has_shadow=layer.joins is None,
             has_contact=ever_has_contact(layer),
             is_mirrored=ever_is_mirrored(layer),
         )
         for layer in layers
     )
-    return LayeredSubject(characters, is_whole and set_ever_casts(document), is_whole)
+    clay = ever_clay(document) if is_whole else ()
+    return LayeredSubject(characters, is_whole and set_ever_casts(document), is_whole, clay)
 
 
-def _group_names(document: Document, layers: tuple[Layer, ...]) -> dict[str, str]:
-    """Return, by their ids, what the groups of layers are called whose shadows unite."""
+def _together_ways(group: CutGroup) -> tuple[bool, ...]:
+    return group.laid if group.is_together else ()
+
+
+def _named_groups(document: Document, layers: tuple[Layer, ...]) -> Iterator[tuple[str, CutGroup]]:
+    """Yield the groups of several of the layers that are laid as one, and what each is called."""
     names = {layer.id: layer.name for layer in layers}
-    united = _chosen(cut_groups(document, of_one_color=True), names)
-    groups = [ids for ids in united if len(ids) > 1]
-    return {each: label for label, ids in zip(_labels(groups, names), groups, strict=True) for each in ids}
+    groups = [group for group in _chosen(cut_groups(document, of_one_color=True).groups, names) if len(group.ids) > 1]
+    yield from zip(_labels(groups, names), groups, strict=True)
 
 
-def _chosen(groups: CutGroups, names: dict[str, str]) -> list[tuple[str, ...]]:
+def _chosen(groups: tuple[CutGroup, ...], names: dict[str, str]) -> list[CutGroup]:
     """Return groups without the layers that are not in ``names``, and without those of which none is left."""
-    kept = (tuple(each for each in group.ids if each in names) for group in groups.groups)
-    return [ids for ids in kept if ids]
+    kept = (replace(group, ids=tuple(each for each in group.ids if each in names)) for group in groups)
+    return [group for group in kept if group.ids]
 
 
-def _labels(groups: list[tuple[str, ...]], names: dict[str, str]) -> list[str]:
+def _labels(groups: list[CutGroup], names: dict[str, str]) -> list[str]:
     """Return a name for each group: where there are several, each has that of its lowest layer in it.
 
     No other name ends in ``_shadows``.
     """
-    return [UNITED] if len(groups) == 1 else [f"{names[ids[0]]}_{UNITED}" for ids in groups]
+    return [UNITED] if len(groups) == 1 else [f"{names[group.ids[0]]}_{UNITED}" for group in groups]
 
 
 def _nothing() -> UsageProblem:
@@ -149,29 +158,59 @@ def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Su
     if request.only in (None, SHADOWS):
         figures = with_shadows(document, request)
         yield from ((f"{names[layer.name]}_shadow", ShadowSubject(layer.id)) for layer in figures)
-    if request.only in (None, RECEIVED):
-        receiving = filter(ever_receives, layers)
-        yield from ((f"{names[layer.name]}_received", ReceivedSubject(layer.id)) for layer in receiving)
-    if request.only in (None, CONTACTS):
-        touching = filter(ever_has_contact, layers)
-        yield from ((f"{names[layer.name]}_contact", ContactSubject(layer.id)) for layer in touching)
-    if request.only in (None, REFLECTIONS):
-        mirrored = filter(ever_is_mirrored, layers)
-        yield from ((f"{names[layer.name]}_reflection", ReflectionSubject(layer.id)) for layer in mirrored)
-    if request.only in (None, SHADOWS) and request.layers is None and set_ever_casts(document):
-        yield _set_label(document, names), SetShadowSubject()
-    if request.united:
-        yield from _united(document, {layer.id: names[layer.name] for layer in layers})
+    yield from _on_and_beside(document, request, [(layer, names[layer.name]) for layer in layers])
+    if request.layers is None:
+        yield from _of_set(document, request, names)
+    if request.united or request.only == TOGETHER:
+        of_layers = {layer.id: names[layer.name] for layer in layers}
+        yield from _united(document, of_layers, is_apart=request.only == TOGETHER)
     if request.receivers or request.only == RECEIVERS:
         yield from ((each.label, each.subject) for each in receivers_of(document))
     if request.composite:
         yield COMPOSITE, CompositeSubject(request.guides)
 
 
-def _united(document: Document, names: dict[str, str]) -> Iterator[tuple[str, Subject]]:
-    """Yield the shadows of each look as one, of the layers in ``names`` (id → name)."""
-    groups = _chosen(cut_groups(document, of_one_color=False), names)
-    yield from zip(_labels(groups, names), map(UnitedSubject, groups), strict=True)
+def _on_and_beside(
+    document: Document, request: ExportRequest, named: list[tuple[Layer, str]]
+) -> Iterator[tuple[str, Subject]]:
+    """Yield what falls on characters, the patches under their feet, and their reflections."""
+    if request.only in (None, RECEIVED):
+        for layer, name in named:
+            label, ways = f"{name}_received", received_ways(document, layer)
+            yield from ((label + OVER * over, ReceivedSubject(layer.id, way, over)) for over, way in _by_place(ways))
+    if request.only in (None, CONTACTS):
+        yield from ((f"{name}_contact", ContactSubject(layer.id)) for layer, name in named if ever_has_contact(layer))
+    if request.only in (None, REFLECTIONS):
+        mirrored = (each for each in named if ever_is_mirrored(each[0]))
+        yield from ((f"{name}_reflection", ReflectionSubject(layer.id)) for layer, name in mirrored)
+
+
+def _of_set(document: Document, request: ExportRequest, names: dict[str, str]) -> Iterator[tuple[str, Subject]]:
+    """Yield the shadow of the set, and sets as they are drawn themselves."""
+    if request.only in (None, SHADOWS) and set_ever_casts(document):
+        yield _set_label(document, names), SetShadowSubject()
+    if request.only in (None, CLAY):
+        yield from ((CLAY_NAMES[is_under], ClaySubject(is_under)) for is_under in ever_clay(document))
+
+
+def _by_place(ways: tuple[bool, ...]) -> Iterator[tuple[bool, bool]]:
+    """Yield ways of laying something, each behind whether it lies over another."""
+    return ((bool(place), way) for place, way in enumerate(ways))
+
+
+def _united(document: Document, names: dict[str, str], *, is_apart: bool) -> Iterator[tuple[str, Subject]]:
+    """Yield the shadows of each look as one, of the layers in ``names`` (id → name), and those that go together.
+
+    With ``is_apart`` these alone, besides groups that are layers of their own.
+    """
+    groups = _chosen(cut_groups(document, of_one_color=is_apart).groups, names)
+    groups = [group for group in groups if len(group.ids) > 1] if is_apart else groups
+    for label, group in zip(_labels(groups, names), groups, strict=True):
+        if group.is_together:
+            for over, way in _by_place(group.laid):
+                yield label + OVER * over, TogetherSubject(group.ids, way, over)
+        elif not is_apart:
+            yield label, UnitedSubject(group.ids)
 
 
 def _set_label(document: Document, names: dict[str, str]) -> str:

@@ -7,27 +7,32 @@ from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.document.values import rgb_at, value_at
+from kagezou.export.clay import ClayContent
 from kagezou.export.contents import (
     BlankContent,
     CompositeContent,
     Content,
-    ReceivedContent,
     ReceiverContent,
     ReflectionContent,
     SetShadowContent,
     ShadowContent,
     UnitedContent,
 )
-from kagezou.export.layered import LayeredContent, LayerOfFrame
+from kagezou.export.layered import LayeredContent
+from kagezou.export.layers_of_frame import LayerOfFrame
+from kagezou.export.mixed_contents import ReceivedContent, TogetherContent
 from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene
 from kagezou.scene.set_outlines import set_lines
 
 SET: Final = "set"
+SET_UNDER: Final = "set_under"
 GROUND: Final = "ground"
 EVERYTHING: Final = "everything"
 """Stand where layers and set pieces have their ids, which are all of another form."""
+
+_OVER: Final = ":over"
 
 _BLACK: Final = (0, 0, 0)
 _WHITE: Final = (255, 255, 255)
@@ -77,15 +82,57 @@ class UnitedSubject:
 
 
 @dataclass(frozen=True, slots=True)
+class TogetherSubject:
+    """Shadows of several layers, by their ids from the bottom, that are handed over together.
+
+    ``multiply`` and ``is_over`` are as of `ReceivedSubject`.
+    """
+
+    layer_ids: tuple[str, ...]
+    multiply: bool = True
+    is_over: bool = False
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: that of the lowest, behind a word that no id begins with."""
+        return f"together:{self.layer_ids[0]}{_OVER if self.is_over else ''}"
+
+    def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
+        """Return the shadows; an empty picture where none is."""
+        layers = tuple(layer for layer in scene.layers if layer.id in self.layer_ids and layer.cast is not None)
+        if not any(layer.look.multiply == self.multiply for layer in layers):
+            return _nothing(document, self.layer_ids[0], scene, frame)
+        return TogetherContent.of(scene, layers, multiply=self.multiply)
+
+
+@dataclass(frozen=True, slots=True)
 class ReceivedSubject(_OfLayer):
-    """What other characters cast on one."""
+    """What other characters cast on one.
+
+    Parameters
+    ----------
+    multiply
+        Whether it is of the shadows that multiply what is under them, or of the others.
+    is_over
+        Whether it lies over another of both.
+    """
+
+    multiply: bool = True
+    is_over: bool = False
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: the layer's id, and a word behind it for what lies over another."""
+        return self.layer_id + (_OVER if self.is_over else "")
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return what falls on the layer; an empty picture where nothing can."""
         seen = _seen(scene, self.layer_id)
-        if seen is None or seen.received is None or not seen.received.shades:
+        received = None if seen is None else seen.received
+        ways = () if received is None else {shade.look.multiply for shade in received.shades}
+        if seen is None or received is None or self.multiply not in ways:
             return _nothing(document, self.layer_id, scene, frame)
-        return ReceivedContent(scene, seen, seen.received)
+        return ReceivedContent(scene, seen, received, self.multiply)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,6 +174,22 @@ class SetShadowSubject:
         if scene.set_shadow is None:
             return BlankContent(scene, _BLACK)
         return SetShadowContent.of(scene, scene.set_shadow)
+
+
+@dataclass(frozen=True, slots=True)
+class ClaySubject:
+    """Imported sets drawn as clay, over the background picture or under it."""
+
+    is_under: bool = False
+
+    @property
+    def owner(self) -> str:
+        """Whose it is: `SET` or `SET_UNDER`."""
+        return SET_UNDER if self.is_under else SET
+
+    def content_at(self, _document: Document, scene: Scene, _frame: int) -> Content:
+        """Return the sets; an empty picture while none is drawn there."""
+        return ClayContent.of(scene, is_under=self.is_under) or BlankContent(scene, _BLACK)
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,11 +242,14 @@ class LayeredSubject:
         Whether the set casts a shadow at any time.
     is_whole
         Whether background and set are in it; else the characters alone are.
+    clay
+        As of `LayeredContent`.
     """
 
     layers: tuple[LayerOfFrame, ...]
     has_set: bool
     is_whole: bool
+    clay: tuple[bool, ...] = ()
 
     @property
     def owner(self) -> str:
@@ -195,17 +261,20 @@ class LayeredSubject:
         if not self.is_whole:
             ids = {layer.id for layer in self.layers}
             chosen = tuple(layer for layer in scene.layers if layer.id in ids)
-            scene = replace(scene, background=None, layers=chosen, set_shadow=None)
-        return LayeredContent(scene, CompositeContent.of(scene), self.layers, self.has_set)
+            pieces = tuple(replace(piece, display="none") for piece in scene.pieces)
+            scene = replace(scene, background=None, layers=chosen, pieces=pieces, set_shadow=None)
+        return LayeredContent(scene, CompositeContent.of(scene), self.layers, self.has_set, self.clay)
 
 
 Subject = (
     ShadowSubject
     | UnitedSubject
+    | TogetherSubject
     | ReceivedSubject
     | ContactSubject
     | ReflectionSubject
     | SetShadowSubject
+    | ClaySubject
     | ReceiverSubject
     | CompositeSubject
     | LayeredSubject

@@ -76,6 +76,12 @@ class Composites:
         if line_px:
             self._lay_outlines(picture, scene, line_px)
 
+    def draw_clay(self, scene: Scene, depth: int, *, is_under: bool) -> None:
+        """Draw a scene's sets as clay alone: those under the background picture, or those over it."""
+        picture = self._picture_for(scene.canvas, Format.RGBA8 if depth == 8 else Format.RGBA16)
+        sets = self._shadows.set_pictures(scene, (Display.CLAY,))
+        picture.begin(Backdrop.TRANSPARENT, None, tuple(each for each in sets if each.is_under == is_under))
+
     def close(self) -> None:
         """Give the memory back."""
         if self._picture is not None:

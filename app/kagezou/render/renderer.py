@@ -21,7 +21,6 @@ from kagezou.render.passes.depth_map import DepthMapPass
 from kagezou.render.passes.received import ReceivedCoverage
 from kagezou.render.passes.shadow_image import Coloring, Drawn, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.render.prepare.mixing import mixed
 from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene, SetShadow, ShadowLook
@@ -109,14 +108,16 @@ class Renderer:
         """Return the shadows of layers of one look, at least one, as one, otherwise as :meth:`shadow` does."""
         return self._images.united(scene.canvas, self._composites.united.drawn(scene, layers), layers[0].look, depth)
 
-    def received(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
-        """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are."""
-        shades = self._shadows.received(scene, layer)
-        if not shades:
-            looks = [shade.look for shade in layer.received.shades] if layer.received else []
-            return self._images.image(scene.canvas, None, Coloring(looks[0] if looks else layer.look), depth)
-        images = [self._images.image(scene.canvas, drawn(shade), Coloring(shade.look), depth) for shade in shades]
-        return mixed(images, multiply=shades[0].look.multiply)
+    def received(self, scene: Scene, layer: LayerScene, depth: int = 8, *, multiply: bool = True) -> ShadowImage:
+        """Return what others cast on a layer as :meth:`shadow` does its own; of one colour where their shadows are.
+
+        ``multiply`` says which of the two layers is wanted: some may multiply and others not, see `mixed`.
+        """
+        shades = [(drawn(shade), shade.look) for shade in self._shadows.received(scene, layer)]
+        if shades:
+            return self._images.mixed(scene.canvas, shades, depth, multiply=multiply)
+        looks = [shade.look for shade in layer.received.shades] if layer.received else []
+        return self._images.image(scene.canvas, None, Coloring(looks[0] if looks else layer.look), depth)
 
     def contact(self, scene: Scene, layer: LayerScene, depth: int = 8) -> ShadowImage:
         """Return the patches under a figure's feet as :meth:`shadow` does its shadow."""
@@ -135,6 +136,15 @@ class Renderer:
             shown[box.top : box.bottom, box.left : box.right] = pixels if depth == 16 else (pixels + 128.0) // 257
             check("mirroring a figure")
         return shown
+
+    def clay(self, scene: Scene, depth: int = 8, *, is_under: bool = False) -> Steps:
+        """Return sets that are drawn as clay, those under the background picture or those over it.
+
+        (H, W, 4), straight sRGB, 8 or 16 bit; it becomes the picture drawn last.
+        """
+        self._composites.draw_clay(scene, depth, is_under=is_under)
+        check("drawing a set")
+        return self.read_picture()
 
     def set_shadow(self, scene: Scene, shadow: SetShadow, depth: int = 8) -> ShadowImage:
         """Return the shadow of the set itself as :meth:`shadow` does a layer's; ``shadow`` is the scene's."""

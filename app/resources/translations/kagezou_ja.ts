@@ -19,7 +19,7 @@
     <name>Autosave</name>
     <message>
         <source>Unsaved work is put aside in %1 for now: %2</source>
-        <translation>未保存の作業を、当面は %1 に退避しています: %2</translation>
+        <translation>未保存の作業を、当面は %1 に退避しています：%2</translation>
     </message>
     <message>
         <source>Unsaved work cannot be put aside (%1). It is tried again; save your project meanwhile.</source>
@@ -65,11 +65,11 @@
     </message>
     <message>
         <source>The picture gets the size of the background; drawings stay in the middle</source>
-        <translation>画面を背景のサイズにします。絵は中央のままです</translation>
+        <translation>画面を背景のサイズにします。セルは中央のままです</translation>
     </message>
     <message>
         <source>Choose what becomes of the drawings</source>
-        <translation>絵の扱いを選ぶ</translation>
+        <translation>セルの扱いを選ぶ</translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -136,7 +136,7 @@
     </message>
     <message>
         <source>The drawings</source>
-        <translation>絵のサイズ</translation>
+        <translation>セルのサイズ</translation>
     </message>
     <message>
         <source>The background</source>
@@ -385,11 +385,11 @@
     </message>
     <message>
         <source>Next Dou&amp;btful Drawing</source>
-        <translation>次の疑わしい絵(&amp;B)</translation>
+        <translation>次の疑わしいセル(&amp;B)</translation>
     </message>
     <message>
         <source>Previous Doubtful Drawing</source>
-        <translation>前の疑わしい絵</translation>
+        <translation>前の疑わしいセル</translation>
     </message>
     <message>
         <source>Pre&amp;ferences…</source>
@@ -401,15 +401,15 @@
     </message>
     <message>
         <source>Re&amp;place Drawings…</source>
-        <translation>絵を差し替え(&amp;P)…</translation>
+        <translation>セルを差し替え(&amp;P)…</translation>
     </message>
     <message>
         <source>&amp;Relink Missing Drawings…</source>
-        <translation>見つからない絵を再リンク(&amp;R)…</translation>
+        <translation>見つからないセルを再リンク(&amp;R)…</translation>
     </message>
     <message>
         <source>Show Drawings in &amp;Folder</source>
-        <translation>絵のフォルダーを表示(&amp;F)</translation>
+        <translation>セルのフォルダーを表示(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Duplicate Layer</source>
@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>Previous &amp;Drawing</source>
-        <translation>前の動画 (&amp;D)</translation>
+        <translation>前のセル (&amp;D)</translation>
     </message>
     <message>
         <source>Next Dra&amp;wing</source>
@@ -601,7 +601,7 @@
     </message>
     <message>
         <source>Read the Work Area &amp;into Memory</source>
-        <translation>ワークエリアをメモリに読み込む(&amp;I)</translation>
+        <translation>ワークエリアをメモリーに読み込む(&amp;I)</translation>
     </message>
     <message>
         <source>First Frame of the Work Area</source>
@@ -720,6 +720,14 @@
         <translation>セットを削除(&amp;M)</translation>
     </message>
     <message>
+        <source>&amp;Manual</source>
+        <translation>マニュアル(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Guided First Cut</source>
+        <translation>はじめてのカットのガイド(&amp;G)</translation>
+    </message>
+    <message>
         <source>&amp;Find Command…</source>
         <translation>コマンドを検索 (&amp;F)…</translation>
     </message>
@@ -784,7 +792,7 @@
     <name>CornerSheet</name>
     <message>
         <source>Drag along the line the figure stands on  ·  Enter: the ground is right  ·  Esc: leave</source>
-        <translation>キャラが立つ線に沿ってドラッグ  ·  Enter：地面はこのまま  ·  Esc：終了</translation>
+        <translation>キャラクターが立つ線に沿ってドラッグ  ·  Enter：地面はこのまま  ·  Esc：終了</translation>
     </message>
     <message>
         <source>Drag along the foot of the wall  ·  Esc: leave</source>
@@ -839,7 +847,7 @@
     </message>
     <message>
         <source>Look only: nothing can be changed here, nor anywhere in the window</source>
-        <translation>閲覧のみ: ここでもウィンドウのどこでも変更できません</translation>
+        <translation>閲覧のみ：ここでもウィンドウのどこでも変更できません</translation>
     </message>
     <message>
         <source>Value</source>
@@ -1030,7 +1038,7 @@
     </message>
     <message>
         <source>Drawings, light, set and all lengths are scaled alike.</source>
-        <translation>絵・光源・セットとすべての長さを同じ比率で拡大・縮小します。</translation>
+        <translation>セル・ライト・セットとすべての長さを同じ比率で拡大・縮小します。</translation>
     </message>
     <message>
         <source>Change cut settings</source>
@@ -1272,7 +1280,7 @@
     </message>
     <message>
         <source>Drag an end to hold it longer or shorter (Shift: what follows moves along; Alt or A: over its neighbours), the middle to move it</source>
-        <translation>端をドラッグして長さを変えます（Shift: 後ろも動く、Alt / A: 隣を越える）。中央をドラッグして動かします</translation>
+        <translation>端をドラッグして長さを変えます（Shift：後ろも動く、Alt / A：隣を越える）。中央をドラッグして動かします</translation>
     </message>
     <message>
         <source>Move drawing</source>
@@ -1306,7 +1314,7 @@
     </message>
     <message>
         <source>Put %1 behind the characters</source>
-        <translation>%1 をキャラの後ろに置く</translation>
+        <translation>%1 をキャラクターの後ろに置く</translation>
     </message>
     <message>
         <source>Put %1 under everything</source>
@@ -1479,19 +1487,19 @@
     </message>
     <message>
         <source>Matte: the shadow alone</source>
-        <translation>マット: 影のみ</translation>
+        <translation>マット：影のみ</translation>
     </message>
     <message>
         <source>Matte: the part near the feet</source>
-        <translation>マット: 足元の部分</translation>
+        <translation>マット：足元の部分</translation>
     </message>
     <message>
         <source>Matte: distance from the feet</source>
-        <translation>マット: 足元からの距離</translation>
+        <translation>マット：足元からの距離</translation>
     </message>
     <message>
         <source>Matte: what no shadow lies on</source>
-        <translation>マット: 影のない部分</translation>
+        <translation>マット：影のない部分</translation>
     </message>
     <message>
         <source>Mattes: the ground and every set piece</source>
@@ -1604,7 +1612,7 @@
     </message>
     <message>
         <source>doubtful: please look whether this is right</source>
-        <translation>疑わしい: 正しいか確認してください</translation>
+        <translation>疑わしい：正しいか確認してください</translation>
     </message>
     <message>
         <source>pinned by hand</source>
@@ -1619,7 +1627,57 @@
     </message>
     <message>
         <source>There is no more drawing with doubtful feet in this direction.</source>
-        <translation>この方向に足の疑わしい絵はもうありません。</translation>
+        <translation>この方向に足の疑わしいセルはもうありません。</translation>
+    </message>
+</context>
+<context>
+    <name>FirstCut</name>
+    <message>
+        <source>Drag the light in the picture, here the sun on its dial under the feet: the shadow follows.</source>
+        <translation>足の下の文字盤にある太陽（ライト）をドラッグしてください。影がついてきます。</translation>
+    </message>
+    <message>
+        <source>Say from how high the ground is seen: drag the lever under the feet, or Declination.</source>
+        <translation>どの高さから地面を見ているかを決めます。足の下のつまみ、または［地面の角度］をドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>Make the shape as simple as it would be drawn: drag Simplify, under Shape.</source>
+        <translation>手で描くような単純な形にします。［形状］の［単純化］をドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>Let it change over time: click the diamond before Opacity, go to another frame, and change the value.</source>
+        <translation>時間で変化させます。［不透明度］の左のひし形をクリックし、別のコマへ移って値を変えてください。</translation>
+    </message>
+    <message>
+        <source>Hand it over: press Export at the top right, choose After Effects, and export.</source>
+        <translation>書き出します。右上の［書き出し］を押し、After Effects を選んで書き出してください。</translation>
+    </message>
+    <message>
+        <source>That was a whole cut. F1 opens the page of the manual about whatever is under the pointer.</source>
+        <translation>これで一つのカットができました。F1 を押すと、マウスの下にあるものの説明がマニュアルで開きます。</translation>
+    </message>
+</context>
+<context>
+    <name>FirstCutBar</name>
+    <message>
+        <source>Show Me</source>
+        <translation>場所を表示</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>飛ばす</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>手順 %1 / %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>やめる</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
     </message>
 </context>
 <context>
@@ -1645,11 +1703,11 @@
     <name>Flags</name>
     <message>
         <source>and %1 more: keys between two drawings</source>
-        <translation>ほか %1 件：作画の切り替わりにないキー</translation>
+        <translation>ほか %1 件：セルの切り替わりにないキー</translation>
     </message>
     <message>
         <source>key between two drawings</source>
-        <translation>作画の切り替わりにないキー</translation>
+        <translation>セルの切り替わりにないキー</translation>
     </message>
     <message>
         <source>jumps by %1</source>
@@ -1680,7 +1738,7 @@
     </message>
     <message>
         <source>As Found (Unpin)</source>
-        <translation>見つかったまま (固定を解除)</translation>
+        <translation>見つかったまま（固定を解除）</translation>
     </message>
 </context>
 <context>
@@ -1699,7 +1757,7 @@
     </message>
     <message>
         <source>Figure</source>
-        <translation>人物</translation>
+        <translation>キャラクター</translation>
     </message>
     <message>
         <source>Layer</source>
@@ -1707,7 +1765,7 @@
     </message>
     <message>
         <source>Which layer of the OpenEXR files is the drawing</source>
-        <translation>OpenEXR ファイルのどのレイヤーを動画として使うか</translation>
+        <translation>OpenEXR ファイルのどのレイヤーをセルとして使うか</translation>
     </message>
     <message>
         <source>without a name</source>
@@ -1837,7 +1895,7 @@
     </message>
     <message>
         <source>Cast-shadow layers for 2D animation, from the alpha of the character drawings.</source>
-        <translation>キャラクター作画のアルファから、2Dアニメーションの落ち影レイヤーを作ります。</translation>
+        <translation>キャラクターのセルのアルファから、2Dアニメーションの落ち影レイヤーを作ります。</translation>
     </message>
     <message>
         <source>Version %1</source>
@@ -1925,11 +1983,11 @@
     </message>
     <message>
         <source>Hide or show the panels, while no handle or field has the keyboard</source>
-        <translation>パネルの表示/非表示 (ハンドルや入力欄を操作していないとき)</translation>
+        <translation>パネルの表示/非表示（ハンドルや入力欄を操作していないとき）</translation>
     </message>
     <message>
         <source>Nudge the selected handle by 1 px, with Shift by 10 px</source>
-        <translation>選択中のハンドルを 1 px (Shift で 10 px) 動かす</translation>
+        <translation>選択中のハンドルを 1 px（Shift で 10 px）動かす</translation>
     </message>
     <message>
         <source>Arrow keys</source>
@@ -2040,7 +2098,7 @@
     </message>
     <message>
         <source>Part of %1, which has the shadow of both</source>
-        <translation>%1 の一部 (影は %1 が両方の分を持ちます)</translation>
+        <translation>%1 の一部（影は %1 が両方の分を持ちます）</translation>
     </message>
     <message>
         <source>%1 layers together: %2</source>
@@ -2265,7 +2323,7 @@
     <name>Lanes</name>
     <message>
         <source>Keys and drawings over time</source>
-        <translation>時間上のキーと動画</translation>
+        <translation>時間上のキーとセル</translation>
     </message>
 </context>
 <context>
@@ -2292,11 +2350,11 @@
     <name>LayerFiles</name>
     <message>
         <source>Replace drawings</source>
-        <translation>絵を差し替え</translation>
+        <translation>セルを差し替え</translation>
     </message>
     <message>
         <source>Relink drawings</source>
-        <translation>絵を再リンク</translation>
+        <translation>セルを再リンク</translation>
     </message>
 </context>
 <context>
@@ -2361,7 +2419,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>For drawings without alpha: only white that reaches the border is clear, so that white shirts, hair and eyes stay. White between arm and body stays, too.</source>
-        <translation>アルファのない動画で、画像の縁につながる白だけを透明にします。白い服や髪、目は残ります。腕と体の間の白も残ります。</translation>
+        <translation>アルファのないセルで、画像の縁につながる白だけを透明にします。白い服や髪、目は残ります。腕と体の間の白も残ります。</translation>
     </message>
 </context>
 <context>
@@ -2386,7 +2444,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Paper of drawings</source>
-        <translation>動画の紙の扱い</translation>
+        <translation>セルの紙の扱い</translation>
     </message>
     <message>
         <source>Reorder layers</source>
@@ -2481,11 +2539,11 @@ Drop a folder of cels here.</source>
     <name>LinkButton</name>
     <message>
         <source>The same for all characters. Click to give each its own</source>
-        <translation>全キャラで共通です。クリックするとキャラごとの値に戻ります</translation>
+        <translation>全キャラクターで共通です。クリックするとキャラクターごとの値に戻ります</translation>
     </message>
     <message>
         <source>Click to make it the same for all characters, values and keys</source>
-        <translation>クリックすると値もキーも全キャラで共通になります</translation>
+        <translation>クリックすると値もキーも全キャラクターで共通になります</translation>
     </message>
 </context>
 <context>
@@ -2508,11 +2566,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Looking through the drawings of %1</source>
-        <translation>%1の絵を調べています</translation>
+        <translation>%1のセルを調べています</translation>
     </message>
     <message>
         <source>Measuring the figure of %1</source>
-        <translation>%1の人物の位置を測っています</translation>
+        <translation>%1のキャラクターの位置を測っています</translation>
     </message>
     <message>
         <source>Finding a place for the lamp for %1</source>
@@ -2524,7 +2582,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Reading drawings of %1</source>
-        <translation>%1の絵を読み込んでいます</translation>
+        <translation>%1のセルを読み込んでいます</translation>
     </message>
 </context>
 <context>
@@ -2543,6 +2601,25 @@ Drop a folder of cels here.</source>
     <message>
         <source>Paste look</source>
         <translation>見た目を貼り付け</translation>
+    </message>
+</context>
+<context>
+    <name>Manual</name>
+    <message>
+        <source>Kagezou Manual</source>
+        <translation>Kagezou マニュアル</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>進む</translation>
     </message>
 </context>
 <context>
@@ -2931,11 +3008,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>How the shadow lies on what is under it.</source>
-        <translation>影を下の絵に重ねる方法。</translation>
+        <translation>影を下の画像に重ねる方法。</translation>
     </message>
     <message>
         <source>How the shadow that set pieces cast lies on what is under it.</source>
-        <translation>セットの影を下の絵に重ねる方法。</translation>
+        <translation>セットの影を下の画像に重ねる方法。</translation>
     </message>
     <message>
         <source>In the set</source>
@@ -2991,7 +3068,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>On ones the shadow moves every frame; with the exposures it waits for the next drawing.</source>
-        <translation>ones は毎コマ動き、exposures は次の絵まで動かない。</translation>
+        <translation>ones は毎コマ動き、exposures は次のセルまで動かない。</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -3211,7 +3288,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Where the character touches the ground; with two or more the card is folded through them.</source>
-        <translation>キャラが地面に触れる点。二つ以上でセル面が点を通って曲がる。</translation>
+        <translation>キャラクターが地面に触れる点。二つ以上でセル面が点を通って曲がる。</translation>
     </message>
     <message>
         <source>Where the crests go on the ground; 0 is to the right, 90 toward the viewer.</source>
@@ -3235,11 +3312,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Whether the characters&apos; shadows end where this piece takes the light.</source>
-        <translation>このセットが光をさえぎる場所でキャラの影を切るか。</translation>
+        <translation>このセットが光をさえぎる場所でキャラクターの影を切るか。</translation>
     </message>
     <message>
         <source>Whether the characters&apos; shadows fall on it; it hides what is behind it in either case.</source>
-        <translation>キャラの影がこのセットに落ちるか。オフでも後ろの影は隠す。</translation>
+        <translation>キャラクターの影がこのセットに落ちるか。オフでも後ろの影は隠す。</translation>
     </message>
     <message>
         <source>Whether the layer and its shadow are shown and rendered.</source>
@@ -3255,7 +3332,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Whether the shadows of the other characters fall on this one, where the light meets them first.</source>
-        <translation>ほかのキャラの影がこのキャラに落ちるか（光源から見て手前にいるキャラの影だけ）。</translation>
+        <translation>ほかのキャラクターの影がこのキャラクターに落ちるか（ライトから見て手前にいるキャラクターの影だけ）。</translation>
     </message>
     <message>
         <source>Whether the shape is simplified; off keeps the values and leaves them out.</source>
@@ -3279,11 +3356,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>With the drawings</source>
-        <translation>絵に合わせる</translation>
+        <translation>セルに合わせる</translation>
     </message>
     <message>
         <source>Within this distance over the character the lamp is spread into four, so that light from straight above still casts.</source>
-        <translation>キャラの真上でこの距離以内のライトを四つに分け、真上の光でも影を落とす。</translation>
+        <translation>キャラクターの真上でこの距離以内のライトを四つに分け、真上の光でも影を落とす。</translation>
     </message>
     <message>
         <source>Y</source>
@@ -3391,7 +3468,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>a picture of {width_px}x{height_px} px is over this graphics driver&apos;s {limit} px</source>
-        <translation>{width_px}x{height_px} px の絵は、このグラフィックスドライバーの上限 {limit} px を超えています</translation>
+        <translation>{width_px}x{height_px} px の画像は、このグラフィックスドライバーの上限 {limit} px を超えています</translation>
     </message>
     <message>
         <source>a printable name</source>
@@ -3751,7 +3828,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>it refers to {name!r} outside its own folder, which is not followed</source>
-        <translation>フォルダの外の {name!r} を参照しているため読み込みません</translation>
+        <translation>フォルダーの外の {name!r} を参照しているため読み込みません</translation>
     </message>
     <message>
         <source>it would exceed the file size limit</source>
@@ -3795,7 +3872,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>layers.{layer}: an exposure names a missing drawing</source>
-        <translation>layers.{layer}：セル指定に、ない絵が指定されています</translation>
+        <translation>layers.{layer}：セル指定に、ないセルが指定されています</translation>
     </message>
     <message>
         <source>layers.{layer}: exposures are out of order</source>
@@ -3827,7 +3904,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>more than {most_rows} drawings, exposures and keys</source>
-        <translation>絵とセル指定とキーが合わせて {most_rows} を超えています</translation>
+        <translation>セルとセル指定とキーが合わせて {most_rows} を超えています</translation>
     </message>
     <message>
         <source>OpenGL 3.3 is not available without a display: on Debian and Ubuntu install libegl1 libgl1 libgl1-mesa-dri</source>
@@ -3939,7 +4016,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the camera {camera!r} sees nothing of the set where the character stands</source>
-        <translation>カメラ {camera!r} からは、キャラが立つ場所にセットが見えません</translation>
+        <translation>カメラ {camera!r} からは、キャラクターが立つ場所にセットが見えません</translation>
     </message>
     <message>
         <source>the camera {camera!r} sees the ground at {declination:.1f}° on frame {frame}; it can be followed from {low:g}° to {high:g}°</source>
@@ -3951,7 +4028,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the card is seen edge-on and has no picture for the depth map</source>
-        <translation>カードを真横から見ているため、深度マップに絵がありません</translation>
+        <translation>カードを真横から見ているため、深度マップに像がありません</translation>
     </message>
     <message>
         <source>the disk is read-only</source>
@@ -3967,11 +4044,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the drawings of {layer!r} are not a sequence without gaps, so they were copied</source>
-        <translation>{layer!r} の絵は番号の続いた連番ではないため、コピーしました</translation>
+        <translation>{layer!r} のセルは番号の続いた連番ではないため、コピーしました</translation>
     </message>
     <message>
         <source>the drawings of {layer!r} have no alpha, so they were copied with it</source>
-        <translation>{layer!r} の絵にはアルファがないため、アルファ付きでコピーしました</translation>
+        <translation>{layer!r} のセルにはアルファがないため、アルファ付きでコピーしました</translation>
     </message>
     <message>
         <source>the file is cut short</source>
@@ -4003,7 +4080,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the graphics driver cannot draw a picture of {width_px}x{height_px} px ({form})</source>
-        <translation>グラフィックスドライバーは {width_px}x{height_px} px の絵を描けません（{form}）</translation>
+        <translation>グラフィックスドライバーは {width_px}x{height_px} px の画像を描けません（{form}）</translation>
     </message>
     <message>
         <source>the graphics driver failed while {doing}: {error}</source>
@@ -4051,7 +4128,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the layer has no drawings</source>
-        <translation>レイヤーに絵がありません</translation>
+        <translation>レイヤーにセルがありません</translation>
     </message>
     <message>
         <source>the layer {layer!r} cannot be named in a job: it has braces</source>
@@ -4131,7 +4208,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>1 drawing</source>
-        <translation>動画 1 枚</translation>
+        <translation>セル 1 枚</translation>
     </message>
     <message>
         <source>1 keyed property got a key on frame {frame}: {names}</source>
@@ -4146,6 +4223,10 @@ Drop a folder of cels here.</source>
         <translation>AWS Deadline Cloud：deadline bundle submit {folder}</translation>
     </message>
     <message>
+        <source>After Effects and Blender import it by RxLab&apos;s add-ons; holds, opacity and blend modes are in it.</source>
+        <translation>After Effects と Blender は RxLab のアドオンで読み込みます。コマ数、不透明度、描画モードが入っています。</translation>
+    </message>
+    <message>
         <source>After Effects</source>
         <translation>After Effects</translation>
     </message>
@@ -4155,7 +4236,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Alt or A: the other point goes the other way</source>
-        <translation>Alt / A: もう一方は反対に動く</translation>
+        <translation>Alt / A：もう一方は反対に動く</translation>
     </message>
     <message>
         <source>At this distance from the feet the reflection has faded away; 0 does not fade.</source>
@@ -4164,6 +4245,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Background position</source>
         <translation>背景の位置</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>Cast</source>
@@ -4191,7 +4276,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Ctrl: no snapping</source>
-        <translation>Ctrl: 吸着なし</translation>
+        <translation>Ctrl：吸着なし</translation>
     </message>
     <message>
         <source>Disc</source>
@@ -4227,19 +4312,23 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Foot, lifted</source>
-        <translation>足 (浮いている)</translation>
+        <translation>足（浮いている）</translation>
     </message>
     <message>
         <source>Foot, planted</source>
-        <translation>足 (接地)</translation>
+        <translation>足（接地）</translation>
     </message>
     <message>
         <source>Frames a second: 24, 23.976, 24000/1001; keys and drawings stay on their frames.</source>
-        <translation>フレームレート：24、23.976、24000/1001。キーと絵のフレーム位置は変わりません。</translation>
+        <translation>フレームレート：24、23.976、24000/1001。キーとセルのフレーム位置は変わりません。</translation>
     </message>
     <message>
         <source>From one row of gaps to the next on the ground; 0 is the length of wave 1.</source>
         <translation>地面上での切れ目の列の間隔。0では波1の波長になります。</translation>
+    </message>
+    <message>
+        <source>Fusion</source>
+        <translation>Fusion</translation>
     </message>
     <message>
         <source>Ground below the foot</source>
@@ -4247,7 +4336,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Ground line</source>
-        <translation>接地線</translation>
+        <translation>接地ライン</translation>
     </message>
     <message>
         <source>H.264 has no alpha; for compositing, export shadow layers or a MOV.</source>
@@ -4267,7 +4356,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>How large the drawings are; below 0 they are mirrored.</source>
-        <translation>作画の大きさ。0 より小さいと反転します。</translation>
+        <translation>セルの大きさ。0 より小さいと反転します。</translation>
     </message>
     <message>
         <source>How many frames the cut has; what lies behind its end is kept.</source>
@@ -4338,6 +4427,22 @@ Drop a folder of cels here.</source>
         <translation>After Effects で［ファイル］＞［スクリプト］＞［スクリプトファイルを実行…］を選び、{script} を開きます。</translation>
     </message>
     <message>
+        <source>In Blender 3.4 or newer: Scripting &gt; Open {file}, then Run Script.</source>
+        <translation>Blender 3.4 以降：「Scripting」で {file} を開き、「スクリプト実行」を押します。</translation>
+    </message>
+    <message>
+        <source>In Fusion: File &gt; Open…, and choose {file}; in DaVinci Resolve: Import Composition.</source>
+        <translation>Fusion：File &gt; Open… で {file} を選びます。DaVinci Resolve では Import Composition を使います。</translation>
+    </message>
+    <message>
+        <source>In Nuke: File &gt; Open Comp…, and choose {file}.</source>
+        <translation>Nuke：File &gt; Open Comp… で {file} を選びます。</translation>
+    </message>
+    <message>
+        <source>It builds a scene of its own: cards, camera, frame rate, and View Transform Raw, which must stay.</source>
+        <translation>カード、カメラ、フレームレート、ビュー変換 Raw を持つ新しいシーンができます。Raw は変えないでください。</translation>
+    </message>
+    <message>
         <source>It builds the composition: frame rate, alpha, order, Multiply and opacity are set.</source>
         <translation>コンポジションが組み上がります。フレームレート、アルファ、重ね順、乗算、不透明度は設定済みです。</translation>
     </message>
@@ -4362,6 +4467,10 @@ Drop a folder of cels here.</source>
         <translation>レイヤー付きフレーム</translation>
     </message>
     <message>
+        <source>Layers are merged as they are stored; the last nodes turn the sum to linear light.</source>
+        <translation>レイヤーは保存された値のまま重ねられ、最後のノードで結果がリニアに変換されます。</translation>
+    </message>
+    <message>
         <source>Least part</source>
         <translation>最小の部分</translation>
     </message>
@@ -4372,6 +4481,22 @@ Drop a folder of cels here.</source>
     <message>
         <source>Light step</source>
         <translation>ライトの刻み</translation>
+    </message>
+    <message>
+        <source>Loaders read the pictures as they are stored: set no colour space for them.</source>
+        <translation>Loader は画像を保存された値のまま読みます。カラースペースは設定しないでください。</translation>
+    </message>
+    <message>
+        <source>Natron 2 builds the project when it is started with the script: Natron {file}</source>
+        <translation>Natron 2 をスクリプト付きで起動するとプロジェクトができます：Natron {file}</translation>
+    </message>
+    <message>
+        <source>Natron</source>
+        <translation>Natron</translation>
+    </message>
+    <message>
+        <source>Nuke</source>
+        <translation>Nuke</translation>
     </message>
     <message>
         <source>Nuke, Natron and Blender read the parts as layers.</source>
@@ -4388,6 +4513,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>Opacity of the figure mirrored in the ground, moved by the waves of its shadow; 0 is none.</source>
         <translation>地面に映るキャラクターの不透明度。影と同じ波で揺れます。0 でなし。</translation>
+    </message>
+    <message>
+        <source>Open Cel Animation</source>
+        <translation>Open Cel Animation（OCA）</translation>
+    </message>
+    <message>
+        <source>OpenToonz imports {file} by File &gt; Import &gt; OCA File…; it has no blend modes there.</source>
+        <translation>OpenToonz は File &gt; Import &gt; OCA File… で {file} を読み込みます。描画モードは読まれません。</translation>
     </message>
     <message>
         <source>Other farms: openjd run {template} --step Render</source>
@@ -4451,19 +4584,19 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Shift+Alt or Shift+A: slowly</source>
-        <translation>Shift+Alt / Shift+A: ゆっくり</translation>
+        <translation>Shift+Alt / Shift+A：ゆっくり</translation>
     </message>
     <message>
         <source>Shift: keeps its shape</source>
-        <translation>Shift: 比率を保つ</translation>
+        <translation>Shift：比率を保つ</translation>
     </message>
     <message>
         <source>Shift: one way</source>
-        <translation>Shift: 一方向</translation>
+        <translation>Shift：一方向</translation>
     </message>
     <message>
         <source>Shift: steps of 15°</source>
-        <translation>Shift: 15° 刻み</translation>
+        <translation>Shift：15° 刻み</translation>
     </message>
     <message>
         <source>Shrink in a jump</source>
@@ -4487,7 +4620,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Smooth: anti-aliased; hard: a pixel is all shadow or none, as in pixel art, whatever the softness.</source>
-        <translation>滑らか: アンチエイリアスあり。くっきり: ドット絵のように、ぼかしに関係なく 1 ピクセルは影か影でないかのどちらか。</translation>
+        <translation>滑らか：アンチエイリアスあり。くっきり：ドット絵のように、ぼかしに関係なく 1 ピクセルは影か影でないかのどちらか。</translation>
     </message>
     <message>
         <source>So much at least shadows are simplified while the lamp is straight above, which joins its four to one.</source>
@@ -4519,7 +4652,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>The layer whose figure this one is a part of; empty for a figure of its own.</source>
-        <translation>このレイヤーが属する人物のレイヤー。空なら独立した人物になります。</translation>
+        <translation>このレイヤーが属するキャラクターのレイヤー。空なら独立したキャラクターになります。</translation>
     </message>
     <message>
         <source>The name of the production or the episode.</source>
@@ -4539,7 +4672,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>The point of the drawing that is laid on the position; drawings turn and grow about it.</source>
-        <translation>位置に置かれる作画上の点。作画はこの点を中心に回転・拡大します。</translation>
+        <translation>位置に置かれるセル上の点。セルはこの点を中心に回転・拡大します。</translation>
+    </message>
+    <message>
+        <source>The scene finds its pictures beside itself: move the folder as a whole.</source>
+        <translation>シーンは同じフォルダーの画像を使います。移動するときはフォルダーごと移してください。</translation>
     </message>
     <message>
         <source>The script is written last, when all it needs is there.</source>
@@ -4555,7 +4692,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Turn of the drawings in the picture, clockwise.</source>
-        <translation>画面内での作画の回転 (時計回り)。</translation>
+        <translation>画面内でのセルの回転（時計回り）。</translation>
     </message>
     <message>
         <source>USD files need the package usd-core: {how}</source>
@@ -4587,15 +4724,15 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>What the figure stands on: its feet where they were found, its grounding points, or the ground line.</source>
-        <translation>キャラクターが何で立つか: 見つかった足、接地点、または接地線。</translation>
+        <translation>キャラクターが何で立つか：見つかった足、接地点、または接地ライン。</translation>
     </message>
     <message>
         <source>Where drawings have no alpha, white is clear everywhere, or only where it reaches the border.</source>
-        <translation>アルファのない絵で白を透明にする範囲。すべての白（white）か、縁につながる白だけ（border）か。</translation>
+        <translation>アルファのないセルで白を透明にする範囲。すべての白（white）か、縁につながる白だけ（border）か。</translation>
     </message>
     <message>
         <source>Where the anchor of the layer&apos;s drawings lies on the canvas.</source>
-        <translation>レイヤーの作画のアンカーポイントがキャンバスのどこに置かれるか。</translation>
+        <translation>レイヤーのセルの基準点がキャンバスのどこに置かれるか。</translation>
     </message>
     <message>
         <source>Where the middle of the background lies on the canvas: keyed, it pans.</source>
@@ -4603,7 +4740,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Whether a shadow that is painted into the drawings, half-transparent at the base, casts with them.</source>
-        <translation>絵の足元に半透明で描き込まれた影も、絵と一緒に影を落とすかどうか。</translation>
+        <translation>セルの足元に半透明で描き込まれた影も、セルと一緒に影を落とすかどうか。</translation>
     </message>
     <message>
         <source>Whether shadows of like look unite where they meet; else each darkens what the others left.</source>
@@ -4630,6 +4767,10 @@ Drop a folder of cels here.</source>
         <translation>セリフまたはカメラワークの列が読めません</translation>
     </message>
     <message>
+        <source>a composition of Loaders and Merges</source>
+        <translation>Loader と Merge のコンポジション</translation>
+    </message>
+    <message>
         <source>a dash before a number is taken as a minus: {first}</source>
         <translation>番号の前のハイフンをマイナスとみなしました：{first}</translation>
     </message>
@@ -4650,6 +4791,18 @@ Drop a folder of cels here.</source>
         <translation>1 つのプロジェクトに入るのは {megabytes} MB、値 {most} 個までです</translation>
     </message>
     <message>
+        <source>a scene has at most {most} px a side, the canvas has more</source>
+        <translation>シーンの一辺は最大 {most} px ですが、キャンバスはそれより大きいです</translation>
+    </message>
+    <message>
+        <source>a script of Read and Merge nodes</source>
+        <translation>Read ノードと Merge ノードのスクリプト</translation>
+    </message>
+    <message>
+        <source>a script that builds readers and merges</source>
+        <translation>Read と Merge を組むスクリプト</translation>
+    </message>
+    <message>
         <source>a script that builds the whole composition</source>
         <translation>コンポジションを組み立てるスクリプト</translation>
     </message>
@@ -4663,7 +4816,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>at {rate} frames a second the cut lasts {after} instead of {before} s; keys and drawings stay on their frames</source>
-        <translation>{rate} fps では尺が {before} 秒から {after} 秒になります。キーと絵のフレーム位置は変わりません</translation>
+        <translation>{rate} fps では尺が {before} 秒から {after} 秒になります。キーとセルのフレーム位置は変わりません</translation>
     </message>
     <message>
         <source>author</source>
@@ -4671,27 +4824,31 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>background: {names}</source>
-        <translation>背景: {names}</translation>
+        <translation>背景：{names}</translation>
     </message>
     <message>
         <source>blending by brightness is not done: {names}</source>
-        <translation>「ブレンド条件」（明るさによる合成）は行いません: {names}</translation>
+        <translation>「ブレンド条件」（明るさによる合成）は行いません：{names}</translation>
     </message>
     <message>
         <source>camera {name}: {kind}, {moving}</source>
-        <translation>カメラ {name}: {kind}、{moving}</translation>
+        <translation>カメラ {name}：{kind}、{moving}</translation>
     </message>
     <message>
         <source>canvas: a first frame of {first} is not within 0 to {most}</source>
         <translation>canvas：開始フレーム {first} は 0～{most} の範囲にありません</translation>
     </message>
     <message>
+        <source>cards before a camera, shadows among them</source>
+        <translation>カメラの前に並べたカードと影</translation>
+    </message>
+    <message>
         <source>character {name}{joins}: {drawings} of {width} × {height} px, seen to frame {last}: {names}</source>
-        <translation>キャラクター {name}{joins}: {width} × {height} px の{drawings}、{last} コマ目まで表示: {names}</translation>
+        <translation>キャラクター {name}{joins}：{width} × {height} px の{drawings}、{last} コマ目まで表示：{names}</translation>
     </message>
     <message>
         <source>column {name!r}: {count} entries of {cels} cels: {names}</source>
-        <translation>列 {name!r}: 記入 {count} 個、セル {cels} 枚: {names}</translation>
+        <translation>列 {name!r}：記入 {count} 個、セル {cels} 枚：{names}</translation>
     </message>
     <message>
         <source>composites</source>
@@ -4707,7 +4864,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>copies of the drawings</source>
-        <translation>作画のコピー</translation>
+        <translation>セルのコピー</translation>
     </message>
     <message>
         <source>done</source>
@@ -4719,23 +4876,23 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>drawings and all lengths become {percent:.4g} % of what they were</source>
-        <translation>絵とすべての長さが元の {percent:.4g} % になります</translation>
+        <translation>セルとすべての長さが元の {percent:.4g} % になります</translation>
     </message>
     <message>
         <source>drawings exposed behind the new end, kept and not seen: {count}</source>
-        <translation>新しい終わりより後ろの絵（残りますが表示されません）：{count} 枚</translation>
+        <translation>新しい終わりより後ろのセル（残りますが表示されません）：{count} 枚</translation>
     </message>
     <message>
         <source>drawings of {column}: {path}</source>
-        <translation>{column} の動画: {path}</translation>
+        <translation>{column} のセル：{path}</translation>
     </message>
     <message>
         <source>drawings that have another size than before: {names}</source>
-        <translation>以前とサイズの違う絵：{names}</translation>
+        <translation>以前とサイズの違うセル：{names}</translation>
     </message>
     <message>
         <source>extra channels are not used: {names}</source>
-        <translation>追加のチャンネルは使いません: {names}</translation>
+        <translation>追加のチャンネルは使いません：{names}</translation>
     </message>
     <message>
         <source>files of the job</source>
@@ -4750,12 +4907,20 @@ Drop a folder of cels here.</source>
         <translation>フレーム</translation>
     </message>
     <message>
+        <source>frames are counted from 0 in OCA: its frame 0 is frame {first} here</source>
+        <translation>OCA ではフレームを 0 から数えます。OCA のフレーム 0 はここではフレーム {first} です</translation>
+    </message>
+    <message>
         <source>frames made by other machines</source>
         <translation>ほかのマシンでフレームを書き出すジョブ</translation>
     </message>
     <message>
+        <source>frames of sets as clay</source>
+        <translation>クレイ表示のセットのフレーム</translation>
+    </message>
+    <message>
         <source>groups are clipped to the layer below them, as Clip Studio Paint does: {names}</source>
-        <translation>フォルダーを下のレイヤーでクリッピングします（CLIP STUDIO PAINT と同じ扱い）: {names}</translation>
+        <translation>フォルダーを下のレイヤーでクリッピングします（CLIP STUDIO PAINT と同じ扱い）：{names}</translation>
     </message>
     <message>
         <source>guides are drawn into composites; ask for those as well</source>
@@ -4800,6 +4965,38 @@ Drop a folder of cels here.</source>
     <message>
         <source>it has no scene: all of its nodes are read</source>
         <translation>シーンがないため、すべてのノードを読みます</translation>
+    </message>
+    <message>
+        <source>layers and holds for many programs</source>
+        <translation>多くのソフトで読めるレイヤーとコマ</translation>
+    </message>
+    <message>
+        <source>nothing fills the canvas; Blender has white there</source>
+        <translation>キャンバスを埋めるものがありません。Blender ではそこが白になります</translation>
+    </message>
+    <message>
+        <source>nothing fills the canvas; Fusion has white there</source>
+        <translation>キャンバスを埋めるものがありません。Fusion ではそこが白になります</translation>
+    </message>
+    <message>
+        <source>pictures of layers</source>
+        <translation>レイヤーの画像</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>シーン</translation>
+    </message>
+    <message>
+        <source>the layer {name!r} lies in the folder {folder!r}</source>
+        <translation>レイヤー{name!r} はフォルダー{folder!r} にあります</translation>
+    </message>
+    <message>
+        <source>the layer {name!r} multiplies on some frames and lies plainly on others; here it has one way for all of them, that of its first frame</source>
+        <translation>レイヤー{name!r} は乗算のフレームと通常のフレームがあります。ここでは最初のフレームの描画モードに統一されます</translation>
+    </message>
+    <message>
+        <source>the shadows of {layers} are handed over as one, with their opacity in it, for no layers make the picture: they unite on some frames only, have a second colour, or change places with others</source>
+        <translation>{layers} の影は、レイヤーの重ね合わせでは同じ絵にならないため、不透明度を含めて一枚にまとめて渡します（一部のフレームでだけ一体になる、第二の色がある、または他の影と順序が入れ替わるため）</translation>
     </message>
     <message>
         <source>video needs PyAV, which is not installed: {how}</source>
@@ -5004,7 +5201,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>layer {name}: {drawings}</source>
-        <translation>レイヤー {name}: {drawings}</translation>
+        <translation>レイヤー {name}：{drawings}</translation>
     </message>
     <message>
         <source>layer</source>
@@ -5016,11 +5213,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>layers.{layer}: it joins a layer that is no figure of its own</source>
-        <translation>layers.{layer}: 独立したキャラクターではないレイヤーに結合されています</translation>
+        <translation>layers.{layer}：独立したキャラクターではないレイヤーに結合されています</translation>
     </message>
     <message>
         <source>layers.{layer}: its drawings are on different paper</source>
-        <translation>layers.{layer}: 動画ごとに紙の扱いが違います</translation>
+        <translation>layers.{layer}：セルごとに紙の扱いが違います</translation>
     </message>
     <message>
         <source>lengths that would leave their range and are kept at its end: {count}</source>
@@ -5044,7 +5241,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>lines that are parallel in the picture do not tell the field of view: it stays at {fov}°</source>
-        <translation>絵の中で平行な線からは画角が分かりません: {fov}° のままです</translation>
+        <translation>画像の中で平行な線からは画角が分かりません：{fov}° のままです</translation>
     </message>
     <message>
         <source>markers and notes behind the new end: {count}</source>
@@ -5072,7 +5269,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>near the lamp the shadow turns round while the figure travels; the sun, or a lamp farther off, keeps its direction</source>
-        <translation>ライトが近いため、人物の移動につれて影の向きが回ります。太陽光にするか、ライトを遠ざけると向きが保たれます</translation>
+        <translation>ライトが近いため、キャラクターの移動につれて影の向きが回ります。太陽光にするか、ライトを遠ざけると向きが保たれます</translation>
     </message>
     <message>
         <source>no alpha channel: white that reaches the border was taken as clear</source>
@@ -5080,7 +5277,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>no drawing of the chosen layers is missing</source>
-        <translation>選んだレイヤーに見つからない絵はありません</translation>
+        <translation>選んだレイヤーに見つからないセルはありません</translation>
     </message>
     <message>
         <source>no key goes before the first frame</source>
@@ -5100,11 +5297,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>not used of it: {names} and {count} more</source>
-        <translation>使わないもの: {names} ほか {count} 個</translation>
+        <translation>使わないもの：{names} ほか {count} 個</translation>
     </message>
     <message>
         <source>not used of it: {names}</source>
-        <translation>使わないもの: {names}</translation>
+        <translation>使わないもの：{names}</translation>
     </message>
     <message>
         <source>note</source>
@@ -5204,7 +5401,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>replaced keys: {count}</source>
-        <translation>置き換わるキー: {count}</translation>
+        <translation>置き換わるキー：{count}</translation>
     </message>
     <message>
         <source>script</source>
@@ -5220,7 +5417,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>several numbers run; the drawing&apos;s is taken to be {number} in {first}</source>
-        <translation>変化する番号が複数あります。{first} では {number} を絵の番号とみなしました</translation>
+        <translation>変化する番号が複数あります。{first} では {number} をセルの番号とみなしました</translation>
     </message>
     <message>
         <source>shadow frames of the set</source>
@@ -5240,7 +5437,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>taken as one, of which the newest counts: {names}; older drawings: {old}</source>
-        <translation>同じものの版とみなし最新のものを使います：{names}（使わない古い絵：{old} 枚）</translation>
+        <translation>同じものの版とみなし最新のものを使います：{names}（使わない古いセル：{old} 枚）</translation>
     </message>
     <message>
         <source>the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has keys on its frames instead</source>
@@ -5260,11 +5457,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the figure is cut off by the lower edge of the drawing</source>
-        <translation>人物が作画の下端で切れています</translation>
+        <translation>キャラクターがセルの下端で切れています</translation>
     </message>
     <message>
         <source>the figure rests on a broad base: a hem, or it sits or lies</source>
-        <translation>人物が広い面で接地しています（裾、座り、寝そべりなど）</translation>
+        <translation>キャラクターが広い面で接地しています（裾、座り、寝そべりなど）</translation>
     </message>
     <message>
         <source>the file is damaged (a colour is not in its palette)</source>
@@ -5284,7 +5481,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the lamp is in the plane of {figure}&apos;s drawing on frame {frame}, so there is next to no shadow: light.overhead_radius = {radius} makes four of it, and another z brings it out of that plane</source>
-        <translation>フレーム {frame} でライトが {figure} の作画の平面内にあるため、影がほとんど出ません。light.overhead_radius = {radius} にすると四つのライトに分かれます。z を変えると平面から外れます</translation>
+        <translation>フレーム {frame} でライトが {figure} のセルの平面内にあるため、影がほとんど出ません。light.overhead_radius = {radius} にすると四つのライトに分かれます。z を変えると平面から外れます</translation>
     </message>
     <message>
         <source>the lamp is straight above {figure} on frame {frame}: it is four lamps there, whose shadows are simplified to one (light.overhead_radius, light.overhead_simplify)</source>
@@ -5300,7 +5497,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the light is the sun now: near a lamp the shadow would turn round while the figure travels</source>
-        <translation>光源を太陽にしました：ライトの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
+        <translation>ライトを太陽にしました：ライトの近くでは、キャラクターの移動につれて影の向きが回ってしまうためです</translation>
     </message>
     <message>
         <source>the light that another style had brought was taken back</source>
@@ -5316,7 +5513,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the newest version counts; older drawings left out: {count} ({names})</source>
-        <translation>最新の版を使います。使わない古い絵：{count} 枚（{names}）</translation>
+        <translation>最新の版を使います。使わない古いセル：{count} 枚（{names}）</translation>
     </message>
     <message>
         <source>the picture of the background keeps its own size in px</source>
@@ -5336,11 +5533,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the set is made of {count} parts, more than the {most} that are drawn while you work: left out here, but not of what is exported: {names}</source>
-        <translation>セットは {count} 個の部分からできていて、作業中に描ける {most} 個を超えています。ここでは省きますが、書き出しには入ります: {names}</translation>
-    </message>
-    <message>
-        <source>the shadows of {layers} unite in the picture, but stay apart as layers, where they darken each other: their looks differ on some frames, or have a second colour</source>
-        <translation>{layers} の影は画面では一つに重なりますが、レイヤーでは別々のままで、重なる所が濃くなります。見た目がフレームによって違うか、2色の影だからです</translation>
+        <translation>セットは {count} 個の部分からできていて、作業中に描ける {most} 個を超えています。ここでは省きますが、書き出しには入ります：{names}</translation>
     </message>
     <message>
         <source>the sides have another proportion: what was the picture is now the middle {width} × {height} px</source>
@@ -5348,15 +5541,15 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>the soft edges of drawn shapes are not done: {names}</source>
-        <translation>シェイプのぼかしは行いません: {names}</translation>
+        <translation>シェイプのぼかしは行いません：{names}</translation>
     </message>
     <message>
         <source>the timesheet: {note}</source>
-        <translation>タイムシート: {note}</translation>
+        <translation>タイムシート：{note}</translation>
     </message>
     <message>
         <source>there are no drawings that could take the place of those of the layer</source>
-        <translation>レイヤーの絵と差し替えられる絵がありません</translation>
+        <translation>レイヤーのセルと差し替えられるセルがありません</translation>
     </message>
     <message>
         <source>there are no triangles in it: {why}</source>
@@ -5404,7 +5597,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>there is not enough memory for this set</source>
-        <translation>このセットを読み込むにはメモリが足りません</translation>
+        <translation>このセットを読み込むにはメモリーが足りません</translation>
     </message>
     <message>
         <source>there is nothing to render: the project has no visible character layer</source>
@@ -5432,7 +5625,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>this was not done, as the project could not be saved any more: {cause}</source>
-        <translation>プロジェクトを保存できなくなるため、この操作は行いませんでした: {cause}</translation>
+        <translation>プロジェクトを保存できなくなるため、この操作は行いませんでした：{cause}</translation>
     </message>
     <message>
         <source>time</source>
@@ -5476,7 +5669,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>what looks like a version is taken as the drawing&apos;s number: {first}</source>
-        <translation>版に見える数字を絵の番号とみなしました：{first}</translation>
+        <translation>版に見える数字をセルの番号とみなしました：{first}</translation>
     </message>
     <message>
         <source>what stands behind its end is not used</source>
@@ -5516,15 +5709,15 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{count} characters have one drawing each and are seen together: {names}</source>
-        <translation>{count} 人のキャラクターは絵が 1 枚ずつで、同時に表示されます：{names}</translation>
+        <translation>{count} 人のキャラクターはセルが 1 枚ずつで、同時に表示されます：{names}</translation>
     </message>
     <message>
         <source>{count} drawings are missing: {names}</source>
-        <translation>{count} 枚の絵が見つかりません：{names}</translation>
+        <translation>{count} 枚のセルが見つかりません：{names}</translation>
     </message>
     <message>
         <source>{count} drawings</source>
-        <translation>動画 {count} 枚</translation>
+        <translation>セル {count} 枚</translation>
     </message>
     <message>
         <source>{count} keyed properties got a key on frame {frame}: {names}</source>
@@ -5592,11 +5785,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{folder}: the drawings of {layer!r} lie there themselves and would be replaced by their copies; please choose another folder</source>
-        <translation>{folder}：{layer!r} の絵そのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
+        <translation>{folder}：{layer!r} のセルそのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
     </message>
     <message>
         <source>{folder}: the pictures of the background lie there themselves and would be replaced by their copies; please choose another folder</source>
-        <translation>{folder}: 背景の画像そのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
+        <translation>{folder}：背景の画像そのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
     </message>
     <message>
         <source>{folder}: {files} files need at least {needed} MB, but only {free} MB are free on the disk</source>
@@ -5632,11 +5825,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{layer}: the timesheet names cels without a drawing; they stay empty: {missing}</source>
-        <translation>{layer}：タイムシートのセルに当たる絵がなく、空セルになります：{missing}</translation>
+        <translation>{layer}：タイムシートのセルに当たる画像がなく、空セルになります：{missing}</translation>
     </message>
     <message>
         <source>{layer}: wave {number} goes {velocity:g} px a frame; crests that pass in the cut: {crests}</source>
-        <translation>{layer}:波{number}は1フレームに{velocity:g} px進みます(カット内に通る波の山:{crests})</translation>
+        <translation>{layer}:波{number}は1フレームに{velocity:g} px進みます（カット内に通る波の山:{crests}）</translation>
     </message>
     <message>
         <source>{line}: a key cannot lie on frame {frame}, frames count from 1</source>
@@ -5664,7 +5857,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name} cannot be the same for all characters</source>
-        <translation>{name} は全キャラ共通にできません</translation>
+        <translation>{name} は全キャラクター共通にできません</translation>
     </message>
     <message>
         <source>{name} is not a number of a project</source>
@@ -5688,23 +5881,23 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: a shadow seems to be painted into its drawings, half-transparent at the base, and casts with them; layers.{name}.shadow.painted=left_out leaves it out</source>
-        <translation>{name}: 足元に半透明の影が描き込まれているようで、絵と一緒に影を落とします。layers.{name}.shadow.painted=left_out で除けます</translation>
+        <translation>{name}：足元に半透明の影が描き込まれているようで、セルと一緒に影を落とします。layers.{name}.shadow.painted=left_out で除けます</translation>
     </message>
     <message>
         <source>{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; each lies centred on the canvas</source>
-        <translation>{name}：絵の大きさがそろっていません。最初にちがうのは {path} の {width_px} × {height_px} px です。どれもキャンバスの中央に置きます</translation>
+        <translation>{name}：セルの大きさがそろっていません。最初にちがうのは {path} の {width_px} × {height_px} px です。どれもキャンバスの中央に置きます</translation>
     </message>
     <message>
         <source>{name}: its drawings have no alpha; pure white is taken as clear</source>
-        <translation>{name}：絵にアルファがありません。純白を透明とみなします</translation>
+        <translation>{name}：セルにアルファがありません。純白を透明とみなします</translation>
     </message>
     <message>
         <source>{name}: its drawings have no alpha; white inside their outlines stays, also between arm and body, and white that reaches the border is taken as clear (layers.{name}.paper)</source>
-        <translation>{name}: 動画にアルファがありません。線の内側の白は残し（腕と体の間の白も残ります）、画像の縁につながる白を透明として扱います（layers.{name}.paper）</translation>
+        <translation>{name}：セルにアルファがありません。線の内側の白は残し（腕と体の間の白も残ります）、画像の縁につながる白を透明として扱います（layers.{name}.paper）</translation>
     </message>
     <message>
         <source>{name}: its drawings of {width} × {height} px reach over the canvas of {canvas} px</source>
-        <translation>{name}：{width} × {height} px の絵が {canvas} px のキャンバスからはみ出しています</translation>
+        <translation>{name}：{width} × {height} px のセルが {canvas} px のキャンバスからはみ出しています</translation>
     </message>
     <message>
         <source>{name}: its numbers lie too far apart to be frames; each drawing has one</source>
@@ -5712,7 +5905,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: missing {gaps}; the drawing before is held</source>
-        <translation>{name}：{gaps} がありません。前の絵を止めて使います</translation>
+        <translation>{name}：{gaps} がありません。前のセルを止めて使います</translation>
     </message>
     <message>
         <source>{name}: newer retakes count instead of {names}</source>
@@ -5720,7 +5913,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: no feet were found ({reason}), so it stands on the ground line</source>
-        <translation>{name}: 足が見つからないため ({reason})、接地線に立ちます</translation>
+        <translation>{name}：足が見つからないため ({reason})、接地ラインに立ちます</translation>
     </message>
     <message>
         <source>{name}: one drawing, {first}</source>
@@ -5728,11 +5921,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: the figure reaches the lower edge of its drawing, where the ground was put; if its feet are cut off, move the ground to where they would stand</source>
-        <translation>{name}：人物が絵の下端まで届いているため、そこに地面を置きました。足が切れている場合は、足の立つ位置へ地面を動かしてください</translation>
+        <translation>{name}：キャラクターがセルの下端まで届いているため、そこに地面を置きました。足が切れている場合は、足の立つ位置へ地面を動かしてください</translation>
     </message>
     <message>
         <source>{name}: there is nothing solid in its drawings; the whole canvas was taken as the figure</source>
-        <translation>{name}：絵に不透明な部分がありません。キャンバス全体を人物とみなしました</translation>
+        <translation>{name}：セルに不透明な部分がありません。キャンバス全体をキャラクターとみなしました</translation>
     </message>
     <message>
         <source>{name}: these are not drawn: {never}</source>
@@ -5740,11 +5933,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: these are other drawings, so they are exposed as their numbers say</source>
-        <translation>{name}：別の絵なので、番号どおりに並べました</translation>
+        <translation>{name}：別のセルなので、番号どおりに並べました</translation>
     </message>
     <message>
         <source>{name}: which foot carries is doubtful on {count} drawings (frames {frames}); please look at them</source>
-        <translation>{name}: {count} 枚の絵で接地足が疑わしいです (フレーム {frames})。確認してください</translation>
+        <translation>{name}：{count} 枚のセルで接地足が疑わしいです（フレーム {frames}）。確認してください</translation>
     </message>
     <message>
         <source>{name}: {cause}</source>
@@ -5752,7 +5945,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: {count} drawings cannot be opened</source>
-        <translation>{name}：{count} 枚の絵を開けません</translation>
+        <translation>{name}：{count} 枚のセルを開けません</translation>
     </message>
     <message>
         <source>{name}: {count} drawings, {first} … {last}</source>
@@ -5764,11 +5957,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{name}: {note}, in all its {count} files</source>
-        <translation>{name}: {note}（{count} 個のファイルすべて）</translation>
+        <translation>{name}：{note}（{count} 個のファイルすべて）</translation>
     </message>
     <message>
         <source>{name}: {note}, in {files} of {count} files, first in {path}</source>
-        <translation>{name}: {note}（{count} 個中 {files} 個、最初は {path}）</translation>
+        <translation>{name}：{note}（{count} 個中 {files} 個、最初は {path}）</translation>
     </message>
     <message>
         <source>{part} is a part of {figure} and has no shadow of its own; please ask for {figure}</source>
@@ -5776,7 +5969,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{part}: there is no character {name!r} that it could join</source>
-        <translation>{part}: 結合先のキャラクター {name!r} がありません</translation>
+        <translation>{part}：結合先のキャラクター {name!r} がありません</translation>
     </message>
     <message>
         <source>{path} cannot be read: {cause}</source>
@@ -5792,7 +5985,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path} does not hold values: {cause}</source>
-        <translation>{path} は値のファイルではありません: {cause}</translation>
+        <translation>{path} は値のファイルではありません：{cause}</translation>
     </message>
     <message>
         <source>{path} is not a style: {cause}</source>
@@ -5824,11 +6017,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: adjustment layers over drawings are not used: {names}</source>
-        <translation>{path}: 動画の上の調整レイヤーは使いません: {names}</translation>
+        <translation>{path}：セルの上の調整レイヤーは使いません：{names}</translation>
     </message>
     <message>
         <source>{path}: beside it there are no drawings of its columns ({names}): neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups</source>
-        <translation>{path}：そばに列（{names}）の絵がありません。その名前のフォルダも A_0001.png のような画像も、その名前のグループを持つ PSD もありません</translation>
+        <translation>{path}：そばに列（{names}）のセルがありません。その名前のフォルダーも A_0001.png のような画像も、その名前のグループを持つ PSD もありません</translation>
     </message>
     <message>
         <source>{path}: cannot be removed: {cause}</source>
@@ -5852,19 +6045,19 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: its {count} pages are its drawings, a frame each</source>
-        <translation>{path}: {count} ページを 1 コマずつの動画として読み込みました</translation>
+        <translation>{path}：{count} ページを 1 コマずつのセルとして読み込みました</translation>
     </message>
     <message>
         <source>{path}: its {count} pictures are its drawings, as long as it says at {rate} frames/s</source>
-        <translation>{path}: {count} 枚の画像を、{rate} コマ/秒でファイルの表示時間どおりに、動画として読み込みました</translation>
+        <translation>{path}：{count} 枚の画像を、{rate} コマ/秒でファイルの表示時間どおりに、セルとして読み込みました</translation>
     </message>
     <message>
         <source>{path}: its {count} pictures are its drawings, as long as it says, rounded to whole frames at {rate} frames/s</source>
-        <translation>{path}: {count} 枚の画像を、表示時間を {rate} コマ/秒のコマ単位に丸めて、動画として読み込みました</translation>
+        <translation>{path}：{count} 枚の画像を、表示時間を {rate} コマ/秒のコマ単位に丸めて、セルとして読み込みました</translation>
     </message>
     <message>
         <source>{path}: its {count} pictures are its drawings; {unsaid} of them do not say how long they are seen, which counts as {ms:g} ms</source>
-        <translation>{path}: {count} 枚の画像を動画として読み込みました。{unsaid} 枚には表示時間の指定がないため、{ms:g} ms としました</translation>
+        <translation>{path}：{count} 枚の画像をセルとして読み込みました。{unsaid} 枚には表示時間の指定がないため、{ms:g} ms としました</translation>
     </message>
     <message>
         <source>{path}: keys are out of order</source>
@@ -5888,11 +6081,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: none of its cels has a drawing among those of {layers}</source>
-        <translation>{path}：どのセルにも {layers} の絵が見つかりません</translation>
+        <translation>{path}：シートのどのセルにも {layers} の画像が見つかりません</translation>
     </message>
     <message>
         <source>{path}: none of the missing drawings is there: {names}</source>
-        <translation>{path}：見つからない絵はここにもありません：{names}</translation>
+        <translation>{path}：見つからないセルはここにもありません：{names}</translation>
     </message>
     <message>
         <source>{path}: not there: {names}</source>
@@ -5900,15 +6093,15 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: one figure with one shadow: {names}</source>
-        <translation>{path}: 一つの影を持つ一体のキャラクター: {names}</translation>
+        <translation>{path}：一つの影を持つ一体のキャラクター：{names}</translation>
     </message>
     <message>
         <source>{path}: the background is {taken}; left out: {names}</source>
-        <translation>{path}: 背景は {taken} です。取り込まなかったもの: {names}</translation>
+        <translation>{path}：背景は {taken} です。取り込まなかったもの：{names}</translation>
     </message>
     <message>
         <source>{path}: the drawing is missing</source>
-        <translation>{path}：絵が見つかりません</translation>
+        <translation>{path}：セルが見つかりません</translation>
     </message>
     <message>
         <source>{path}: the kept work is damaged: {cause}</source>
@@ -5940,7 +6133,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{path}: these lie simply over what is below them here: {names}</source>
-        <translation>{path}: 次のレイヤーは、ここでは通常の重ね方で描きます: {names}</translation>
+        <translation>{path}：次のレイヤーは、ここでは通常の重ね方で描きます：{names}</translation>
     </message>
     <message>
         <source>{path}: this folder is not there</source>
@@ -6036,7 +6229,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{width} × {height} px need {needed} MB of memory to be read, of which {free} MB are free</source>
-        <translation>{width} × {height} px の読み込みには {needed} MB のメモリが必要ですが、空きは {free} MB です</translation>
+        <translation>{width} × {height} px の読み込みには {needed} MB のメモリーが必要ですが、空きは {free} MB です</translation>
     </message>
     <message>
         <source>{word!r} cannot stand on a slate: at most {most} printable characters</source>
@@ -6324,7 +6517,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Memory for drawings</source>
-        <translation>絵に使うメモリー</translation>
+        <translation>セルに使うメモリー</translation>
+    </message>
+    <message>
+        <source>Name under notes</source>
+        <translation>メモに付く名前</translation>
     </message>
     <message>
         <source>Unsaved work</source>
@@ -6450,7 +6647,7 @@ Drop a folder of cels here.</source>
     <name>ProjectActions</name>
     <message>
         <source>%1: neither a project, a folder of cels, a set nor a picture that can be read</source>
-        <translation>%1: プロジェクト、セルのフォルダー、3Dセット、読める画像のいずれでもありません</translation>
+        <translation>%1：プロジェクト、セルのフォルダー、3Dセット、読める画像のいずれでもありません</translation>
     </message>
     <message>
         <source>Untitled</source>
@@ -6678,11 +6875,11 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Give Each Character Its Own</source>
-        <translation>キャラごとの値に戻す</translation>
+        <translation>キャラクターごとの値に戻す</translation>
     </message>
     <message>
         <source>Make the Same for All Characters</source>
-        <translation>全キャラで共通にする</translation>
+        <translation>全キャラクターで共通にする</translation>
     </message>
     <message>
         <source>Copy Name for Scripts</source>
@@ -6741,7 +6938,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Show or hide the properties (Alt: of all)</source>
-        <translation>プロパティの表示/非表示 (Alt: すべて)</translation>
+        <translation>プロパティの表示/非表示（Alt：すべて）</translation>
     </message>
     <message>
         <source>Previous key of this row</source>
@@ -6799,7 +6996,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Click the place of the set on which a character stands</source>
-        <translation>キャラが立つセット上の場所をクリックします</translation>
+        <translation>キャラクターが立つセット上の場所をクリックします</translation>
     </message>
     <message>
         <source>Keep this view</source>
@@ -6831,7 +7028,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>figure heights</source>
-        <translation>キャラの身長</translation>
+        <translation>キャラクターの身長</translation>
     </message>
     <message>
         <source>metres (a figure has 1.6)</source>
@@ -6920,7 +7117,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Click where the character&apos;s feet are on the set. Esc ends it.</source>
-        <translation>キャラの足元になるセット上の場所をクリックしてください。Esc で終了。</translation>
+        <translation>キャラクターの足元になるセット上の場所をクリックしてください。Esc で終了。</translation>
     </message>
     <message>
         <source>Click two points of the set whose distance you know. Esc ends it.</source>
@@ -7099,7 +7296,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Set: %1</source>
-        <translation>セット: %1</translation>
+        <translation>セット：%1</translation>
     </message>
     <message>
         <source>Edit Shortcuts…</source>
@@ -7140,7 +7337,7 @@ Drop a folder of cels here.</source>
     <name>Status</name>
     <message>
         <source>How high the figure is over the ground on this frame</source>
-        <translation>このフレームで人物が地面からどれだけ離れているか</translation>
+        <translation>このフレームでキャラクターが地面からどれだけ離れているか</translation>
     </message>
     <message>
         <source>Size of the picture; a click opens the settings of the cut</source>
@@ -7156,7 +7353,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>Looking for feet: %1 of %2</source>
-        <translation>足を探しています: %1 / %2</translation>
+        <translation>足を探しています：%1 / %2</translation>
     </message>
     <message>
         <source>software rendering</source>
@@ -7167,11 +7364,11 @@ Drop a folder of cels here.</source>
         <translation>線をドラッグでセットを移動、矢印で寸法、正面のレバーで回転</translation>
     </message>
     <message>
-        <source>Drag the lamp to move the shadow; right-click a foot to say what it does, double-click to add one</source>
+        <source>Drag the light to move the shadow; right-click a foot to say what it does, double-click to add one</source>
         <translation>ライトをドラッグして影を動かします。足を右クリックで接地を指定、ダブルクリックで足を追加</translation>
     </message>
     <message>
-        <source>Drag the lamp to move the shadow; double-click on the character to add a grounding point</source>
+        <source>Drag the light to move the shadow; double-click on the character to add a grounding point</source>
         <translation>ライトをドラッグすると影が動きます。キャラクターをダブルクリックすると接地点を追加します</translation>
     </message>
 </context>
@@ -7380,7 +7577,7 @@ Drop a folder of cels here.</source>
     <name>WaveNote</name>
     <message>
         <source>Tear: 2π / length × the movement across the crests, added up over both sets; from 1 on it tears.</source>
-        <translation>ちぎれ:2π / 波長 × 波の進む方向への動き(2組の合計)。1以上でちぎれます。</translation>
+        <translation>ちぎれ:2π / 波長 × 波の進む方向への動き（2組の合計）。1以上でちぎれます。</translation>
     </message>
     <message>
         <source>Loop over the cut</source>
@@ -7420,6 +7617,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Drop a folder of cels here</source>
         <translation>セルのフォルダーをここにドロップ</translation>
+    </message>
+    <message>
+        <source>New here? A guided first cut in five steps</source>
+        <translation>はじめての方へ：五つの手順で最初のカット</translation>
     </message>
     <message>
         <source>Projects that you save or open are listed here.</source>

@@ -123,7 +123,7 @@ def test_the_demo_makes_a_project_and_renders_it(shell: Shell, tmp_path: Path) -
     assert shell.out.splitlines()[0] == f"project    {tmp_path / 'demo' / 'demo.kage'}"
     first = read_cel(tmp_path / "demo" / "render" / "Child_shadow" / "Child_shadow_0001.png")
     assert first.matte.box is not None
-    assert shell.json("info", tmp_path / "demo" / "demo.kage", "--json")["keyed"][0]["path"] == "light.position"
+    assert shell.json("info", tmp_path / "demo" / "demo.kage", "--json")["keyed"][0]["path"] == "light.azimuth"
 
 
 @pytest.mark.usefixtures("short_demo")

@@ -19,6 +19,14 @@ SUFFIX = ".exe" if sys.platform == "win32" else ""
 NODE = Path(node_wheel.ROOT_DIR) / ("node.exe" if SUFFIX else "bin/node")
 
 
+CHANGED, NEW = "Changed:", "New:"
+LEFT, FOREIGN = "Changed by you in After Effects, so left as it is:", "Shows other footage, so left alone:"
+DELETED = "Deleted by you in After Effects, so not added again (hold Shift as the script starts to have it back):"
+GONE, BACK = "No longer in the Kagezou project, so switched off:", "In the Kagezou project again, so switched on:"
+NOTES = "Note:"
+"""What stands over the parts of a summary."""
+
+
 class Run(NamedTuple):
     """What After Effects would hold afterwards."""
 
@@ -28,6 +36,17 @@ class Run(NamedTuple):
         found = [each for each in self.tree["items"] if each["name"] == name and kind in ("", each["kind"])]
         assert len(found) == 1, f"{name!r} is there {len(found)} times"
         return dict(found[0])
+
+    def summary(self, number: int = -1) -> dict[str, list[str]]:
+        """Return what was said at the end of a run that came after the first: heads, and the lines under each."""
+        if not self.tree["alerts"]:
+            return {}
+        parts = [part.split("\n") for part in self.tree["alerts"][number].split("\n\n")]
+        return {lines[0]: lines[1:] for lines in parts}
+
+    def left(self) -> list[str]:
+        """Return what the last run left as the user made it."""
+        return [line for head in (LEFT, FOREIGN, DELETED) for line in self.summary().get(head, [])]
 
     def layer(self, comp: str, name: str) -> dict[str, Any]:
         found = [each for each in self.item(comp, "CompItem")["layers"] if each["name"] == name]
@@ -45,9 +64,10 @@ def run_script(script: Path, out: Path, times: int = 1, mode: tuple[str, ...] = 
 def run_edited(script: Path, out: Path, *steps: tuple[str, Path]) -> Run:
     """Run a script, and then what a user does meanwhile and another script, in turns, all in one After Effects.
 
-    What a user does is JavaScript over ``app`` and ``comp(name)``.
+    What a user does is JavaScript over ``app``, ``comp(name)`` and the like; from the second script on it is English.
     """
     find = (
+        "app.isoLanguage = 'en_US';"
         "var comp = (name) => app.project.all.find((each) => each.name === name && each.layers);"
         "var layerOf = (name, called) => comp(name).all.find((each) => each.name === called);"
         "var transformOf = (name, called) => layerOf(name, called)._groups['ADBE Transform Group'].children;"

@@ -14,7 +14,7 @@ from tests.export.small_cuts import export
 
 
 def handed_off(document: Document, folder: Path, **options: object) -> HandedOff:
-    request = HandOffRequest(folder=folder, name="cut", **options)  # type: ignore[arg-type]
+    request = HandOffRequest(folder=folder, name=str(options.pop("name", "cut")), **options)  # type: ignore[arg-type]
     return export_to_after_effects(document, request, open_headless_context, lambda _done, _all: None, lambda: False)
 
 

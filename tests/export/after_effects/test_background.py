@@ -84,7 +84,7 @@ def test_a_picture_becomes_a_sequence_in_the_same_composition(document: Document
     still = set_background(cut(tmp_path / "a", FRAMES), document.behind.drawings[0].path)
     first, second = (script_of(handed_off(each, tmp_path / name)) for each, name in ((still, "1"), (document, "2")))
     run = run_edited(first, tmp_path / "ae.json", ("", second))
-    assert run.tree["alerts"] == []
+    assert run.left() == []
     assert furthest(run, document, tmp_path) <= 1
 
 

@@ -29,7 +29,7 @@ from kagezou.export.after_effects.channels import channel_of, seconds
 from kagezou.export.after_effects.drawings import referenced
 from kagezou.export.after_effects.export import HandedOff, HandOffRequest, export_to_after_effects
 from kagezou.export.after_effects.renderings import SHADOWS
-from kagezou.export.after_effects.script import script_of
+from kagezou.export.after_effects.script import built_of, script_of
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import project
 from kagezou.io.images.reading import read_cel
@@ -333,7 +333,7 @@ def test_no_name_escapes_its_string(name: str, tmp_path: Path) -> None:
     made = hand_off(document, name, name, written)
     text = script_of(made)
     assert text.isascii()
-    literal = text.partition("var HAND_OFF = ")[2].partition(";\n\n    var ja")[0]
+    literal = text.partition("var HAND_OFF = ")[2].partition(";\n\n    /* What is said")[0]
     assert json.loads(literal)["name"] == name
     assert "\u2028" not in text
 
@@ -360,19 +360,25 @@ def test_a_missing_file_is_one_readable_sentence(document: Document, tmp_path: P
     assert run.tree["undo"]["open"] == 0
 
 
-@pytest.mark.parametrize("script", ["build.jsx", "Kagezou.jsx"])
-def test_scripts_are_ecmascript_3_and_use_after_effects_as_it_is(script: str) -> None:
-    text = (resource_folder() / "after_effects" / script).read_text(encoding="ascii")
-    assert complaints(text, checkers()) == ""
+def test_scripts_are_ecmascript_3_and_use_after_effects_as_it_is() -> None:
+    panel = (resource_folder() / "after_effects" / "Kagezou.jsx").read_text(encoding="ascii")
+    for text in (panel, built_of("/** @type {any} */ (null)")):
+        assert complaints(text, checkers()) == ""
 
 
-def test_the_checkers_do_complain(tmp_path: Path) -> None:
-    assert tmp_path.exists()
-    text = (resource_folder() / "after_effects" / "build.jsx").read_text(encoding="ascii")
-    assert complaints(text.replace("var items = {};", "const items = {};"), checkers())
+def test_the_checkers_do_complain() -> None:
+    text = built_of("/** @type {any} */ (null)")
+    assert complaints(text.replace("var carriers = [];", "const carriers = [];"), checkers())
     assert "conformFramerate" in complaints(
         text.replace("source.conformFrameRate", "source.conformFramerate"), checkers()
     )
+
+
+def test_every_part_of_the_builder_is_in_the_script() -> None:
+    text = built_of("null")
+    for part in (resource_folder() / "after_effects" / "builder").iterdir():
+        assert part.read_text(encoding="ascii") in text
+        assert len(part.read_text(encoding="ascii").splitlines()) <= 400
 
 
 def test_a_script_with_everything_in_it_passes_the_checkers(document: Document, tmp_path: Path) -> None:

@@ -17,7 +17,16 @@ from kagezou.document.key_edits import all_keys
 from kagezou.document.model import Cels, Document, Drawing, Exposure
 from kagezou.geometry.box import Box
 from kagezou.io.images.writing import write_rgba
-from tests.export.after_effects.extendscript import pair_at, place_at, property_of, run_edited, run_script, value_at
+from tests.export.after_effects.extendscript import (
+    CHANGED,
+    LEFT,
+    pair_at,
+    place_at,
+    property_of,
+    run_edited,
+    run_script,
+    value_at,
+)
 from tests.export.after_effects.hand_offs import built, furthest, handed_off, names, script_of
 from tests.export.small_cuts import HEIGHT, WIDTH, cut, drawings, with_values
 
@@ -82,7 +91,7 @@ def test_whole_px_are_the_picture_to_the_last_level_but_one(still: Document, tmp
 def test_a_layer_that_is_not_moved_has_no_transform_in_the_script(still: Document, tmp_path: Path) -> None:
     for document in (still, with_values(still, layers__A__position=(32.0, 24.0), layers__A__rotation=0.0)):
         script = script_of(handed_off(document, tmp_path / "ae")).read_text(encoding="ascii")
-        literal = script.partition("var HAND_OFF = ")[2].partition(";\n\n    var ja")[0]
+        literal = script.partition("var HAND_OFF = ")[2].partition(";\n\n    /* What is said")[0]
         assert "transform" not in literal
 
 
@@ -132,7 +141,8 @@ def test_a_second_run_follows_the_document_until_the_user_moves_the_layer(moved:
     later = keyed(moved, "position", {4: (20.0, 30.0)}, BEZIER)
     second = script_of(handed_off(later, tmp_path / "2"))
     run = run_edited(first, tmp_path / "ae.json", ("", second), ("", second))
-    assert run.tree["alerts"] == []
+    assert [run.summary(number).get(CHANGED) for number in (0, 1)] == [["A: transform"], None]
+    assert run.left() == []
     assert place_at(run.layer("cut", "A"), 3 / 24) == (20.0, 30.0)
     for edit in (
         "transformOf('cut', 'A')['ADBE Position_1'].keys[1].value = 33;",
@@ -141,24 +151,22 @@ def test_a_second_run_follows_the_document_until_the_user_moves_the_layer(moved:
     ):
         run = run_edited(first, tmp_path / "ae.json", (edit, second))
         assert place_at(run.layer("cut", "A"), 3 / 24)[0] == 40.0
-        (said,) = run.tree["alerts"]
-        assert "トランスフォーム" in said
-        assert said.splitlines()[-1] == "A"
+        assert run.summary()[LEFT] == ["A: transform"]
 
 
 def test_a_layer_that_comes_to_be_moved_or_no_longer_is(still: Document, moved: Document, tmp_path: Path) -> None:
     plain, other = script_of(handed_off(still, tmp_path / "1")), script_of(handed_off(moved, tmp_path / "2"))
     run = run_edited(plain, tmp_path / "ae.json", ("", other))
-    assert run.tree["alerts"] == []
+    assert run.left() == []
     assert place_at(run.layer("cut", "A"), 0) == (16.0, 40.0)
     run = run_edited(other, tmp_path / "ae.json", ("", plain), ("", plain))
-    assert run.tree["alerts"] == []
+    assert run.left() == []
     fresh = run_script(plain, tmp_path / "fresh.json").layer("cut", "A")
     assert without_memory(run.layer("cut", "A")) == without_memory(fresh)
     own = "transformOf('cut', 'A')['ADBE Position'].value = [3, 4];"
     run = run_edited(plain, tmp_path / "ae.json", (own, plain), ("", other))
     assert place_at(run.layer("cut", "A"), 0) == (3, 4), "moved by hand"
-    assert len(run.tree["alerts"]) == 1
+    assert run.left() == ["A: transform"]
 
 
 def test_footage_that_comes_to_have_another_size_still_lies_as_in_the_picture(still: Document, tmp_path: Path) -> None:
@@ -168,7 +176,7 @@ def test_footage_that_comes_to_have_another_size_still_lies_as_in_the_picture(st
     for number, (one, other) in enumerate(((plain, document), (document, plain), (small, plain), (plain, small))):
         scripts = [script_of(handed_off(each, tmp_path / f"{number}{n}")) for n, each in enumerate((one, other))]
         run = run_edited(scripts[0], tmp_path / "ae.json", ("", scripts[1]))
-        assert run.tree["alerts"] == []
+        assert run.left() == []
         assert furthest(run, other, tmp_path / f"{number}") <= 1
 
 

@@ -13,7 +13,7 @@ from kagezou.export.after_effects.export import HandOffRequest, export_to_after_
 from kagezou.geometry.box import Box
 from kagezou.io.images.writing import write_rgba
 from kagezou.render.gpu.context import open_headless_context
-from tests.export.after_effects.extendscript import property_of, run_edited, run_script
+from tests.export.after_effects.extendscript import BACK, GONE, LEFT, property_of, run_edited, run_script
 from tests.export.small_cuts import HEIGHT, WIDTH, cut, drawings, with_key, with_values
 
 OPACITY = ("ADBE Transform Group", "ADBE Opacity")
@@ -46,8 +46,7 @@ def test_opacity_follows_the_document_until_the_user_changes_it(tmp_path: Path) 
     assert property_of(run.layer("cut", "A shadow"), *OPACITY)["value"] == pytest.approx(90)
     run = run_edited(first, tmp_path / "ae.json", ("opacityOf('cut', 'A shadow').value = 33;", second))
     assert property_of(run.layer("cut", "A shadow"), *OPACITY)["value"] == 33
-    assert len(run.tree["alerts"]) == 1
-    assert "A shadow" in run.tree["alerts"][0]
+    assert run.summary()[LEFT] == ["A shadow: opacity"]
 
 
 def test_keys_of_opacity_are_kept_when_one_was_changed_and_else_follow(tmp_path: Path) -> None:
@@ -108,10 +107,11 @@ def test_a_layer_that_is_gone_is_switched_off_and_comes_back(tmp_path: Path) -> 
         False,
         False,
     ]
-    assert len(run.tree["alerts"]) == 1, "said once, not on every run"
-    assert "B shadow" in run.tree["alerts"][0]
+    assert run.summary(0)[GONE] == ["B shadow", "B"]
+    assert GONE not in run.summary(), "said once, not on every run"
     run = run_edited(first, tmp_path / "ae.json", ("", alone), ("", first))
     assert [run.layer("cut", name)["enabled"] for name in ("B shadow", "B")] == [True, True]
+    assert run.summary()[BACK] == ["B shadow", "B"]
 
 
 def test_a_renamed_layer_takes_its_new_files_and_keeps_its_place(tmp_path: Path) -> None:
@@ -124,7 +124,7 @@ def test_a_renamed_layer_takes_its_new_files_and_keeps_its_place(tmp_path: Path)
     run = run_edited(
         kept, tmp_path / "ae.json", ("layerOf('cut', 'A').name = 'mine';", script_in(renamed, tmp_path / "ae"))
     )
-    assert run.tree["alerts"] == []
+    assert run.left() == []
     assert run.layer("cut", "mine")["source"] == "A"
     files = [Path(each["file"]).parent.name for each in run.tree["items"] if each["file"]]
     assert sorted(files) == ["Hero 50%41 = 日本", "Hero 50%41 = 日本_shadow"]

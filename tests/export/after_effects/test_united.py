@@ -110,21 +110,26 @@ def test_a_hidden_figure_is_no_difference_of_look(pair: Document, tmp_path: Path
     assert furthest(built(done, tmp_path), document, tmp_path) <= 1
 
 
-def test_looks_that_differ_on_some_frames_stay_apart_and_that_is_said_once(pair: Document, tmp_path: Path) -> None:
+def test_looks_that_differ_on_some_frames_are_one_layer_and_that_is_said_once(pair: Document, tmp_path: Path) -> None:
     document = with_key(with_key(pair, "layers.B.shadow.opacity", 1, 0.6), "layers.B.shadow.opacity", 3, 0.2)
     done = handed_off(document, tmp_path / "ae")
     (note,) = map(str, done.notes)
-    assert note.startswith("the shadows of 'A', 'B' unite in the picture, but stay apart as layers")
+    assert note.startswith("the shadows of 'A', 'B' are handed over as one, with their opacity in it")
     run = built(done, tmp_path)
-    assert {"A shadow", "B shadow"} <= set(names(run, "cut"))
+    assert names(run, "cut")[:4] == ["Background", "A, B shadows", "A", "B"]
     assert not any(each["kind"] == "CompItem" and each["name"] != "cut" for each in run.tree["items"])
+    footage = [each["name"] for each in run.tree["items"] if each["folder"] == "Shadows"]
+    assert footage == ["A shadow", "B shadow", "A, B united shadows"], "each alone is there, too"
+    assert furthest(run, document, tmp_path) <= 1
 
 
-def test_two_colours_stay_apart(pair: Document, tmp_path: Path) -> None:
+def test_two_colours_are_one_layer(pair: Document, tmp_path: Path) -> None:
     document = with_values(pair, layers__A__shadow__tip_distance=20.0, layers__B__shadow__tip_distance=20.0)
     done = handed_off(document, tmp_path / "ae")
     assert len(done.notes) == 1
-    assert "A, B shadows" not in names(built(done, tmp_path), "cut")
+    run = built(done, tmp_path)
+    assert names(run, "cut")[1] == "A, B shadows"
+    assert furthest(run, document, tmp_path) <= 1
 
 
 @pytest.mark.parametrize("values", [{"layers__B__shadow__opacity": 0.3}, {"scene__shadows_unite": False}])

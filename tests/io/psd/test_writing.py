@@ -152,7 +152,7 @@ def test_a_document_is_laid_out_as_photoshop_lays_out_its_depth(depth: int) -> N
     else:
         # Neither layers nor a mask for all of them, but two blocks.
         assert section[4:12] == bytes(8)
-        assert section[12:24] == b"8BIMMt16" + bytes(4)
-        assert section[24:32] == b"8BIMLr16"
-        assert struct.unpack(">I", section[32:36])[0] <= length - 32 < struct.unpack(">I", section[32:36])[0] + 4
-        assert struct.unpack(">h", section[36:38]) == (-1,)
+        assert section[12:20] == b"8BIMLr16"
+        assert struct.unpack(">I", section[20:24])[0] <= length - 32 < struct.unpack(">I", section[20:24])[0] + 4
+        assert struct.unpack(">h", section[24:26]) == (-1,)
+        assert section[length - 8 : length + 4] == b"8BIMMt16" + bytes(4)

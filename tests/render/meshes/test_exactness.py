@@ -282,6 +282,10 @@ def test_clay_and_wireframe_are_shown_where_they_are_asked_for(
     assert (np.abs(shown("clay", wireframes=False, is_under=True) - clay).max()) == 0, (
         "there is no background to hide it"
     )
+    mixed = with_pieces(scene, (replace(box, display="clay"), replace(box, id="b", display="clay", is_under=True)))
+    over, under = (mesh_renderer.clay(mixed, is_under=each)[..., 3] for each in (False, True))
+    assert not ((over == 255) & (under == 255)).any(), "each is drawn once"
+    assert over.any() or under.any()
     lines = np.abs(shown("wireframe", wireframes=True) - nothing).max(axis=-1)
     drawn = (lines > 100).sum()
     assert drawn > 500

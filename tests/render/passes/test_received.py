@@ -167,7 +167,7 @@ def test_casters_of_several_looks_are_one_layer_that_does_what_they_do(
     scene = evaluate(document, 1)
     layer = scene.layers[0]
     assert layer.received is not None
-    image = renderer.received(scene, layer, 16).rgba() / 65535
+    image = renderer.received(scene, layer, 16, multiply=blend == "multiply").rgba() / 65535
     renderer.draw_picture(scene, Backdrop.WHITE)
     with_shades = renderer.read_picture() / 255
     renderer.draw_picture(replace(scene, layers=(replace(layer, received=None), *scene.layers[1:])), Backdrop.WHITE)

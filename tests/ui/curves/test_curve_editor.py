@@ -27,6 +27,7 @@ from kagezou.ui.curves.curve_editor import CurveEditor
 from kagezou.ui.curves.flags import FlagKind, flags_of
 from kagezou.ui.curves.key_rows import HEADINGS, parse_row, pasted, rows_of, text_of, with_cell
 from kagezou.ui.curves.panel import CurvesPanel
+from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.widgets.overflow_row import OverflowRow
@@ -257,7 +258,7 @@ def test_the_readout_says_value_speed_and_way(editor: CurveEditor) -> None:
     said = _read(editor, 10)
     assert said.startswith("10  (0+10)    Declination    30°")
     editor._bridge.session.select_keys(frozenset({KeyRef(LIGHT, 5)}))
-    assert _read(editor, 10) == "10  (0+10)    Light position x    50 px    +10 px/f    +50 since key 5"
+    assert _read(editor, 10) == "10  (0+10)    Light position x    50 px    +10 px/f    +50 px since key 5"
 
 
 def test_looking_only_changes_nothing(editor: CurveEditor, keyed: OpenProject) -> None:
@@ -384,7 +385,7 @@ def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: OpenProje
     back = pasted(before, LIGHT, text)
     for frame in range(1, 49):
         assert value_of(back, LIGHT, frame) == value_of(before, LIGHT, frame)
-    assert pasted(back, LIGHT, text_of(rows_of(back, LIGHT))) is back
+    assert pasted(back, LIGHT, text_of(rows_of(back, LIGHT), back.canvas)) is back
     clipboard.put("12\t1\t7\n12\t2\t8\n12\t3\t900\thold\n")
     editor.table.paste()
     assert value_of(keyed.bridge.document, LIGHT, 12) == (7.0, 8.0, 900.0)
@@ -398,6 +399,51 @@ def test_keys_go_to_a_spreadsheet_and_back(editor: CurveEditor, keyed: OpenProje
 def test_lines_that_are_no_keys_are_refused(keyed: OpenProject, line: str) -> None:
     with pytest.raises(UsageProblem):
         pasted(keyed.bridge.document, LIGHT, line)
+
+
+def test_copied_rows_count_as_the_cut_does(keyed: OpenProject) -> None:
+    document = edits.set_canvas(keyed.bridge.document, replace(keyed.bridge.document.canvas, first_frame=1001))
+    text = text_of(rows_of(document, DECLINATION), document.canvas)
+    assert [line.split("\t")[0] for line in text.splitlines()[1:]] == ["1010", "1040"]
+    back = pasted(document, DECLINATION, text)
+    assert [(row.frame, row.value) for row in rows_of(back, DECLINATION)] == [(10, 30.0), (40, 60.0)]
+    with pytest.raises(UsageProblem):
+        pasted(document, DECLINATION, "1000\t1\t2\n")
+
+
+def test_shares_are_read_and_typed_in_per_cent(qtbot: QtBot, filled: OpenProject, clipboard: OwnClipboard) -> None:
+    session, opacity = filled.bridge.session, Address(OPACITY, filled.bridge.document.layers[0].id)
+    document = edits.set_key(edits.set_key(session.document, opacity, 1, 0.25), opacity, 9, 0.5)
+    session.edit("Key", document)
+    session.select_keys(frozenset({KeyRef(opacity, 1)}))
+    editor = CurveEditor(filled.bridge, clipboard)
+    qtbot.addWidget(editor)
+    table = editor.table
+    assert [cell_text(editor, row, 2) for row in (0, 1)] == ["25 %", "50 %"]
+    assert editor.graph.getAxis("left").scale == 100.0
+    for typed, value in (("30", 0.3), ("45 %", 0.45), ("*2", 0.9), ("+5", 0.95), ("12.5%", 0.125)):
+        type_cell(editor, 0, 2, typed)
+        assert value_of(filled.bridge.document, opacity, 1) == value, typed
+    type_cell(editor, 0, 6, "3")
+    key = track_of(filled.bridge.document, opacity).key_at(1)
+    assert key is not None
+    assert key.ease_out[0].speed == 0.03
+    table.selectAll()
+    table.copy()
+    assert clipboard.text().splitlines()[1].split("\t")[2] == "0.125", "spreadsheets get the number that is kept"
+    assert "50 %" in readout(filled.bridge.document, editor.choice, editor.graph.pictures[0], 9)
+
+
+def cell_text(editor: CurveEditor, row: int, column: int) -> str:
+    item = editor.table.item(row, column)
+    assert item is not None
+    return item.text()
+
+
+def type_cell(editor: CurveEditor, row: int, column: int, text: str) -> None:
+    item = editor.table.item(row, column)
+    assert item is not None
+    item.setText(text)
 
 
 def test_each_cell_changes_its_own_number_alone(keyed: OpenProject) -> None:
@@ -416,7 +462,7 @@ def test_each_cell_changes_its_own_number_alone(keyed: OpenProject) -> None:
     with pytest.raises(UsageProblem, match="component cannot be changed"):
         with_cell(document, DECLINATION, row, 1, "2")
     assert parse_row(["3", "1", "5"]).interpolation is Interpolation.LINEAR
-    assert text_of(()).count("\n") == 1
+    assert text_of((), document.canvas).count("\n") == 1
 
 
 def test_notes_are_pinned_gone_to_changed_and_deleted(qtbot: QtBot, editor: CurveEditor, keyed: OpenProject) -> None:

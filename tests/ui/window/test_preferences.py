@@ -110,6 +110,18 @@ def test_a_new_window_begins_with_what_was_preferred(qtbot: QtBot, settings: Set
     assert dialog.memory.value() == 128
 
 
+def test_notes_bear_the_name_that_was_typed(
+    qtbot: QtBot, plain: MainWindow, dialog: PreferencesDialog, settings: Settings
+) -> None:
+    before = plain.parts.curves.made().notes.author
+    assert before == dialog.author.placeholderText()
+    typed(qtbot, dialog.author, "Sato")
+    assert plain.parts.curves.made().notes.author == "Sato"
+    assert preferences_in(settings).author == "Sato"
+    typed(qtbot, dialog.author, " ")
+    assert plain.parts.curves.made().notes.author == before, "without one the system's name is taken again"
+
+
 def test_the_resolution_is_that_of_the_menu(qtbot: QtBot, plain: MainWindow, dialog: PreferencesDialog) -> None:
     choose(qtbot, dialog.resolution, Resolution.QUARTER.value)
     assert plain.parts.viewport.resolution is Resolution.QUARTER

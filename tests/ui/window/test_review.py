@@ -97,7 +97,7 @@ def test_nothing_can_be_changed_but_what_is_said(
     dialog.setTextValue("Like this?")
     dialog.accept()
     qtbot.waitUntil(lambda: bool(document_of(noted).notes[0].answers))
-    author = parts.curves.author
+    author = parts.curves.made().notes.author
     assert document_of(noted).notes[0].answers == (NoteAnswer("Like this?", author),)
     assert parts.review_bar.words.text().endswith("Like this?")
     assert parts.review_bar.ticked.isChecked()

@@ -26,6 +26,8 @@ from kagezou.document.edits import set_key
 from kagezou.document.key_edits import KeyRef
 from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION
 from kagezou.importing.staging import CharacterSource
+from kagezou.ui.help.first_cut import STEPS
+from kagezou.ui.help.first_cut_bar import FirstCutBar
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
@@ -89,13 +91,17 @@ def small(
     if QGuiApplication.platformName() == "offscreen":
         pytest.skip("no display that can show OpenGL; run under Xvfb")
     english.speak(request.param)
-    made = MainWindow(keyed, settings, OwnClipboard())
+    made = MainWindow(keyed, settings, OwnClipboard(), _no_demo)
     made.resize(*FLOOR)
     made.show()
     qtbot.waitExposed(made)
     yield made
     made.close_unasked()
     made.deleteLater()
+
+
+def _no_demo(folder: Path, _progress: object) -> Path:
+    raise AssertionError(f"nobody asked for a demo in {folder}")
 
 
 def test_the_window_takes_no_more_than_the_floor(small: MainWindow) -> None:
@@ -120,6 +126,27 @@ def test_every_word_of_the_panels_is_whole(qtbot: QtBot, small: MainWindow) -> N
             QApplication.processEvents()
         found += [f"{name}: {each}" for each in cut(panel)]
     assert found == []
+
+
+def test_the_guide_and_every_page_of_the_manual_are_whole(qtbot: QtBot, small: MainWindow) -> None:
+    (bar,) = small.findChildren(FirstCutBar)
+    bar.guide.begin(small.parts.bridge.document)
+    for _step in (*STEPS, None):
+        QApplication.processEvents()
+        assert list(cut(bar)) == [], bar.text
+        assert small.minimumSizeHint().width() <= FLOOR[0]
+        bar.guide.skip(small.parts.bridge.document)
+    small.help.open_at(("index", ""))
+    manual = small.help.manual
+    assert manual is not None
+    manual.resize(1000, 640)
+    qtbot.waitExposed(manual)
+    for name in manual.names:
+        manual.open(name)
+        QApplication.processEvents()
+        assert manual.pages.page == name
+        assert not manual.pages.horizontalScrollBar().isVisible(), name
+    assert list(cut(manual)) == []
 
 
 DIALOGS: dict[str, Callable[[MainWindow], object]] = {

@@ -28,11 +28,13 @@ CHARACTER: Final = "Child"
 _CONSTANTS: Final[dict[str, Value]] = {
     "ground.position": (500.0, GROUND_Y + 3),
     "ground.declination": 58.0,
+    "light.kind": "sun",
+    "light.elevation": 48.0,
     f"layers.{CHARACTER}.shadow.color": "#2C3E63",
     f"layers.{CHARACTER}.shadow.opacity": 0.55,
 }
-_LIGHT: Final[dict[int, Value]] = {1: (-90.0, -300.0, 330.0), FRAMES: (1060.0, -300.0, 330.0)}
-"""Where the lamp stands, by frame: it wanders from the left to the right of the child."""
+_LIGHT: Final[dict[int, Value]] = {1: -50.0, FRAMES: 50.0}
+"""The sun's azimuth by frame: it wanders from the left to the right of the child."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,8 +105,8 @@ def imported(drawings: Path, background: Path | None) -> Document:
     document = document_with_feet(document, [layer.id for layer in document.layers]).document
     for path, value in _CONSTANTS.items():
         document = set_constant(document, resolve(document, path), value)
-    for frame, place in _LIGHT.items():
-        document = set_key(document, resolve(document, "light.position"), frame, place, Interpolation.BEZIER)
+    for frame, degrees in _LIGHT.items():
+        document = set_key(document, resolve(document, "light.azimuth"), frame, degrees, Interpolation.BEZIER)
     return document
 
 

@@ -2,33 +2,39 @@
 
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
+from typing import Final
 
-from kagezou.document import properties
 from kagezou.document.address import Address, track_of
 from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
 from kagezou.document.model import Document, Layer
 from kagezou.document.note import Note
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER
-from kagezou.document.values import value_at
 from kagezou.export.after_effects import comp as ae
-from kagezou.export.after_effects.channels import channel_of, seconds
+from kagezou.export.after_effects.channels import seconds
 from kagezou.export.after_effects.drawings import CelFootage
 from kagezou.export.after_effects.drawn_layers import background_layer, cel_layer
 from kagezou.export.after_effects.guides import guides_of
+from kagezou.export.after_effects.laying import Laying
 from kagezou.export.after_effects.renderings import (
+    CLAY,
     CONTACTS,
     RECEIVED,
     REFLECTIONS,
     SHADOW_MATTES,
     SHADOWS,
+    TOGETHER,
     Rendering,
 )
 from kagezou.export.after_effects.shadows import ShadowFootage, Shown, shadow_layers, united_comps
-from kagezou.export.subjects import GROUND, SET
-from kagezou.export.uniting import CutGroup
+from kagezou.export.selection import received_ways
+from kagezou.export.subjects import GROUND, SET, SET_UNDER, ReceivedSubject, TogetherSubject
+from kagezou.export.uniting import CutGroups
+
+_CLAY_NAMES: Final = {SET: "Set clay", SET_UNDER: "Set clay under background"}
 
 Remap = tuple[tuple[float, int | None], ...]
 
@@ -66,10 +72,10 @@ class Written:
         Layer id → the drawings.
     background
         The background's pictures, None where there are none to see.
+    united
+        Which shadows unite.
     lit
         Whether the lit area is asked for; it is made of the mattes of the shadows alone.
-    united
-        The groups of layers whose shadows unite over the whole cut.
     """
 
     folder: Path
@@ -77,7 +83,7 @@ class Written:
     cels: Mapping[str, CelFootage]
     background: CelFootage | None
     lit: bool = False
-    united: tuple[CutGroup, ...] = ()
+    united: CutGroups = field(default_factory=lambda: CutGroups((), {}))
 
 
 def hand_off(document: Document, name: str, project: str, written: Written) -> ae.HandOff:
@@ -86,11 +92,13 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
     rate = canvas.frame_rate
     first, last = document.played
     shown = _shown(document, written)
-    shadows = shadow_layers(document, written.united, shown)
+    laying = Laying.of(document)
+    shadows = shadow_layers(document, written.united, shown, laying)
+    beside = _beside(document, written, laying)
     main = ae.Comp(
         "main",
         name,
-        (*_background(document, written), *shadows, *_beside(document, written), *_characters(document, written)),
+        (*_background(document, written), *shadows, *beside, *_characters(document, written)),
         guides_of(document),
         _markers(document),
     )
@@ -102,15 +110,20 @@ def hand_off(document: Document, name: str, project: str, written: Written) -> a
         frame_rate=float(rate),
         frames=canvas.length_frames,
         duration=float(canvas.length_frames / rate),
+        first_frame=canvas.first_frame,
         work_area=(seconds(first, rate), float((last - first + 1) / rate)),
         footage=_footage(document, written),
-        comps=(*_lit(document, written), *united_comps(document, written.united, shown), main),
+        comps=(*_lit(document, written), *united_comps(document, written.united.of_several(), shown), main),
     )
 
 
 def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
-    names = {SET: "Set", GROUND: "Ground"} | {layer.id: layer.name for layer in document.layers}
+    names = {SET: "Set", SET_UNDER: "Set", GROUND: "Ground"} | {layer.id: layer.name for layer in document.layers}
     names |= {piece.id: piece.name for piece in document.pieces}
+    names |= {ReceivedSubject(layer.id, is_over=True).owner: f"{layer.name} normal" for layer in document.layers}
+    for group, over in product(written.united.together(), (False, True)):
+        title = ", ".join(names[each] for each in group.ids)
+        names[TogetherSubject(group.ids, is_over=over).owner] = f"{title} united{' normal' if over else ''}"
     made = []
     if written.background is not None:
         first, count = written.background.first, written.background.count
@@ -121,13 +134,29 @@ def _footage(document: Document, written: Written) -> tuple[ae.Footage, ...]:
         made.append(_item(tag, title, cels.first, written.folder, count=cels.count, into="Characters"))
     for (rendering, owner), footage in written.rendered.items():
         tag, title = f"{rendering.tag}:{owner}", rendering.footage_name.format(names[owner])
-        into = "Mattes" if rendering.is_matte else "Shadows"
+        title = _CLAY_NAMES[owner] if rendering == CLAY else title
+        into = "Mattes" if rendering.is_matte else "Set" if rendering == CLAY else "Shadows"
         made.append(_item(tag, title, footage.first, written.folder, count=footage.count, into=into))
     return tuple(made)
 
 
 def _background(document: Document, written: Written) -> tuple[ae.CompLayer, ...]:
-    return () if written.background is None else (background_layer(document, written.background),)
+    """Return the background and the sets drawn as clay, those under it first."""
+    rate = document.canvas.frame_rate
+    clay = {
+        owner: ae.CompLayer(
+            tag=f"{CLAY.tag}:{owner}",
+            name=_CLAY_NAMES[owner],
+            footage=f"{CLAY.tag}:{owner}",
+            blend="NORMAL",
+            opacity=ae.Channel(100.0),
+            remap=_remap(footage.pictures, rate),
+        )
+        for (rendering, owner), footage in written.rendered.items()
+        if rendering == CLAY
+    }
+    behind = None if written.background is None else background_layer(document, written.background)
+    return tuple(each for each in (clay.get(SET_UNDER), behind, clay.get(SET)) if each is not None)
 
 
 def _shown(document: Document, written: Written) -> Shown:
@@ -136,7 +165,7 @@ def _shown(document: Document, written: Written) -> Shown:
     return {
         owner: ShadowFootage(_remap(footage.pictures, rate), _notes(document, owner))
         for (rendering, owner), footage in written.rendered.items()
-        if rendering == SHADOWS
+        if rendering in (SHADOWS, TOGETHER)
     }
 
 
@@ -147,39 +176,43 @@ def _characters(document: Document, written: Written) -> tuple[ae.CompLayer, ...
             # Notes about a figure stand at its shadow, and a part of it has none.
             notes = () if layer.joins is None else _notes(document, layer.id)
             made.append(cel_layer(document, layer, written.cels[layer.id], notes))
-        if (RECEIVED, layer.id) in written.rendered:
-            made.append(_received(document, layer, written))
+        made.extend(_received(document, layer, written))
     return tuple(made)
 
 
-def _received(document: Document, layer: Layer, written: Written) -> ae.CompLayer:
-    """Return what others cast on a character, laid over it as the lowest of them lays its shadow."""
-    figure = layer.joins or layer.id
-    caster = next((other for other in document.layers if other.joins is None and other.id != figure), layer)
-    return ae.CompLayer(
-        tag=f"received:{layer.id}",
-        name=f"{layer.name} received",
-        footage=f"received:{layer.id}",
-        blend=value_at(caster.tracks, properties.BLEND, 1).upper(),
-        opacity=ae.Channel(100.0),
-        remap=_remap(written.rendered[RECEIVED, layer.id].pictures, document.canvas.frame_rate),
-    )
+def _received(document: Document, layer: Layer, written: Written) -> Iterator[ae.CompLayer]:
+    """Yield what others cast on a character, laid over it as they lay their shadows."""
+    for place, multiply in enumerate(received_ways(document, layer)):
+        subject = ReceivedSubject(layer.id, multiply, bool(place))
+        if (RECEIVED, subject.owner) in written.rendered:
+            yield ae.CompLayer(
+                tag=f"received:{subject.owner}",
+                name=f"{layer.name} received{' normal' if subject.is_over else ''}",
+                footage=f"received:{subject.owner}",
+                blend="MULTIPLY" if multiply else "NORMAL",
+                opacity=ae.Channel(100.0),
+                remap=_remap(written.rendered[RECEIVED, subject.owner].pictures, document.canvas.frame_rate),
+            )
 
 
-def _beside(document: Document, written: Written) -> Iterator[ae.CompLayer]:
+def _beside(document: Document, written: Written, laying: Laying) -> Iterator[ae.CompLayer]:
     """Yield what figures have beside their shadows: the patches under their feet, and over them their reflections."""
     rate = document.canvas.frame_rate
-    for rendering, prop in ((CONTACTS, CONTACT_STRENGTH), (REFLECTIONS, REFLECTION_OPACITY)):
+    for rendering, prop, ways_of in (
+        (CONTACTS, CONTACT_STRENGTH, laying.of_contact),
+        (REFLECTIONS, REFLECTION_OPACITY, laying.of_reflection),
+    ):
         for layer in (each for each in document.layers if (rendering, each.id) in written.rendered):
-            is_laid_on = rendering == CONTACTS
-            yield ae.CompLayer(
+            plain = ae.CompLayer(
                 tag=f"{rendering.tag}:{layer.id}",
                 name=rendering.footage_name.format(layer.name),
                 footage=f"{rendering.tag}:{layer.id}",
-                blend=value_at(layer.tracks, properties.BLEND, 1).upper() if is_laid_on else "NORMAL",
-                opacity=channel_of(track_of(document, Address(prop, layer.id)), 0, rate, 100.0),
+                blend="NORMAL",
+                opacity=ae.Channel(100.0),
                 remap=_remap(written.rendered[rendering, layer.id].pictures, rate),
             )
+            track = track_of(document, Address(prop, layer.id))
+            yield from laying.layers(ways_of(layer.id), track, plain, default=rendering == CONTACTS)
 
 
 def _lit(document: Document, written: Written) -> tuple[ae.Comp, ...]:

@@ -98,6 +98,8 @@ class Footage:
         The folder of the project panel it goes into.
     absolute
         Where footage that was left in its place lay; empty for what is in the script's folder.
+    label
+        The number of its label's colour; 0 for After Effects' own choice.
     """
 
     tag: str
@@ -107,6 +109,7 @@ class Footage:
     alpha: str
     folder: str
     absolute: str = ""
+    label: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,6 +145,8 @@ class CompLayer:
         where it is what its footage is.
     transform
         How it lies; None where it lies centred on whole pixels.
+    label
+        As of `Footage`.
     """
 
     tag: str
@@ -155,6 +160,7 @@ class CompLayer:
     alpha_shown: bool = False
     colors: tuple[tuple[float, tuple[float, ...]], ...] = ()
     transform: Transform | None = None
+    label: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,6 +203,8 @@ class HandOff:
         Tells the hand-offs of several cuts in one project apart.
     frame_rate, frames
         As a number; ``frames`` is the length.
+    first_frame
+        What the first frame is called.
     work_area
         Start and length in seconds.
     """
@@ -208,6 +216,7 @@ class HandOff:
     frame_rate: float
     frames: int
     duration: float
+    first_frame: int
     work_area: tuple[float, float]
     footage: tuple[Footage, ...]
     comps: tuple[Comp, ...]

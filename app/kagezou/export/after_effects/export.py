@@ -200,7 +200,7 @@ class _ScriptRun:
         united = cut_groups(document, of_one_color=True)
         background = cels.pop(BACKGROUND, None)
         lit = "lit" in request.mattes
-        written = Written(request.folder, self.footage, cels, background, lit, united.of_several())
+        written = Written(request.folder, self.footage, cels, background, lit, united)
         file = safe_names([request.name])[request.name] + ".jsx"
         text = script_of(hand_off(document, request.name, file, written))
         write_bytes(request.folder / file, text.encode("ascii"))

@@ -8,9 +8,10 @@ from typing import Final
 from kagezou.document.model import Document
 from kagezou.export import request
 from kagezou.export.after_effects.mattes import at_full_opacity, matte_document
-from kagezou.export.selection import ever_has_contact, ever_is_mirrored, ever_receives
+from kagezou.export.selection import ever_clay, ever_has_contact, ever_is_mirrored, ever_receives
 from kagezou.export.sequences import OutputSequence
 from kagezou.export.subjects import SetShadowSubject
+from kagezou.export.uniting import cut_groups
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +67,9 @@ SHADOWS: Final = Rendering("shadow", "shadows", "{} shadow", request.SHADOWS, at
 RECEIVED: Final = Rendering("received", "shadows", "{} received", request.RECEIVED, _as_it_is)
 CONTACTS: Final = Rendering("contact", "shadows", "{} contact", request.CONTACTS, at_full_opacity)
 REFLECTIONS: Final = Rendering("reflection", "shadows", "{} reflection", request.REFLECTIONS, at_full_opacity)
+TOGETHER: Final = Rendering("shadow", "shadows", "{} shadows", request.TOGETHER, _as_it_is)
+CLAY: Final = Rendering("background", "set", "{}", request.CLAY, _as_it_is)
+"""Of the kind of the background, which it lies beside."""
 SHADOW_MATTES: Final = _matte("shadow", takes_set=True)
 RECEIVER_MATTES: Final = Rendering(
     "matte:receivers", "matte_receivers", "{} matte", request.RECEIVERS, _as_it_is, is_matte=True
@@ -92,4 +96,6 @@ def renderings_of(document: Document, mattes: tuple[str, ...]) -> tuple[Renderin
     received = (RECEIVED,) if any(map(ever_receives, document.layers)) else ()
     contacts = (CONTACTS,) if any(map(ever_has_contact, document.layers)) else ()
     reflections = (REFLECTIONS,) if any(map(ever_is_mirrored, document.layers)) else ()
-    return (SHADOWS, *received, *contacts, *reflections, *asked)
+    clay = (CLAY,) if ever_clay(document) else ()
+    together = (TOGETHER,) if cut_groups(document, of_one_color=True).together() else ()
+    return (SHADOWS, *together, *received, *contacts, *reflections, *clay, *asked)

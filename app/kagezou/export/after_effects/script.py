@@ -8,8 +8,35 @@ from typing import Final
 from kagezou.export.after_effects.comp import HandOff
 from kagezou.locations import resource_folder
 
-_BUILDER: Final = "after_effects/build.jsx"
-_MARK: Final = "/*HAND_OFF*/ null"
+_FOLDER: Final = "after_effects/builder"
+_PARTS: Final = (
+    "words",
+    "progress",
+    "memory",
+    "items",
+    "states",
+    "keys",
+    "effects",
+    "markers",
+    "place",
+    "survey",
+    "footage",
+    "layers",
+    "guides",
+    "comps",
+    "precomps",
+    "guards",
+    "summary",
+    "plan",
+    "parts",
+    "run",
+)
+"""Names of files, each of which may use those before it while it is read, and all of them while it runs."""
+_HEAD: Final = """\
+/* Made by Kagezou. File > Scripts > Run Script File... builds the composition, or brings it up to date.
+   It needs After Effects CC 2018 or newer, in any language, and everything that lies beside it. */
+(function () {
+    var HAND_OFF = """
 
 
 def script_of(hand_off: HandOff) -> str:
@@ -19,10 +46,14 @@ def script_of(hand_off: HandOff) -> str:
     end a line or a string, is escaped; none of it is ever run.
     """
     literal = json.dumps(asdict(hand_off, dict_factory=_without_nothing), ensure_ascii=True, allow_nan=False, indent=1)
-    builder = (resource_folder() / _BUILDER).read_text(encoding="ascii")
-    before, mark, after = builder.partition(_MARK)
-    assert mark, "the builder has a place for what is to be built"
-    return before + literal + after
+    return built_of(literal)
+
+
+def built_of(literal: str) -> str:
+    """Return the script that builds what a literal says."""
+    folder = resource_folder() / _FOLDER
+    parts = ((folder / f"{name}.jsx").read_text(encoding="ascii") for name in _PARTS)
+    return "\n".join((f"{_HEAD}{literal};\n", *parts, "}());\n"))
 
 
 def _without_nothing(fields: Iterable[tuple[str, object]]) -> dict[str, object]:

@@ -6,8 +6,9 @@ of them is the alpha of one layer, which has their colour, opacity and blend mod
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 
 from kagezou.document import properties
 from kagezou.document.address import Address, track_of
@@ -15,12 +16,11 @@ from kagezou.document.model import Document
 from kagezou.document.set_properties import SET_BLEND, SET_OPACITY
 from kagezou.document.values import value_at
 from kagezou.export.after_effects import comp as ae
-from kagezou.export.after_effects.channels import baked, channel_of, seconds
-from kagezou.export.subjects import SET
-from kagezou.export.uniting import CutGroup
+from kagezou.export.after_effects.channels import seconds
+from kagezou.export.after_effects.laying import Laying, either
+from kagezou.export.subjects import SET, TogetherSubject
+from kagezou.export.uniting import CutGroup, CutGroups
 from kagezou.scene.scene import ShadowLook
-
-_NEAR = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,23 +38,28 @@ class ShadowFootage:
 
 
 Shown = dict[str, ShadowFootage]
-"""By whose shadow it is: a layer's id, or `SET`."""
+"""By whose shadow it is: a layer's id, `SET`, or as `TogetherSubject` has it."""
 
 
-def shadow_layers(document: Document, groups: tuple[CutGroup, ...], shown: Shown) -> Iterator[ae.CompLayer]:
+def shadow_layers(document: Document, groups: CutGroups, shown: Shown, laying: Laying) -> Iterator[ae.CompLayer]:
     """Yield the shadow layers of the main composition: that of the set, then each group's in its place."""
-    rate = document.canvas.frame_rate
     if SET in shown:
-        opacity = channel_of(track_of(document, Address(SET_OPACITY)), 0, rate, 100.0)
-        yield _alone(SET, "Set", value_at(document.tracks, SET_BLEND, 1), opacity, shown[SET])
-    lowest = {group.ids[0]: group for group in groups}
-    united = {layer_id for group in groups for layer_id in group.ids}
+        multiply = value_at(document.tracks, SET_BLEND, 1) == "multiply"
+        track = track_of(document, Address(SET_OPACITY))
+        yield from laying.layers(laying.of_set(), track, _plain(SET, "Set", shown[SET]), default=multiply)
+    lowest = {group.ids[0]: group for group in (*groups.of_several(), *groups.together())}
+    united = {layer_id for group in lowest.values() for layer_id in group.ids}
     for layer in document.layers:
-        opacity = channel_of(track_of(document, Address(properties.OPACITY, layer.id)), 0, rate, 100.0)
-        if layer.id in lowest:
-            yield _united(document, lowest[layer.id], opacity)
+        group = lowest.get(layer.id)
+        if group is not None and group.is_together:
+            yield from _together(document, group, shown)
+        elif group is not None:
+            yield from _united(document, group, laying)
         elif layer.id in shown and layer.id not in united:
-            yield _alone(layer.id, layer.name, value_at(layer.tracks, properties.BLEND, 1), opacity, shown[layer.id])
+            multiply = value_at(layer.tracks, properties.BLEND, 1) == "multiply"
+            track = track_of(document, Address(properties.OPACITY, layer.id))
+            plain = _plain(layer.id, layer.name, shown[layer.id])
+            yield from laying.layers(laying.of_shadow(layer.id), track, plain, default=multiply)
 
 
 def united_comps(document: Document, groups: tuple[CutGroup, ...], shown: Shown) -> tuple[ae.Comp, ...]:
@@ -83,36 +88,35 @@ def united_comps(document: Document, groups: tuple[CutGroup, ...], shown: Shown)
     )
 
 
-def _alone(owner: str, name: str, blend: str, opacity: ae.Channel, shown: ShadowFootage) -> ae.CompLayer:
-    return ae.CompLayer(
-        tag=f"shadow:{owner}",
-        name=f"{name} shadow",
-        footage=f"shadow:{owner}",
-        blend=blend.upper(),
-        opacity=opacity,
-        remap=shown.remap,
-        markers=shown.markers,
-    )
+def _plain(owner: str, name: str, shown: ShadowFootage) -> ae.CompLayer:
+    tag = f"shadow:{owner}"
+    return ae.CompLayer(tag, f"{name} shadow", tag, "NORMAL", ae.Channel(100.0), shown.remap, shown.markers)
 
 
-def _united(document: Document, group: CutGroup, of_lowest: ae.Channel) -> ae.CompLayer:
-    """Return the layer of a united shadow; its opacity has the lowest layer's keys where they are the group's, too."""
+def _together(document: Document, group: CutGroup, shown: Shown) -> Iterator[ae.CompLayer]:
+    """Yield the layers of shadows that are handed over together, with their opacity in them."""
+    for place, multiply in enumerate(group.laid):
+        subject = TogetherSubject(group.ids, multiply, bool(place))
+        layer = _plain(subject.owner, "", shown[subject.owner])
+        title = _name(document, group) + (" normal" if subject.is_over else "")
+        yield replace(layer, name=title, blend="MULTIPLY" if multiply else "NORMAL")
+
+
+def _united(document: Document, group: CutGroup, laying: Laying) -> Iterator[ae.CompLayer]:
+    """Yield the layers of a united shadow, with the keys of the lowest layer's opacity where they are the group's."""
     canvas = document.canvas
     looks = [_look_at(group, frame) for frame in range(1, canvas.length_frames + 1)]
     track = track_of(document, Address(properties.OPACITY, group.ids[0]))
-    is_lowests = all(
-        abs(value_at({properties.OPACITY.name: track}, properties.OPACITY, frame) - look.opacity) < _NEAR
-        for frame, look in enumerate(looks, start=1)
-    )
-    baked_opacity = baked(lambda frame: 100 * looks[frame - 1].opacity, canvas.length_frames, canvas.frame_rate)
-    return ae.CompLayer(
+    plain = ae.CompLayer(
         tag=f"shadow:{_tag(group)}",
         name=_name(document, group),
         footage=f"comp:{_tag(group)}",
-        blend="MULTIPLY" if looks[0].multiply else "NORMAL",
-        opacity=of_lowest if is_lowests else baked_opacity,
+        blend="NORMAL",
+        opacity=ae.Channel(100.0),
         colors=tuple(_held_colors(looks, canvas.frame_rate)),
     )
+    ways = reduce(either, map(laying.of_shadow, group.ids))
+    yield from laying.layers(ways, track, plain, default=looks[0].multiply)
 
 
 def _look_at(group: CutGroup, frame: int) -> ShadowLook:

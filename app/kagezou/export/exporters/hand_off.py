@@ -1,14 +1,12 @@
 """The hand-off to After Effects: footage in folders, and one script that builds the composition."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.export.after_effects.drawings import exposed
 from kagezou.export.after_effects.export import FORMATS, HandedOff, HandOffRequest, export_to_after_effects
-from kagezou.export.after_effects.mattes import at_full_opacity
-from kagezou.export.after_effects.renderings import SHADOWS, matte_renderings
+from kagezou.export.after_effects.renderings import renderings_of
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import workers
@@ -100,17 +98,18 @@ def _script(place: Place) -> str:
 
 
 def _rendered(document: Document, choices: ExportChoices, place: Place) -> Iterator[str]:
-    """Yield the folders of shadows and mattes, with how many files each gets where that is known."""
+    """Yield the folders of what is rendered, with how many files each gets where that is known."""
     length = document.canvas.length_frames
-    request = ExportRequest(place.folder, format=choices.format, depth=choices.depth)
-    plan = planned(at_full_opacity(document), request)
-    for sequence in plan.sequences:
-        count = max(plan.pictures_of(sequence)) + 1 if choices.per_drawing else length
-        yield f"{SHADOWS.folder}/{sequence.label}/  {count} × {sequence.suffix}"
-    each = request.suffix if choices.per_drawing else f"{length} × {request.suffix}"
-    for rendering in matte_renderings(choices.mattes):
-        sequences = sequences_of(document, replace(request, only=rendering.only))
-        yield from (f"{rendering.folder}/{sequence.label}/  {each}" for sequence in sequences)
+    for rendering in renderings_of(document, choices.mattes):
+        request = ExportRequest(place.folder, format=choices.format, depth=choices.depth, only=rendering.only)
+        version = rendering.version(document)
+        counts = (
+            (sequence, "" if choices.per_drawing else f"{length} × ") for sequence in sequences_of(version, request)
+        )
+        if choices.per_drawing and not rendering.is_matte:
+            plan = planned(version, request)
+            counts = ((each, f"{max(plan.pictures_of(each)) + 1} × ") for each in plan.sequences)
+        yield from (f"{rendering.folder}/{each.label}/  {count}{each.suffix}" for each, count in counts)
 
 
 def _copied(document: Document, choices: ExportChoices) -> Iterator[str]:

@@ -1,7 +1,7 @@
 """Photoshop documents packed in memory: RGB layers and groups, their blend mode and opacity, and the merged picture.
 
 A document of 16 bit is laid out as Photoshop lays it out: the place where layers of 8 bit stand is empty, and they
-stand in a block of their own behind it.
+stand in a block of their own behind it, before any other.
 """
 
 import io
@@ -109,8 +109,9 @@ def _layers(image: LayeredImage) -> LayerAndMaskInformation:
     if image.depth == 8:
         return LayerAndMaskInformation(LayerInfo(**content))
     blocks = TaggedBlocks()
-    blocks.set_data(Tag.SAVING_MERGED_TRANSPARENCY16)
+    # GIMP 2.10 looks for the layers in the very first block.
     blocks.set_data(Tag.LAYER_16, **content)
+    blocks.set_data(Tag.SAVING_MERGED_TRANSPARENCY16)
     return LayerAndMaskInformation(LayerInfo(), GlobalLayerMaskInfo(), blocks)
 
 

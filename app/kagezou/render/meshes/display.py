@@ -85,8 +85,9 @@ class MeshDisplays:
         target = Target(view.canvas.width, view.canvas.height, Format.RGBA8)
         target.bind()
         view.bind()
-        flags = FLAG_OF_DISPLAY[Display.CLAY.value] | (UNDER if is_under else 0)
-        self._clay.use({"u_target_size_px": target.size_px, "u_wanted": flags, **view.uniforms()})
+        clay = FLAG_OF_DISPLAY[Display.CLAY.value]
+        flags = {"u_asked": clay | UNDER, "u_wanted": clay | (UNDER if is_under else 0)}
+        self._clay.use({"u_target_size_px": target.size_px, **flags, **view.uniforms()})
         self._boxes.draw_one(target.box)
         return target.texture_alone()
 

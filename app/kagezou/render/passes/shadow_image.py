@@ -1,5 +1,6 @@
 """A shadow as an image of its own: covered parts times opacity, in the shadow's colour, read back."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -13,6 +14,7 @@ from kagezou.render.gpu.gl import check
 from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
+from kagezou.render.prepare.mixing import Laid, mixed
 from kagezou.scene.scene import ShadowCast, ShadowLook
 from kagezou.scene.uniting import united_look
 
@@ -99,6 +101,14 @@ class ShadowImages:
         most, form = (1 << depth) - 1, _DEPTHS[depth]
         alpha, shown = (np.rint(each * most).astype(form) for each in (covered[..., 0] * look.opacity, color))
         return ShadowImage(canvas.width, canvas.height, look.color, alpha, box, shown)
+
+    def mixed(
+        self, canvas: Box, shades: Sequence[tuple[Drawn | None, ShadowLook]], depth: int, *, multiply: bool
+    ) -> ShadowImage:
+        """Return one of the two layers of shadows, at least one, from the lowest up; see `mixed`."""
+        finest = depth if len(shades) == 1 else 16
+        laid = [Laid(self.image(canvas, drawn, Coloring(look), finest), look.multiply) for drawn, look in shades]
+        return mixed(laid, multiply=multiply, depth=depth)
 
     def close(self) -> None:
         """Give the memory back."""

@@ -269,8 +269,10 @@ def set_commands() -> tuple[Command, ...]:
 def help_commands() -> tuple[Command, ...]:
     """Return the commands that explain."""
     return (
+        Command("manual", translate("Commands", "&Manual"), ("F1",)),
+        Command("first_cut", translate("Commands", "&Guided First Cut")),
         Command("command_search", translate("Commands", "&Find Command…"), ("Ctrl+Shift+P",)),
-        Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("F1",)),
+        Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("Shift+F1", "Ctrl+/")),
         Command("missing_parts", translate("Commands", "Missing Parts…")),
         Command("about", translate("Commands", "&About Kagezou")),
     )

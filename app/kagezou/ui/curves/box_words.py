@@ -19,11 +19,11 @@ def step_name(part: BoxGrip) -> str:
     return words[bool(part.across), bool(part.up)]
 
 
-def words_of(change: MovedBy | ScaledBy) -> str:
-    """Return what was done so far."""
+def words_of(change: MovedBy | ScaledBy, factor: float) -> str:
+    """Return what was done so far; values are shown times a factor."""
     match change:
         case MovedBy():
-            value = "" if change.amount is None else f"{change.amount:+.4g}"
+            value = "" if change.amount is None else f"{change.amount * factor:+.4g}"
             moved = QCoreApplication.translate("BoxDrag", "%1 frames").replace("%1", f"{change.frames:+d}")
             return f"{moved}    {value}".strip()
         case ScaledBy():

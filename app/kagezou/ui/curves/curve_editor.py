@@ -32,6 +32,7 @@ from kagezou.ui.curves.readout import readout
 from kagezou.ui.curves.velocity import VelocityDialog
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.system.shown_units import shown_unit
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.overflow_row import OverflowRow
 
@@ -126,7 +127,7 @@ class CurveEditor(QWidget):
         key = track_of(self._bridge.document, ref.address).key_at(ref.frame)
         before = key.ease_in[0] if key is not None and key.ease_in else EASY
         after = key.ease_out[0] if key is not None and key.ease_out else EASY
-        dialog = VelocityDialog(before, after, ref.address.property.unit, self)
+        dialog = VelocityDialog(before, after, shown_unit(ref.address.property), self)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.entered.connect(self._set_velocity)
         dialog.open()

@@ -16,6 +16,7 @@ from kagezou.ui.curves.curve_items import CurveItems
 from kagezou.ui.curves.frame_axis import FrameAxis
 from kagezou.ui.curves.graph_controller import GraphController, HandShown
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.shown_units import common_factor
 from kagezou.ui.system.theme import BRIGHT, DIM, WELL
 from kagezou.ui.system.window_keys import lies_on_command
 
@@ -84,6 +85,7 @@ class Graph(pg.PlotWidget):
         self.pictures = pictures_of(state.document, shown, state.keys, held if self.controller.is_busy else {})
         self._items.draw(state.document, shown.ghost, self.pictures)
         self._draw_key_box()
+        self.getAxis("left").setScale(common_factor(each.curve.address.property for each in self.pictures))
         self.move_playhead()
 
     def move_playhead(self) -> None:

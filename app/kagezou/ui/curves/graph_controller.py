@@ -21,6 +21,7 @@ from kagezou.ui.curves.box_items import cursor_on
 from kagezou.ui.curves.box_words import step_name, words_of
 from kagezou.ui.curves.choice import Choice
 from kagezou.ui.system.bridge import Bridge
+from kagezou.ui.system.shown_units import common_factor
 
 _DRAG_PX = 4.0
 
@@ -193,7 +194,8 @@ class GraphController(QObject):
         shown = self._drag.send(pointer)
         self._gesture.show(shown.document, shown.refs)
         if isinstance(shown, DraggedBox):
-            self.shown.emit(HandShown(words=words_of(shown.change), beside_px=pointer.view_px))
+            factor = common_factor(ref.address.property for ref in shown.refs)
+            self.shown.emit(HandShown(words=words_of(shown.change, factor), beside_px=pointer.view_px))
 
     def _begun(self, held: CurveGrip | _BoxHeld, start: Document) -> CurveDrag | BoxDrag:
         if isinstance(held, CurveGrip):

@@ -7,7 +7,8 @@ from kagezou.animation.ease import EASY, MIN_INFLUENCE, Ease
 from kagezou.animation.track import Interpolation, Key, Track, components_of, rebuilt
 from kagezou.document.address import Address, track_of
 from kagezou.document.edits import set_track
-from kagezou.document.model import Document
+from kagezou.document.frame_numbers import frame_of, number_of
+from kagezou.document.model import Canvas, Document
 from kagezou.document.typed_number import evaluate
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
@@ -17,7 +18,10 @@ HEADINGS = ("frame", "component", "value", "goes on", "speed in", "influence in 
 
 _NUMBERS = (0, 2, 4, 5, 6, 7)
 _INFLUENCES = (5, 7)
-"""Columns of the table."""
+_IN_UNITS = (2, 4, 6)
+"""Columns of the table; the last are in the unit of the property."""
+
+_PER_CENT = 100.0
 
 _MOST = 1e12
 """Comparing with it also keeps out what is no number at all."""
@@ -37,16 +41,21 @@ class KeyRow:
     @property
     def cells(self) -> tuple[str, ...]:
         """What the table shows, rounded to what is of use to the eye."""
-        return self._written(_rounded)
+        return self.cells_in(1.0)
+
+    def cells_in(self, factor: float) -> tuple[str, ...]:
+        """Return the same, value and speeds in another unit: times a factor."""
+        return self._written(_rounded, factor)
 
     @property
     def exact_cells(self) -> tuple[str, ...]:
         """The same to the last bit, for text that comes back."""
         return self._written(repr)
 
-    def _written(self, words_of: Callable[[float], str]) -> tuple[str, ...]:
+    def _written(self, words_of: Callable[[float], str], factor: float = 1.0) -> tuple[str, ...]:
         into, out = self.ease_in, self.ease_out
-        numbers = (self.value, into.speed, into.influence * 100, out.speed, out.influence * 100)
+        speeds = (into.speed * factor, out.speed * factor)
+        numbers = (self.value * factor, speeds[0], into.influence * 100, speeds[1], out.influence * 100)
         value, *eases = (words_of(number) for number in numbers)
         return (str(self.frame), str(self.component + 1), value, self.interpolation.value, *eases)
 
@@ -61,8 +70,10 @@ def rows_of(document: Document, address: Address) -> tuple[KeyRow, ...]:
     return tuple(rows)
 
 
-def with_cell(document: Document, address: Address, row: KeyRow, column: int, text: str) -> Document:
-    """Return the document with one cell of the table changed.
+def with_cell(
+    document: Document, address: Address, row: KeyRow, column: int, text: str, factor: float = 1.0
+) -> Document:
+    """Return the document with one cell of the table changed; values and speeds were typed times a factor.
 
     Raises
     ------
@@ -70,7 +81,7 @@ def with_cell(document: Document, address: Address, row: KeyRow, column: int, te
         The text is not what the column holds.
     """
     cells = list(row.cells)
-    cells[column] = _calculated(row, column, text)
+    cells[column] = _calculated(row, column, text, factor)
     changed = parse_row(cells)
     if changed.component != row.component:
         raise UsageProblem(Message("a key's component cannot be changed"))
@@ -94,13 +105,20 @@ def with_cell(document: Document, address: Address, row: KeyRow, column: int, te
     return set_track(document, address, track.with_key(new))
 
 
-def text_of(rows: tuple[KeyRow, ...]) -> str:
-    """Return rows as lines with tabs, with a line of headings."""
-    return "\n".join("\t".join(cells) for cells in (HEADINGS, *(row.exact_cells for row in rows))) + "\n"
+def in_frames(canvas: Canvas, text: str) -> str:
+    """Return a typed frame, counted from the first one of the cut, counted from 1; other text as it is."""
+    typed = text.strip()
+    return str(frame_of(canvas, int(typed))) if typed.removeprefix("-").isdecimal() else text
+
+
+def text_of(rows: tuple[KeyRow, ...], canvas: Canvas) -> str:
+    """Return rows as lines with tabs, with a line of headings; frames count from the first one of the cut."""
+    numbered = (replace(row, frame=number_of(canvas, row.frame)) for row in rows)
+    return "\n".join("\t".join(cells) for cells in (HEADINGS, *(row.exact_cells for row in numbered))) + "\n"
 
 
 def pasted(document: Document, address: Address, text: str) -> Document:
-    """Return the document with keys from lines with tabs; they take the place of keys on their frames.
+    """Return the document with keys from lines with tabs, as `text_of` writes them; keys on their frames go.
 
     Raises
     ------
@@ -112,7 +130,7 @@ def pasted(document: Document, address: Address, text: str) -> Document:
         lines = lines[1:]
     found: dict[int, dict[int, KeyRow]] = {}
     for cells in lines:
-        row = parse_row(cells)
+        row = parse_row([in_frames(document.canvas, cells[0]), *cells[1:]])
         found.setdefault(row.frame, {})[row.component] = row
     track = track_of(document, address)
     keys = [_key(address, track, frame, parts) for frame, parts in found.items()]
@@ -175,15 +193,18 @@ def _typed(row: KeyRow, changed: KeyRow, column: int) -> KeyRow:
             return replace(row, ease_out=replace(row.ease_out, influence=changed.ease_out.influence))
 
 
-def _calculated(row: KeyRow, column: int, text: str) -> str:
+def _calculated(row: KeyRow, column: int, text: str, factor: float) -> str:
     """Return what was typed into a cell as plain text: ``*2`` and its like are about the number that was there.
 
-    An influence is itself in per cent, so that a sign behind its number says nothing about what was there.
+    What is itself in per cent keeps its sign: it says nothing about what was there.
     """
     if column not in _NUMBERS:
         return text
-    typed = text.strip().removesuffix("%") if column in _INFLUENCES else text
-    return repr(evaluate(typed, float(row.exact_cells[column])))
+    times = factor if column in _IN_UNITS else 1.0
+    is_per_cent = column in _INFLUENCES or times == _PER_CENT
+    typed = text.strip().removesuffix("%") if is_per_cent else text
+    # Rounded far behind what anybody types, or 30 % would become 0.3 and a little.
+    return repr(round(evaluate(typed, float(row.exact_cells[column]) * times) / times, 12))
 
 
 def _with_eases(key: Key, component: int, row: KeyRow) -> Key:

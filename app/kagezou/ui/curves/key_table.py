@@ -8,13 +8,14 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 
 from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address
-from kagezou.document.frame_numbers import frame_of, number_of
+from kagezou.document.frame_numbers import number_of
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.ui.curves.choice import Choice
-from kagezou.ui.curves.key_rows import KeyRow, pasted, rows_of, text_of, with_cell
+from kagezou.ui.curves.key_rows import KeyRow, in_frames, pasted, rows_of, text_of, with_cell
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.system.shown_units import shown_unit
 from kagezou.ui.system.words import translated
 
 _FRAME_COLUMN = 0
@@ -87,7 +88,7 @@ class KeyTable(QTableWidget):
     def copy(self) -> None:
         """Put the selected rows, or all, on the clipboard as lines with tabs."""
         chosen = sorted({index.row() for index in self.selectedIndexes()}) or list(range(len(self._rows)))
-        self._clipboard.put(text_of(tuple(self._rows[row] for row in chosen)))
+        self._clipboard.put(text_of(tuple(self._rows[row] for row in chosen), self._bridge.document.canvas))
 
     def paste(self) -> None:
         """Set keys from lines with tabs on the clipboard."""
@@ -103,13 +104,17 @@ class KeyTable(QTableWidget):
         row, column = self._rows[item.row()], item.column()
         spoken = {self._word(each): each.value for each in Interpolation}
         text = spoken.get(item.text().strip(), item.text()) if column == _INTERPOLATION_COLUMN else item.text()
-        if column == _FRAME_COLUMN and text.strip().isdecimal():
-            text = str(frame_of(self._bridge.document.canvas, int(text)))
-        self._edit(self.tr("Type key"), lambda: with_cell(self._bridge.document, address, row, column, text))
+        if column == _FRAME_COLUMN:
+            text = in_frames(self._bridge.document.canvas, text)
+        factor = shown_unit(address.property).factor
+        self._edit(self.tr("Type key"), lambda: with_cell(self._bridge.document, address, row, column, text, factor))
 
     def _shown(self, row: KeyRow, address: Address | None) -> tuple[str, ...]:
         """Return a row's cells as they are read: its axis by name, how it goes on in the window's language."""
-        _, part, value, _, *eases = row.cells
+        shown = None if address is None else shown_unit(address.property)
+        _, part, value, _, *eases = row.cells if shown is None else row.cells_in(shown.factor)
+        if shown is not None and shown.unit == "%":
+            value += " %"
         axes = address.property.components if address is not None else ()
         axis = axes[row.component] if row.component < len(axes) and len(axes[row.component]) == 1 else part
         frame = str(number_of(self._bridge.document.canvas, row.frame))

@@ -32,7 +32,7 @@ class CurvesPanel(QWidget):
         super().__init__()
         self._bridge, self._clipboard, self._fill_menu = bridge, clipboard, fill_menu
         self.editor: CurveEditor | None = None
-        self.author = ""
+        self._author = ""
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
 
@@ -41,13 +41,19 @@ class CurvesPanel(QWidget):
         if seen:
             self.made()
 
+    def sign(self, author: str) -> None:
+        """Take the name that stands under notes from now on."""
+        self._author = author
+        if self.editor is not None:
+            self.editor.notes.author = author
+
     def made(self) -> "CurveEditor":
         """Return the editor, made now if need be."""
         if self.editor is None:
             from kagezou.ui.curves.curve_editor import CurveEditor
 
             self.editor = CurveEditor(self._bridge, self._clipboard)
-            self.editor.notes.author = self.author
+            self.editor.notes.author = self._author
             self._fill_menu(self.editor.key_menu)
             self.editor.refused.connect(self.refused)
             layout = self.layout()

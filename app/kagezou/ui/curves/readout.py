@@ -9,6 +9,7 @@ from kagezou.document.model import Document
 from kagezou.tools.curves.curve_list import same_in
 from kagezou.tools.curves.picture import CurvePicture, value_in
 from kagezou.ui.curves.choice import Choice
+from kagezou.ui.system.shown_units import shown_unit
 from kagezou.ui.system.words import translated
 
 
@@ -23,20 +24,19 @@ def readout(document: Document, choice: Choice, picture: CurvePicture | None, fr
     value, before = (value_in(track, curve.component, each) for each in (frame, frame - 1))
     if value is None or before is None:
         return where
-    unit = curve.address.property.unit
-    unit = f" {unit}" if unit and unit != "°" else unit
-    words = [where, f"{translated(curve.address.property.label)} {curve.name}".strip(), f"{value:.4g}{unit}"]
-    words.append(f"{value - before:+.4g}{unit}/f")
+    shown = shown_unit(curve.address.property)
+    unit, factor = shown.behind(), shown.factor
+    words = [where, f"{translated(curve.address.property.label)} {curve.name}".strip(), f"{value * factor:.4g}{unit}"]
+    words.append(f"{(value - before) * factor:+.4g}{unit}/f")
     earlier = [key for key in track.keys if key.frame <= frame]
     if earlier:
         start = value_in(track, curve.component, earlier[-1].frame) or 0.0
         since = QCoreApplication.translate("Readout", "%1 since key %2")
-        words.append(
-            since.replace("%1", f"{value - start:+.4g}").replace("%2", str(number_of(canvas, earlier[-1].frame)))
-        )
+        way = f"{(value - start) * factor:+.4g}{unit}"
+        words.append(since.replace("%1", way).replace("%2", str(number_of(canvas, earlier[-1].frame))))
     if choice.ghost is not None and (other := same_in(choice.ghost, curve, document)) is not None:
         there = value_in(other, curve.component, frame)
         if there is not None:
             against = QCoreApplication.translate("Readout", "%1 against the snapshot")
-            words.append(against.replace("%1", f"{value - there:+.4g}"))
+            words.append(against.replace("%1", f"{(value - there) * factor:+.4g}{unit}"))
     return "    ".join(words)

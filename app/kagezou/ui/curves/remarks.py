@@ -8,6 +8,7 @@ from kagezou.document.model import Document
 from kagezou.document.note import Note
 from kagezou.ui.curves.flags import Flag, FlagKind
 from kagezou.ui.system.note_words import note_heading, note_words, owner_words
+from kagezou.ui.system.shown_units import shown_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +42,9 @@ def flag_words(flag: Flag) -> str:
             words = translate("Flags", "and %1 more: keys between two drawings")
             return words.replace("%1", str(flag.others))
         return translate("Flags", "key between two drawings")
-    unit = flag.address.property.unit
-    amount = f"{flag.amount:.3g}" if flag.amount < 1 else f"{flag.amount:.0f}"
-    amount += f" {unit}" if unit else ""
+    shown = shown_unit(flag.address.property)
+    size = flag.amount * shown.factor
+    amount = (f"{size:.3g}" if size < 1 else f"{size:.0f}") + shown.behind()
     if flag.kind is FlagKind.JUMP:
         return translate("Flags", "jumps by %1").replace("%1", amount)
     words = translate("Flags", "moves by up to %1 a frame, to frame %2")

@@ -4,6 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QDoubleSpinBox, QFormLayout, QLabel, QVBoxLayout, QWidget
 
 from kagezou.animation.ease import Ease
+from kagezou.ui.system.shown_units import ShownUnit
 
 
 class VelocityDialog(QDialog):
@@ -13,18 +14,19 @@ class VelocityDialog(QDialog):
     ----------
     before, after
         What is there now on both sides.
-    unit
-        The property's unit, empty for a plain number.
+    shown
+        In which unit the property's numbers are shown.
     """
 
     entered = Signal(object, object)
 
-    def __init__(self, before: Ease, after: Ease, unit: str, parent: QWidget | None = None) -> None:
+    def __init__(self, before: Ease, after: Ease, shown: ShownUnit, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Key Velocity"))
-        suffix = self.tr("%1 / frame").replace("%1", unit).strip()
-        self.fields = [_field(before.speed, suffix), _field(before.influence * 100, "%")]
-        self.fields += [_field(after.speed, suffix), _field(after.influence * 100, "%")]
+        self._factor = shown.factor
+        suffix = self.tr("%1 / frame").replace("%1", shown.unit).strip()
+        self.fields = [_field(before.speed * shown.factor, suffix), _field(before.influence * 100, "%")]
+        self.fields += [_field(after.speed * shown.factor, suffix), _field(after.influence * 100, "%")]
         for field in (self.fields[1], self.fields[3]):
             field.setRange(0.1, 100)
         form = QFormLayout()
@@ -45,7 +47,7 @@ class VelocityDialog(QDialog):
 
     def _enter(self) -> None:
         into, reach_in, out, reach_out = (field.value() for field in self.fields)
-        self.entered.emit(Ease(into, reach_in / 100), Ease(out, reach_out / 100))
+        self.entered.emit(Ease(into / self._factor, reach_in / 100), Ease(out / self._factor, reach_out / 100))
         self.accept()
 
 

@@ -7,7 +7,8 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushBu
 
 from kagezou.animation.track import Value
 from kagezou.document.property import AnyProperty, Kind
-from kagezou.ui.panels.shown_units import shown_unit
+from kagezou.ui.panels.filter_pictures import tip_of
+from kagezou.ui.system.shown_units import shown_unit
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.widgets.color_button import ColorField
 from kagezou.ui.widgets.range_slider import RangeSlider
@@ -62,7 +63,7 @@ class NumbersEditor(Editor):
             field.set_range(prop.low * self._shown.factor, prop.high * self._shown.factor)
             name = translated(prop.label)
             field.setAccessibleName(name if self._single else f"{name} {component}")
-            field.setToolTip(translated(prop.help) if self._single else f"{component.upper()}")
+            field.setToolTip(tip_of(prop) if self._single else f"{component.upper()}")
             field.drag_began.connect(self.began)
             field.drag_ended.connect(self.ended)
             field.dragged.connect(lambda number, at=index: self.tried.emit(self._with(at, number)))
@@ -74,7 +75,7 @@ class NumbersEditor(Editor):
         self.slider = RangeSlider(*prop.slides) if prop.slides else None
         if self.slider is not None:
             self.slider.setAccessibleName(translated(prop.label))
-            self.slider.setToolTip(translated(prop.help))
+            self.slider.setToolTip(tip_of(prop))
             self.slider.began.connect(self.began)
             self.slider.tried.connect(self.tried)
             self.slider.ended.connect(self.ended)
@@ -111,7 +112,7 @@ class ChoiceEditor(Editor):
         super().__init__()
         self.combo = QComboBox()
         self.combo.setAccessibleName(translated(prop.label))
-        self.combo.setToolTip(translated(prop.help))
+        self.combo.setToolTip(tip_of(prop))
         for choice in prop.choices:
             self.combo.addItem(choice_name(choice), choice)
         self.combo.activated.connect(lambda _: self.entered.emit(self.combo.currentData()))
@@ -132,7 +133,7 @@ class SwitchEditor(Editor):
         super().__init__()
         self.box = QCheckBox()
         self.box.setAccessibleName(translated(prop.label))
-        self.box.setToolTip(translated(prop.help))
+        self.box.setToolTip(tip_of(prop))
         self.box.clicked.connect(self._enter)
         self.row.addWidget(self.box, 1)
 
@@ -154,7 +155,7 @@ class ColorEditor(Editor):
     def __init__(self, prop: AnyProperty) -> None:
         super().__init__()
         self.field = ColorField()
-        self.field.setToolTip(translated(prop.help))
+        self.field.setToolTip(tip_of(prop))
         self.field.picking_began.connect(self.began)
         self.field.tried.connect(self.tried.emit)
         self.field.picking_ended.connect(self.ended)

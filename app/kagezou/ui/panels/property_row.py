@@ -12,6 +12,7 @@ from kagezou.errors import Problem
 from kagezou.io.clips.value_clips import dumps_value
 from kagezou.ui.panels.edited_property import EditedProperty
 from kagezou.ui.panels.editors import Editor, editor_for
+from kagezou.ui.panels.filter_pictures import tip_of
 from kagezou.ui.panels.row_menu import PropertyMenus
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
@@ -148,7 +149,7 @@ class PropertyRow(QObject):
         if changed:
             # The words say it too: colour alone does not reach everyone.
             words = self.tr("Changed; double-click for the default, %1").replace("%1", dumps_value(self.edited.usual))
-        self.label.setToolTip(f"{translated(line.help)}\n{self.edited.path}\n{words}".strip())
+        self.label.setToolTip(tip_of(line, self.edited.path, words))
         self.label.show_changed(changed=changed)
 
     def _open_menu(self, widget: QWidget, at: QPoint) -> None:

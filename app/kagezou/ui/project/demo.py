@@ -49,13 +49,21 @@ class DemoOpener(QObject):
         self._folder = folder or demo_folder()
         self._background = Queue[tuple[int, int] | Path](self._take, failed=self._say)
 
+    @property
+    def project(self) -> Path:
+        """The demo's project, made or not."""
+        return self._folder / _PROJECT
+
     def open(self) -> None:
         """Open the demo, after making it where that is needed."""
-        project = self._folder / _PROJECT
-        if project.is_file():
-            self._open_path(project)
+        if self.project.is_file():
+            self._open_path(self.project)
         elif not self._background.is_busy:
             self._background.ask(self._make_project)
+
+    def keep_in(self, folder: Path) -> None:
+        """Keep the demo in another folder from now on."""
+        self._folder = folder
 
     def finish(self) -> None:
         """Wait until nothing is made any more, before the window goes."""

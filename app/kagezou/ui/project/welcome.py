@@ -40,6 +40,7 @@ class Welcome(QScrollArea):
     cels_asked = Signal()
     open_asked = Signal()
     demo_asked = Signal()
+    guide_asked = Signal()
     recent_asked = Signal(Path)
 
     def __init__(self, picture_folder: Path) -> None:
@@ -55,6 +56,7 @@ class Welcome(QScrollArea):
         self._recent.setSpacing(2)
         self._drop = QFrame()
         self._drop_words = QLabel(self.tr("Drop a folder of cels here"))
+        self._guide = _button(self.tr("New here? A guided first cut in five steps"), self.guide_asked.emit)
         self._lay_out()
         self.show_recent([])
 
@@ -91,6 +93,7 @@ class Welcome(QScrollArea):
     def offer_demo(self, *, offered: bool) -> None:
         """Show or hide the way to the demo."""
         self._demo.setVisible(offered)
+        self._guide.setVisible(offered)
 
     def _lay_out(self) -> None:
         begin = QVBoxLayout()
@@ -102,6 +105,7 @@ class Welcome(QScrollArea):
         recent.addWidget(_heading(self.tr("Recent projects")))
         recent.addLayout(self._recent)
         recent.addStretch(1)
+        recent.addWidget(self._guide)
         columns = QHBoxLayout()
         columns.setSpacing(32)
         columns.addLayout(begin, 11)

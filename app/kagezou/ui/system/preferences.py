@@ -1,5 +1,6 @@
 """What a person prefers of the program as a whole: kept among the settings, with a default for everything."""
 
+import getpass
 from dataclasses import dataclass
 from typing import Final
 
@@ -12,7 +13,10 @@ from kagezou.ui.system.theme import SURROUND
 
 LEAST_MEMORY_MB: Final = 64
 _MB: Final = 1 << 20
-_MEMORY, _SURROUND = "memory_mb", "surround"
+MOST_LETTERS: Final = 64
+"""Of a name under a note."""
+
+_MEMORY, _SURROUND, _AUTHOR = "memory_mb", "surround", "author"
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,10 +29,18 @@ class Preferences:
         How much memory decoded drawings may take.
     surround
         The colour around the picture, ``#rrggbb``.
+    author
+        Who signs notes; empty for whoever the system says sits here.
     """
 
     memory_mb: int
     surround: str
+    author: str = ""
+
+    @property
+    def signature(self) -> str:
+        """The name under a note."""
+        return self.author or _user()
 
     @property
     def memory_bytes(self) -> int:
@@ -54,7 +66,9 @@ def preferences_in(settings: Settings) -> Preferences:
     known = int(memory) if memory.isascii() and memory.isdigit() and len(memory) < 9 else usual.memory_mb
     color = QColor.fromString(surround)
     return Preferences(
-        min(max(known, LEAST_MEMORY_MB), most_memory_mb()), color.name() if color.isValid() else usual.surround
+        min(max(known, LEAST_MEMORY_MB), most_memory_mb()),
+        color.name() if color.isValid() else usual.surround,
+        settings.word(_AUTHOR, "")[:MOST_LETTERS],
     )
 
 
@@ -62,3 +76,12 @@ def remember_preferences(settings: Settings, preferences: Preferences) -> None:
     """Keep what is preferred."""
     settings.set_word(_MEMORY, str(preferences.memory_mb))
     settings.set_word(_SURROUND, preferences.surround)
+    settings.set_word(_AUTHOR, preferences.author)
+
+
+def _user() -> str:
+    """Return who sits here, as far as the system knows."""
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError, ImportError):
+        return ""

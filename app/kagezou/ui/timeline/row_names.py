@@ -13,6 +13,7 @@ from kagezou.document.key_edits import all_keys
 from kagezou.document.linking import is_linked
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.missing import NOTHING_MISSING, Missing, missing_words
+from kagezou.ui.system.shown_units import ShownUnit, shown_unit
 from kagezou.ui.system.theme import BRIGHT, CHROME, DIM, LINE, SELECTED, TEXT
 from kagezou.ui.system.words import choice_name, translated
 from kagezou.ui.timeline.row_list import RowList
@@ -159,7 +160,7 @@ class RowNames(QWidget):
 
     def _paint_value(self, painter: QPainter, row: TimelineRow, top: int, left: float, room: float) -> float:
         address = row.addresses[0]
-        words = _short(value_of(self._bridge.document, address, self._bridge.frame), address.property.unit)
+        words = _short(value_of(self._bridge.document, address, self._bridge.frame), shown_unit(address.property))
         metrics = self.fontMetrics()
         width = float(metrics.horizontalAdvance(words) + 8)
         if width + metrics.horizontalAdvance(self.name_of(row)) > room:
@@ -251,14 +252,14 @@ def _diamond(middle: QPointF, radius: float) -> QPolygonF:
     return QPolygonF([middle - up, middle + across, middle + up, middle - across])
 
 
-def _short(value: Value, unit: str) -> str:
+def _short(value: Value, shown: ShownUnit) -> str:
     match value:
         case bool():
             return "✓" if value else "–"
         case str():
             return value if value.startswith("#") else choice_name(value)
         case float():
-            return f"{value:.4g}{unit if unit == '°' else ''}"
+            return f"{value * shown.factor:.4g}{shown.behind() if shown.unit in ('°', '%') else ''}"
         case tuple() if value and isinstance(value[0], tuple):
             return f"{len(value)} pt"
         case _:

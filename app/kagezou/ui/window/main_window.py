@@ -19,7 +19,9 @@ from kagezou.ui.window.panel_layout import TabKey
 from kagezou.ui.window.parts import make_parts
 from kagezou.ui.window.wiring.cut import connect_cut
 from kagezou.ui.window.wiring.figures import connect_feet, connect_transform
+from kagezou.ui.window.wiring.first_cut import connect_first_cut
 from kagezou.ui.window.wiring.handles import connect_handles
+from kagezou.ui.window.wiring.help import connect_help
 from kagezou.ui.window.wiring.layers import connect_layers
 from kagezou.ui.window.wiring.match import connect_match
 from kagezou.ui.window.wiring.preferences import connect_preferences
@@ -62,6 +64,8 @@ class MainWindow(QMainWindow):
         The panels at its sides.
     review
         What looks the cut through.
+    help
+        What opens the manual.
     """
 
     language_chosen = Signal(str)
@@ -87,6 +91,8 @@ class MainWindow(QMainWindow):
         connect_frame(self.parts, self.docks.layout, self)
         connect_handles(self.parts, self.docks.layout)
         self.review = connect_review(self, self.parts, self.docks.layout)
+        self.help = connect_help(self, self.parts)
+        connect_first_cut(self, self.parts, self.docks.layout)
         self.alt_key = AltKey(self)
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()

@@ -36,6 +36,7 @@ _ON_LAYERS = (
     *("layer_replace", "layer_relink", "layer_folder", _SEPARATOR),
     *("layer_duplicate", _SEPARATOR, "layer_lock", "layer_solo"),
 )
+_ON_HELP = ("manual", "first_cut", _SEPARATOR, "command_search", "shortcuts", _SEPARATOR, "missing_parts", "about")
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 
@@ -193,7 +194,7 @@ class Menus(QObject):
         self._fill(time, ["work_in", "work_out", "work_first", "work_last", "work_clear", "read_ahead", _SEPARATOR])
         self._fill(time, ["marker", "marker_previous", "marker_next", _SEPARATOR])
         self._fill(time, ["remark_previous", "remark_next", "remark_tick"])
-        self._menu(bar, self.tr("&Help"), ["command_search", "shortcuts", _SEPARATOR, "missing_parts", "about"])
+        self._menu(bar, self.tr("&Help"), _ON_HELP)
 
     def _build_view(self) -> None:
         self._fill(self.view, ["fit", "actual", "zoom_in", "zoom_out", _SEPARATOR])

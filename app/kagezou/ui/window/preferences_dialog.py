@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 from kagezou.ui.system.language import languages
 from kagezou.ui.system.preferences import (
     LEAST_MEMORY_MB,
+    MOST_LETTERS,
     Preferences,
     most_memory_mb,
     preferences_in,
@@ -62,6 +63,7 @@ class PreferencesDialog(QDialog):
         self.language, self.resolution, self.surround = QComboBox(), QComboBox(), QComboBox()
         self.swatch = Swatch()
         self.memory = QSpinBox()
+        self.author = QLineEdit(self._preferences.author)
         self.folders = {purpose: QLineEdit(settings.settled_folder(purpose)) for purpose in _FOLDERS}
         self._fill()
         self._lay_out()
@@ -84,12 +86,17 @@ class PreferencesDialog(QDialog):
         self.memory.setSingleStep(_STEP_MB)
         self.memory.setSuffix(" MB")
         self.memory.setValue(self._preferences.memory_mb)
+        self.author.setMaxLength(MOST_LETTERS)
+        self.author.setPlaceholderText(replace(self._preferences, author="").signature)
 
     def _connect(self) -> None:
         self.resolution.activated.connect(lambda _index: self.resolution_chosen.emit(self.resolution.currentData()))
         self.surround.activated.connect(lambda _index: self._choose_surround())
         self.swatch.clicked.connect(self._pick)
         self.memory.valueChanged.connect(lambda value: self._prefer(replace(self._preferences, memory_mb=value)))
+        self.author.editingFinished.connect(
+            lambda: self._prefer(replace(self._preferences, author=self.author.text().strip()))
+        )
         for purpose, field in self.folders.items():
             field.editingFinished.connect(lambda purpose=purpose: self._settle(purpose))
         self.finished.connect(lambda _result: self._tell_language())
@@ -164,6 +171,7 @@ class PreferencesDialog(QDialog):
         size = QLocale().toString(most_memory_mb())
         most = _hint(self.tr("of at most %1 MB on this machine").replace("%1", size))
         form.addRow(self.tr("Memory for drawings"), in_row(self.memory, most, None))
+        form.addRow(self.tr("Name under notes"), in_row(self.author, None))
         form.addRow(self.tr("Unsaved work"), self._kept_row())
         for purpose, words in _folder_words().items():
             form.addRow(words, self._folder_row(purpose, words))
@@ -172,6 +180,7 @@ class PreferencesDialog(QDialog):
             (self.resolution, self.tr("Preview resolution")),
             (self.surround, self.tr("Around the picture")),
             (self.memory, self.tr("Memory for drawings")),
+            (self.author, self.tr("Name under notes")),
         ):
             box.setAccessibleName(words)
         self.says = QLabel()

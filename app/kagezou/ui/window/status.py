@@ -114,10 +114,12 @@ class Status(QStatusBar):
         else:
             self._hint.setText(
                 self.tr(
-                    "Drag the lamp to move the shadow; right-click a foot to say what it does, double-click to add one"
+                    "Drag the light to move the shadow; right-click a foot to say what it does, double-click to add one"
                 )
                 if self._stands_on_feet()
-                else self.tr("Drag the lamp to move the shadow; double-click on the character to add a grounding point")
+                else self.tr(
+                    "Drag the light to move the shadow; double-click on the character to add a grounding point"
+                )
             )
 
     def _stands_on_feet(self) -> bool:

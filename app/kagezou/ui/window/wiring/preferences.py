@@ -31,6 +31,7 @@ def ask_preferences(parts: Parts, verbs: WindowVerbs) -> PreferencesDialog:
 def _take_effect(parts: Parts, preferences: Preferences) -> None:
     parts.open_project.cels.limit(preferences.memory_bytes)
     parts.viewport.viewpoint.show_surround(QColor(preferences.surround))
+    parts.curves.sign(preferences.signature)
 
 
 def _show_resolution(parts: Parts, resolution: Resolution) -> None:

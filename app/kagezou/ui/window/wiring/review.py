@@ -1,6 +1,5 @@
 """Who tells whom about looking a cut through: the review, its steps, and the notes as a file."""
 
-import getpass
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
@@ -24,16 +23,7 @@ def connect_review(window: QMainWindow, parts: Parts, layout: PanelLayout) -> Re
     actions.on("remark_previous", lambda: review.step(-1))
     actions.on("remark_tick", review.tick)
     actions.on("export_notes", lambda: _export_notes(parts))
-    parts.curves.author = parts.settings.word("author", _user())
     return review
-
-
-def _user() -> str:
-    """Return who sits here, as far as the system knows; notes are signed with it."""
-    try:
-        return getpass.getuser()
-    except (OSError, KeyError, ImportError):
-        return ""
 
 
 def _export_notes(parts: Parts) -> None:

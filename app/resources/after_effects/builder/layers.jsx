@@ -1,0 +1,131 @@
+    /* Layers: each is added once, and then follows Kagezou in all that is as it was left. */
+
+    /**
+     * @param {CompItem} comp
+     * @param {any} wanted
+     * @param {string} tag
+     * @param {AVItem} source
+     */
+    function addLayer(comp, wanted, tag, source) {
+        var layer = comp.layers.add(source);
+        layer.name = wanted.name;
+        layer.startTime = 0;
+        addEffects(layer, wanted);
+        return newEntry(comp, layer, tag);
+    }
+
+    /**
+     * @param {CompItem} comp
+     * @param {AVLayer} layer
+     * @param {string} tag
+     */
+    function newEntry(comp, layer, tag) {
+        var entry = { comp: comp, layer: layer, tag: tag, memory: {}, before: {}, isNew: true };
+        entries.push(entry);
+        noteMade(tag);
+        return entry;
+    }
+
+    /**
+     * @param {Entry} entry
+     * @param {any} wanted
+     */
+    function updateLayer(entry, wanted) {
+        var layer = entry.layer;
+        if (!shows(layer, itemsOfFootage(wanted.footage))) {
+            foreignNames.push(nameOfEntry(entry));
+            return;
+        }
+        switchOn(entry);
+        followTime(entry, wanted.remap);
+        var opacity = transformOf(layer, "ADBE Opacity");
+        follow(entry, "o", function () {
+            animate(opacity, wanted.opacity, layer.startTime);
+            if (hasEmpty(wanted.remap)) {
+                showHeld(opacity, wanted.remap, layer.startTime);
+            }
+        });
+        followPlace(entry, function () {
+            setPlace(entry, wanted.transform);
+        });
+        follow(entry, "m", function () {
+            layer.blendingMode = /** @type {any} */ (BlendingMode[wanted.blend]);
+        });
+        if (wanted.colors.length > 0) {
+            follow(entry, "c", function () {
+                setColors(layer, wanted.colors);
+            });
+        }
+        if (wanted.label > 0) {
+            follow(entry, "l", function () {
+                layer.label = wanted.label;
+            });
+        }
+        followBounds(entry);
+        if (mark(propertyOf(layer, "ADBE Marker"), wanted.markers, layer.startTime, entry.memory)) {
+            tellLeft(nameOfEntry(entry), "n");
+        }
+        remember(layer, entry.tag, entry.memory);
+        step();
+    }
+
+    function followTime(entry, held) {
+        follow(entry, "r", function () {
+            if (held.length > 0) {
+                remap(entry.layer, held, entry.layer.startTime);
+            } else if (entry.layer.timeRemapEnabled) {
+                entry.layer.timeRemapEnabled = false;
+            }
+        });
+    }
+
+    /* The numbers of a layer that was parented are those of its parent. */
+    function followPlace(entry, work) {
+        if (entry.layer.parent !== null) {
+            tellLeft(nameOfEntry(entry), "p");
+            return;
+        }
+        follow(entry, "p", work);
+    }
+
+    /* In and out point each by itself, so that both parts of a layer that was split go on; a layer that was slipped has
+       times of its own. */
+    /** @param {Entry} entry */
+    function followBounds(entry) {
+        follow(entry, "b", function () {
+            if (entry.isNew) {
+                entry.layer.startTime = 0;
+            }
+        });
+        if (!isLeft(entry, "b")) {
+            return;
+        }
+        follow(entry, "i", function () {
+            entry.layer.inPoint = 0;
+        });
+        follow(entry, "e", function () {
+            entry.layer.outPoint = HAND_OFF.duration;
+        });
+    }
+
+    /** @param {Entry} entry */
+    function switchOn(entry) {
+        if (entry.memory.g) {
+            entry.memory.g = "";
+            if (!entry.layer.nullLayer) {
+                entry.layer.enabled = true;
+            }
+            backNames.push(nameOfEntry(entry));
+        }
+    }
+
+    /* What the project no longer has is switched off, not deleted: there may be work on it. */
+    /** @param {Entry} entry */
+    function switchOff(entry) {
+        if (!entry.memory.g) {
+            entry.layer.enabled = false;
+            entry.memory.g = "1";
+            remember(entry.layer, entry.tag, entry.memory);
+            goneNames.push(nameOfEntry(entry));
+        }
+    }

@@ -1,0 +1,83 @@
+    /* The character of what others cast on it, by its name, for its layer is the user's own. */
+    function characterOf(target, received) {
+        var name = received.name.replace(/ received$/, "");
+        for (var i = 1; i <= target.comp.numLayers; i++) {
+            if (target.comp.layer(i).name === name) {
+                return target.comp.layer(i);
+            }
+        }
+        return target.below;
+    }
+
+    /* A layer is added on top, so the lowest comes first; one that comes later goes over the one it belongs over. */
+    /**
+     * @param {any} plan
+     * @param {CompItem} comp
+     * @param {FolderItem} root
+     * @param {any} target
+     * @param {boolean} isCopy
+     */
+    function addParts(plan, comp, root, target, isCopy) {
+        var lower = null;
+        for (var i = 0; i < plan.parts.length; i++) {
+            var part = plan.parts[i];
+            var there = part.kind === "null" ? null : carrierIn(comp, part.tag);
+            if (there !== null) {
+                lower = there;
+            } else if (plan.added["$" + part.tag]) {
+                var entry = addOne(part, comp, root);
+                if (entry === null) {
+                    continue;
+                }
+                if (!plan.isFresh && !isCopy) {
+                    addedNames.push(nameOfEntry(entry));
+                }
+                if (part.kind === "layer" && plan.isTarget) {
+                    putBeside(entry.layer, part.wanted, target);
+                } else if (part.kind !== "null") {
+                    putOver(entry.layer, lower);
+                    lower = entry.layer;
+                }
+            }
+        }
+    }
+
+    function addOne(part, comp, root) {
+        if (part.kind === "white") {
+            return putWhite(comp, part.tag);
+        }
+        if (part.kind === "null") {
+            return addNull(comp, part.wanted, part.tag, root);
+        }
+        var items = itemsOfFootage(part.wanted.footage);
+        return items.length === 0 ? null : addLayer(comp, part.wanted, part.tag, /** @type {AVItem} */ (items[0]));
+    }
+
+    /**
+     * @param {AVLayer} layer
+     * @param {Layer} lower
+     */
+    function putOver(layer, lower) {
+        if (lower !== null) {
+            layer.moveBefore(lower);
+        } else {
+            layer.moveToEnd();
+        }
+    }
+
+    /* Right under the character, so over those before it; what is cast on a character right over it. */
+    /**
+     * @param {AVLayer} layer
+     * @param {any} wanted
+     * @param {any} target
+     */
+    function putBeside(layer, wanted, target) {
+        if (wanted.tag.indexOf("received:") === 0) {
+            var character = characterOf(target, wanted);
+            if (character) {
+                layer.moveBefore(character);
+            }
+        } else if (target.below) {
+            layer.moveAfter(target.below);
+        }
+    }

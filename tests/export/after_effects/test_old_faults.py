@@ -1,0 +1,177 @@
+"""What went wrong on the second day: each a fault of its own, against the picture of the changed document."""
+
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from kagezou.animation.track import Interpolation
+from kagezou.document.address import resolve
+from kagezou.document.edits import add_layer, set_background, set_canvas, set_key
+from kagezou.document.model import Cels, Document, Exposure
+from kagezou.geometry.box import Box
+from kagezou.io.images.writing import write_rgba
+from tests.export.after_effects.compositing import composed
+from tests.export.after_effects.extendscript import CHANGED, LEFT, NOTES, Run, property_of, run_edited
+from tests.export.after_effects.hand_offs import furthest, handed_off, script_of
+from tests.export.small_cuts import HEIGHT, WIDTH, cut, drawings, with_values
+
+TOP = (
+    "var main = comp('cut'); var at = (name) => layerOf('cut', name);"
+    "var together = () => main.layers.precompose([at('A shadow').index, at('B shadow').index], 'pre', true);"
+    "var alone = () => { main.layers.precompose([at('A shadow').index], 'pre', false);"
+    " main.layers.precompose([at('A').index], 'drawn', false); };"
+)
+STATES = {
+    "as it was": "",
+    "precomposed with all attributes": "together();",
+    "precomposed without": "alone();",
+    "precomposed both ways": "alone(); together();",
+    "all precomposed": "main.layers.precompose(main.all.map((each) => each.index), 'all', true);",
+}
+
+
+@pytest.fixture
+def document(tmp_path: Path) -> Document:
+    """Two figures of drawings of odd sizes, one moved, their shadows of different looks, over a ramp."""
+    ramp = np.full((HEIGHT, WIDTH, 4), 255, np.uint8)
+    ramp[..., 0], ramp[..., 1] = np.linspace(40, 250, WIDTH), np.linspace(90, 220, HEIGHT)[:, np.newaxis]
+    write_rgba(tmp_path / "ramp.png", ramp)
+    made = set_background(cut(tmp_path / "a", count=3), tmp_path / "ramp.png")
+    shown = drawings(tmp_path / "b", 2, "b")
+    for each in shown:
+        write_rgba(each.path, np.full((21, 13, 4), 200, np.uint8))
+    made = add_layer(made, "B", Cels(shown, (Exposure(1, 0), Exposure(3, 1))), Box(12, 20, 20, 40))
+    made = with_values(made, layers__B__shadow__opacity=0.4)
+    for frame, place in ((1, (20.0, 30.0)), (6, (40.0, 30.0))):
+        made = set_key(made, resolve(made, "layers.B.position"), frame, place, Interpolation.LINEAR)
+    return made
+
+
+def rerun(before: Document, after: Document, edit: str, tmp_path: Path) -> Run:
+    first, second = (script_of(handed_off(each, tmp_path / name)) for each, name in ((before, "1"), (after, "2")))
+    return run_edited(first, tmp_path / "ae.json", (TOP + edit, second))
+
+
+def tags(run: Run) -> list[str]:
+    layers = [layer for each in run.tree["items"] if each["layers"] for layer in each["layers"]]
+    return sorted(layer["comment"].split(" #")[0] for layer in layers if layer["comment"])
+
+
+@pytest.mark.parametrize("edit", STATES.values(), ids=STATES)
+def test_no_shadow_is_doubled_after_a_precompose(document: Document, edit: str, tmp_path: Path) -> None:
+    changed = with_values(document, layers__A__shadow__color="#402010", layers__B__shadow__softness=5.0)
+    run = rerun(document, changed, edit, tmp_path)
+    assert len(tags(run)) == len(set(tags(run))) == len(tags(rerun(document, changed, "", tmp_path)))
+    # Shadows precomposed by themselves are multiplied with nothing; with their background they are the picture.
+    if "together" not in edit:
+        assert furthest(run, changed, tmp_path) <= 1
+    assert run.left() == []
+
+
+@pytest.mark.parametrize("keeps", ["corner", "middle"])
+@pytest.mark.parametrize("edit", STATES.values(), ids=STATES)
+def test_nothing_drifts_after_a_resize(document: Document, edit: str, keeps: str, tmp_path: Path) -> None:
+    canvas = replace(document.canvas, width_px=WIDTH + 22, height_px=HEIGHT + 9)
+    changed = set_canvas(document, canvas)
+    run = rerun(document, changed, edit + f"settings.resizeKeeps = '{keeps}';", tmp_path)
+    sizes = {
+        (each["width"], each["height"]) for each in run.tree["items"] if each["layers"] and each["name"] != "drawn"
+    }
+    assert sizes == {(WIDTH + 22, HEIGHT + 9)}
+    assert run.left() == []
+    if "together" not in edit:
+        assert furthest(run, changed, tmp_path) <= 1
+        return
+    # The same shadows precomposed in the changed cut.
+    fresh = rerun(changed, changed, edit, tmp_path / "fresh")
+    for frame in (1, 4):
+        assert np.array_equal(composed(run, "cut", frame), composed(fresh, "cut", frame))
+
+
+@pytest.mark.parametrize("edit", STATES.values(), ids=STATES)
+def test_another_rate_and_length_arrive(document: Document, edit: str, tmp_path: Path) -> None:
+    for rate, length in ((Fraction(25), 9), (Fraction(12), 4), (Fraction(24000, 1001), 6)):
+        changed = set_canvas(document, replace(document.canvas, frame_rate=rate, length_frames=length))
+        run = rerun(document, changed, edit, tmp_path / f"{length}")
+        for each in run.tree["items"]:
+            if each["layers"] and each["name"] != "drawn":
+                assert (each["frameRate"], each["duration"]) == pytest.approx((rate, length / rate))
+                assert all(layer["outPoint"] == pytest.approx(float(length / rate)) for layer in each["layers"])
+        assert run.left() == []
+        if "together" not in edit:
+            assert furthest(run, changed, tmp_path / f"{length}") <= 1
+
+
+def test_a_blend_mode_arrives(document: Document, tmp_path: Path) -> None:
+    changed = with_values(document, layers__A__shadow__blend="normal")
+    run = rerun(document, changed, "", tmp_path)
+    assert run.layer("cut", "A shadow")["blend"] == "NORMAL"
+    assert run.summary()[CHANGED] == ["A shadow: blending mode"]
+    assert furthest(run, changed, tmp_path) <= 1
+
+
+def test_an_anchor_arrives(document: Document, tmp_path: Path) -> None:
+    changed = with_values(document, layers__B__anchor=(3.0, 20.0))
+    run = rerun(document, changed, "", tmp_path)
+    assert "B: transform" in run.summary()[CHANGED]
+    assert furthest(run, changed, tmp_path) <= 1
+
+
+def test_a_copy_of_the_composition_is_never_stale(document: Document, tmp_path: Path) -> None:
+    changed = with_values(document, layers__A__shadow__blend="normal", layers__B__shadow__opacity=0.8)
+    run = rerun(document, changed, "main.duplicate();", tmp_path)
+    assert run.summary()[NOTES] == ["Copies of the composition were brought up to date as well: cut 2"]
+    assert np.array_equal(composed(run, "cut 2", 3), composed(run, "cut", 3))
+    assert furthest(run, changed, tmp_path) <= 1
+
+
+def test_a_deleted_layer_does_not_come_back_while_new_ones_come(document: Document, tmp_path: Path) -> None:
+    shown = drawings(tmp_path / "c", 1, "c")
+    changed = add_layer(document, "C", Cels(shown, (Exposure(1, 0),)), Box(12, 20, 20, 40))
+    changed = with_values(changed, layers__C__shadow__opacity=0.2)
+    edit = "at('A shadow').remove(); main.layers.precompose([at('B shadow').index], 'pre', true);"
+    run = rerun(document, changed, edit, tmp_path)
+    names = [layer["name"] for layer in reversed(run.item("cut", "CompItem")["layers"])]
+    assert names == ["Background", "pre", "C shadow", "A", "B", "C", "Ground line", "Light"]
+
+
+@pytest.mark.parametrize("across", [0, 0.5, 1])
+def test_layers_follow_in_a_composition_that_was_made_larger(document: Document, across: float, tmp_path: Path) -> None:
+    changed = with_values(document, layers__A__shadow__opacity=0.9)
+    for frame, place in ((1, (10.0, 20.0)), (6, (44.0, 33.0))):
+        changed = set_key(changed, resolve(changed, "layers.B.position"), frame, place, Interpolation.LINEAR)
+    run = rerun(document, changed, f"main.setByHand(104, 88, {across}, {across});", tmp_path)
+    assert run.summary()[LEFT] == ["cut: size"]
+    left, top = int(40 * across), int(40 * across)
+    alone = rerun(changed, changed, "", tmp_path / "alone")
+    for frame in (1, 4):
+        inner = composed(run, "cut", frame)[top : top + HEIGHT, left : left + WIDTH]
+        assert np.array_equal(inner, composed(alone, "cut", frame))
+
+
+def test_what_both_sides_changed_is_asked_once(document: Document, tmp_path: Path) -> None:
+    changed = set_canvas(document, replace(document.canvas, width_px=80, length_frames=8))
+    first = script_of(handed_off(document, tmp_path / "ae"))
+    first = first.rename(first.with_name("before.jsx"))
+    second = script_of(handed_off(changed, tmp_path / "ae"))
+    edit = TOP + "main.setByHand(100, 60, 0, 0); main.frameRate = 30;"
+    for answer, width in (("true", 80), ("false", 100)):
+        run = run_edited(
+            first, tmp_path / "ae.json", (f"{edit} answer = {answer};", second), ("answer = true;", second)
+        )
+        (asked,) = run.tree["asked"]
+        assert "cut: size" in asked
+        assert "frame rate" not in asked, "Kagezou's is what it was"
+        item = run.item("cut", "CompItem")
+        assert (item["width"], item["frameRate"], item["duration"]) == (width, 30, 8 / 24)
+
+
+def test_without_a_comment_a_layer_is_the_users(document: Document, tmp_path: Path) -> None:
+    changed = with_values(document, layers__A__shadow__opacity=0.9)
+    run = rerun(document, changed, "at('A shadow').comment = 'my own words';", tmp_path)
+    layer = run.layer("cut", "A shadow")
+    assert property_of(layer, "ADBE Transform Group", "ADBE Opacity")["value"] == 60
+    assert layer["comment"] == "my own words"
