@@ -9,7 +9,7 @@ from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
-from kagezou.cli.terminal import ProgressLine, give, give_json, note
+from kagezou.cli.terminal import give, give_json, note
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
@@ -76,7 +76,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         workers=options.workers or processors(),
     )
     document = load(options.project)
-    with stopping_gently() as interruption, ProgressLine("rendering") as line:
+    with stopping_gently() as interruption, entry_points.line("rendering") as line:
         done = HAND_OFF.export(document, request, entry_points.open_context, line.update, interruption.is_set)
     _report(done, as_json=options.json)
     return max(verdict(each, interruption) for each in done.exports)

@@ -136,6 +136,7 @@ def _gathering(document: Document, request: SceneRequest, plan: Plan) -> Gathere
         frames=tuple(sorted(target.frame for job in plan.jobs for target in job.targets)),
         every_frame=request.target.every_frame,
         layers=scene_layers(plan),
+        separator=request.target.separator,
     )
 
 

@@ -69,6 +69,8 @@ class Stack:
         Whether there is a file for every frame, which bears its number, instead of one for every picture.
     is_filled
         Whether the lowest layer fills the whole canvas on every frame.
+    separator
+        What stands before the number of a file.
     """
 
     name: str
@@ -82,6 +84,7 @@ class Stack:
     depth: int = 8
     every_frame: bool = False
     is_filled: bool = True
+    separator: str = "_"
 
     @property
     def last_frame(self) -> int:
@@ -90,11 +93,11 @@ class Stack:
 
     def file(self, label: str, number: int) -> str:
         """Return where a picture lies, from the scene's folder, with forward slashes."""
-        return f"{FOLDER}/{label}/{label}_{number:0{self.digits}d}.png"
+        return self.pattern(label, f"{number:0{self.digits}d}")
 
     def pattern(self, label: str, digits: str) -> str:
         """Return where the pictures of a layer lie, with ``digits`` in the place of the number."""
-        return f"{FOLDER}/{label}/{label}_{digits}.png"
+        return f"{FOLDER}/{label}/{label}{self.separator}{digits}.png"
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +128,8 @@ class SceneTarget:
         Makes the scene of a stack.
     every_frame
         Whether it wants a file for every frame.
+    separator
+        What stands before the number of a file.
     is_module
         Whether it imports the scene as Python does, so that its name has letters, digits and ``_`` alone.
     """
@@ -132,6 +137,7 @@ class SceneTarget:
     suffix: str
     write: Callable[[Stack], SceneText]
     every_frame: bool = False
+    separator: str = "_"
     is_module: bool = False
 
 
