@@ -1,6 +1,6 @@
     /* The character of what others cast on it, by its name, for its layer is the user's own. */
     function characterOf(target, received) {
-        var name = received.name.replace(/ received$/, "");
+        var name = received.name.replace(/ received( normal)?$/, "");
         for (var i = 1; i <= target.comp.numLayers; i++) {
             if (target.comp.layer(i).name === name) {
                 return target.comp.layer(i);
@@ -73,10 +73,15 @@
      */
     function putBeside(layer, wanted, target) {
         if (wanted.tag.indexOf("received:") === 0) {
-            var character = characterOf(target, wanted);
+            /* What lies over another of the same goes over that. */
+            var other = /:over$/.test(wanted.tag) ? carrierIn(target.comp, coded(wanted.tag.replace(/:over$/, ""))) : null;
+            var character = other || characterOf(target, wanted);
             if (character) {
                 layer.moveBefore(character);
             }
+        } else if (wanted.tag === "background:set_under") {
+            /* Under the background, which is the user's own. */
+            layer.moveToEnd();
         } else if (target.below) {
             layer.moveAfter(target.below);
         }
