@@ -47,8 +47,10 @@ class LayeredFrames(NumberedFrames):
             return (
                 Message("Each file is one frame with a part for each layer, linear and with premultiplied alpha."),
                 Message("Nuke, Natron and Blender read the parts as layers."),
-                Message("The blend mode of each stands in its attribute kagezou:blend; shadows are usually Multiply."),
-                Message("Turn each part from linear light into sRGB before it is laid, and they make the picture."),
+                Message(
+                    "The blend mode of each is its attribute kagezou:blend; laid in sRGB, not in linear light, "
+                    "they make the picture."
+                ),
             )
         return (
             Message("Each file is one frame; Photoshop and Clip Studio Paint open it with its layers."),
