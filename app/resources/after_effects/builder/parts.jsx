@@ -86,10 +86,15 @@
      */
     function putBeside(layer, wanted, target) {
         if (wanted.tag.indexOf("received:") === 0) {
-            var character = characterOf(target, wanted);
+            /* What lies over another of the same goes over that. */
+            var other = /:over$/.test(wanted.tag) ? carrierIn(target.comp, coded(wanted.tag.replace(/:over$/, ""))) : null;
+            var character = other || characterOf(target, wanted);
             if (character) {
                 layer.moveBefore(character);
             }
+        } else if (wanted.tag === "background:set_under") {
+            /* Under the background, which is the user's own. */
+            layer.moveToEnd();
         } else if (target.below) {
             layer.moveAfter(target.below);
         }
