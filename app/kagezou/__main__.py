@@ -12,9 +12,10 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from kagezou.cli import main as command_line
+from kagezou.cli.arguments_file import given_words
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import PROGRAM, speak_plainly, tell
-from kagezou.errors import GraphicsProblem
+from kagezou.errors import GraphicsProblem, Problem
 from kagezou.message import Message
 
 if TYPE_CHECKING:
@@ -29,6 +30,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Choose the door and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     speak_plainly()
+    try:
+        words = given_words(words)
+    except Problem as problem:
+        tell(str(problem))
+        return problem.exit_code
     if not words:
         return open_window(None)
     if len(words) == 1 and words[0].lower().endswith(PROJECT_SUFFIXES):

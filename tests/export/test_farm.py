@@ -127,6 +127,58 @@ def test_a_farm_makes_all_that_a_local_render_can(
 
 
 @posix
+@pytest.mark.parametrize(
+    ("form", "depth", "suffix"), [("exr", "auto", "exr"), ("tga", "16", "tga"), ("exr", "8", "exr")]
+)
+def test_the_depth_follows_the_format_that_a_job_is_sent_with(
+    document: Document, worker: Path, tmp_path: Path, form: str, depth: str, suffix: str
+) -> None:
+    job, project = bundle(document, tmp_path, worker)
+    words = [*run_words(job, project, tmp_path / "farm"), "-p", f"Format={form}", "-p", "Frames=1-2"]
+    done = openjd(*words, *([] if depth == "auto" else ["-p", f"Depth={depth}"]))
+    assert done.returncode == 0, done.stdout
+    assert ("is written with" in done.stdout) == (depth != "auto"), "what is not used is said"
+    assert sorted(bytes_below(tmp_path / "farm")) == [f"A_shadow/A_shadow_000{n}.{suffix}" for n in (1, 2)]
+    refused = subprocess.run(
+        [str(worker), "render", str(project), "-o", str(tmp_path / "here"), "--format", "tga", "--depth", "16"],
+        capture_output=True, text=True, check=False, timeout=60,
+    )  # fmt: skip
+    assert refused.returncode == 2
+    assert "tga frames have 8 bits a channel, not 16" in refused.stderr
+
+
+def test_a_job_says_what_a_worker_must_have_and_how_long_a_task_may_take(document: Document, tmp_path: Path) -> None:
+    request = FarmRequest(tmp_path / "a.kage", ExportRequest(tmp_path), 4, frame_minutes=3)
+    (step,) = template(document, request)["steps"]
+    action = step["script"]["actions"]["onRun"]
+    assert action["timeout"] == 600 + 3 * 60 * 4
+    assert action["cancelation"]["mode"] == "NOTIFY_THEN_TERMINATE"
+    least = {each["name"]: each["min"] for each in step["hostRequirements"]["amounts"]}
+    assert least == {"amount.worker.vcpu": 2, "amount.worker.memory": 1024}
+    large = replace(document, canvas=replace(document.canvas, width_px=8000, height_px=4000))
+    (step,) = template(large, request)["steps"]
+    assert {each["name"]: each["min"] for each in step["hostRequirements"]["amounts"]}["amount.worker.memory"] == 2048
+    shown = {
+        each["name"]: each["userInterface"]["control"] for each in template(document, request)["parameterDefinitions"]
+    }
+    assert shown == {
+        "ProjectFile": "CHOOSE_INPUT_FILE", "OutputDir": "CHOOSE_DIRECTORY", "Frames": "LINE_EDIT",
+        "Format": "DROPDOWN_LIST", "Depth": "DROPDOWN_LIST", "Program": "LINE_EDIT",
+    }  # fmt: skip
+    with pytest.raises(UsageProblem, match="1 to 1440 minutes, not 0"):
+        FarmRequest(tmp_path / "a.kage", ExportRequest(tmp_path), frame_minutes=0)
+
+
+@posix
+def test_a_depth_that_was_chosen_stays(document: Document, worker: Path, tmp_path: Path) -> None:
+    asked = ExportRequest(tmp_path / "farm", depth=16, frames=(1,))
+    job, project = bundle(document, tmp_path, worker, asked=asked)
+    assert openjd(*run_words(job, project, tmp_path / "farm")).returncode == 0
+    export(document, tmp_path / "local", depth=16, frames=(1,))
+    assert bytes_below(tmp_path / "farm") == bytes_below(tmp_path / "local")
+
+
+@posix
 def test_a_killed_workers_task_is_taken_up_by_another(document: Document, worker: Path, tmp_path: Path) -> None:
     job, project = bundle(document, tmp_path, worker, chunk=24)
     out = tmp_path / "farm" / "A_shadow"

@@ -8,11 +8,14 @@ import pytest
 
 from kagezou.document import edits, invariants
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure, Marker
+from kagezou.document.slate import Slate
 from kagezou.errors import InputProblem
 from kagezou.geometry.box import Box
 from kagezou.importing.staging import CharacterSource, new_document, with_timesheet
-from kagezou.importing.timesheet_on_document import timed
+from kagezou.importing.timesheet_on_document import sheet_of, timed
 from kagezou.io.sheets.timesheet import SheetMark, SheetTrack, Timesheet
+from kagezou.io.sheets.xdts import FIRST_LINE, sheets_of
+from kagezou.io.sheets.xdts_writing import xdts_text
 from tests.importing.cel_files import write_walk
 
 FIGURE = Box(0, 0, 9, 9)
@@ -138,3 +141,46 @@ def test_what_is_said_and_done_beside_the_cels_becomes_markers() -> None:
     again, _ = timed(once, sheet)
     assert again.markers == once.markers
     invariants.check(again)
+
+
+def test_scene_and_cut_of_the_head_are_those_of_the_slate_where_it_has_none() -> None:
+    sheet = Timesheet("c012", 24, (), scene="3", cut="12A")
+    named = replace(document_with(A=["1"]), slate=Slate(name="ep04"))
+    told, notes = timed(named, sheet)
+    assert (told.slate, notes[:-1]) == (Slate("ep04", "3", "12A"), [])
+    again, notes = timed(told, sheet)
+    assert (again.slate, notes[:-1]) == (told.slate, [])
+    other, notes = timed(told, replace(sheet, cut="13"))
+    assert other.slate == told.slate
+    assert str(notes[-1]) == "the timesheet is of scene '3', cut '13'; the project keeps '3' and '12A'"
+    long, notes = timed(named, replace(sheet, cut="9" * 61))
+    assert long.slate == named.slate
+    assert "cannot stand on a slate" in str(notes[-1])
+
+
+def test_numbers_that_a_writer_puts_in_for_none_are_no_slate() -> None:
+    document, _ = timed(document_with(A=["1"]), Timesheet("c", 9, (), scene="1", cut="1"))
+    assert document.slate == Slate()
+
+
+def test_what_a_sheet_says_comes_back_through_a_document() -> None:
+    def row(frame: int, *said: str) -> dict[str, object]:
+        return {"frame": frame, "data": [{"id": 0, "values": list(said)}]}
+
+    cels = [row(0, "1"), row(3, "SYMBOL_TICK_1"), row(6, "2"), row(9, "SYMBOL_TICK_2")]
+    talk = [row(2, "Anna", "Good morning"), row(3, "SYMBOL_HYPHEN"), row(5, "SYMBOL_NULL_CELL")]
+    fields = [
+        {"fieldId": 0, "tracks": [{"trackNo": 0, "frames": cels}]},
+        {"fieldId": 3, "tracks": [{"trackNo": 0, "frames": talk}]},
+        {"fieldId": 5, "tracks": [{"trackNo": 0, "frames": [row(0, "PAN"), row(8, "SYMBOL_NULL_CELL")]}]},
+    ]
+    headers = [{"fieldId": 0, "names": ["A"]}, {"fieldId": 3, "names": ["S1"]}]
+    table = {"name": "c012", "duration": 12, "timeTableHeaders": headers, "fields": fields}
+    tree = {"header": {"cut": "0012", "scene": "3"}, "timeTables": [table], "version": 5}
+    (sheet,) = sheets_of(f"{FIRST_LINE}\n{json.dumps(tree)}")
+    document, _ = timed(document_with(A=["1", "2"]), sheet)
+    text = xdts_text(sheet_of(document, "cut"))
+    assert json.loads(text.partition("\n")[2]) == tree
+    (again,) = sheets_of(text)
+    assert (again.marks, again.scene, again.cut) == (sheet.marks, "3", "0012")
+    assert [mark.text for mark in again.marks] == ["PAN", "Anna: Good morning"]

@@ -5,7 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kagezou.cli.terminal import ProgressLine
+
 if TYPE_CHECKING:  # at run time the room of OpenGL is imported only by the verbs that draw
+    from kagezou.cli.progress_file import ProgressFile
     from kagezou.render.gpu.context import OpenContext
 
 
@@ -21,8 +24,15 @@ class EntryPoints:
         Opens the window with a project and returns its exit code.
     has_display
         Whether a window could be seen.
+    progress
+        What a program that waits is told by; None where none does.
     """
 
     open_context: "OpenContext"
     open_window: Callable[[Path | None], int]
     has_display: bool
+    progress: "ProgressFile | None" = None
+
+    def line(self, doing: str) -> ProgressLine:
+        """Return the line that tells how far something is, to whoever watches or waits."""
+        return ProgressLine(doing, also=None if self.progress is None else self.progress.update)

@@ -6,12 +6,14 @@ import os
 import sys
 from argparse import Namespace
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final, Protocol
 
 from kagezou.cli import crash_log
 from kagezou.cli.arguments import Parser, did_you_mean
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import Interrupted, stopping_at_once
+from kagezou.cli.progress_file import ProgressFile, taken_out
 from kagezou.cli.terminal import PROGRAM, give, tell
 from kagezou.errors import Problem, UsageProblem
 from kagezou.message import Message
@@ -22,6 +24,8 @@ VERBS: Final = {
     "get": "print the value of a property",
     "info": "say what is in a project, and what is missing",
     "inspect": "say what any file is understood to be, and what of it is not used",
+    "retake": "give layers other drawings, and say what became of keys and feet",
+    "relink": "find drawings that were moved, in another folder",
     "feet": "find the characters' feet anew, and list how they stand",
     "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",
@@ -41,6 +45,7 @@ EXIT_BROKEN_PIPE: Final = 141
 _HELP: Final = """\
 usage: kagezou [PROJECT.kage | SHEET.xdts]     the window
        kagezou COMMAND ...                     the command line
+       kagezou @FILE                           all words from a UTF-8 file: a JSON list, or one a line
 
 Cast-shadow layers for 2D animation, from the alpha of the character drawings.
 
@@ -50,6 +55,8 @@ commands:
 options:
   -h, --help     show this, or with a command its own help
   --version      show the version
+  --progress-file FILE    with a command: how far it is and how it ended, for a program that waits; it stops where
+                 FILE.stop appears
 
 examples:
   kagezou demo
@@ -75,6 +82,21 @@ class _Verb(Protocol):
 
 def run(arguments: Sequence[str], entry_points: EntryPoints) -> int:
     """Do what a command line says and return the exit code; whatever goes wrong is one line on stderr."""
+    try:
+        words, path = taken_out(arguments)
+        told = None if path is None else ProgressFile(path)
+    except Problem as problem:
+        tell(str(problem))
+        return problem.exit_code
+    if told is None:
+        return _run(words, entry_points)
+    with told:
+        code = _run(words, replace(entry_points, progress=told))
+    told.end(code)
+    return code
+
+
+def _run(arguments: Sequence[str], entry_points: EntryPoints) -> int:
     try:
         with stopping_at_once():
             code = _dispatched(arguments, entry_points)

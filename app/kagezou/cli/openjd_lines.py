@@ -38,6 +38,10 @@ class JobLines:
             self._tell("progress", f"{100 * done / max(total, 1):.1f}")
             self._tell("status", f"{done} of {total} files")
 
+    def say(self, words: Message) -> None:
+        """Tell what is worth knowing of the task."""
+        self._tell("status", str(words))
+
     def fail(self, problem: Message) -> None:
         """Tell why the task is not whole."""
         self._tell("fail", str(problem))

@@ -6,7 +6,7 @@ import shutil
 import sys
 import time
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Final, TextIO
 
 from kagezou.message import Message
@@ -76,9 +76,14 @@ class ProgressLine:
         What is being done, such as ``rendering``.
     stream
         A terminal, or anything else.
+    also
+        What else is told of it, such as a file that another program reads.
     """
 
-    def __init__(self, doing: str, stream: TextIO | None = None) -> None:
+    def __init__(
+        self, doing: str, stream: TextIO | None = None, also: Callable[[int, int], None] | None = None
+    ) -> None:
+        self._also = also
         self._doing = doing
         self._stream = stream or sys.stderr
         self._is_shown = is_watched(self._stream)
@@ -97,6 +102,8 @@ class ProgressLine:
 
     def update(self, done: int, total: int) -> None:
         """Show that ``done`` of ``total`` frames are finished; drawn at most ten times a second."""
+        if self._also is not None:
+            self._also(done, total)
         now = time.monotonic()
         if not self._pace:
             self._pace.append((self._started, done - 1))

@@ -12,7 +12,7 @@ from typing import Any, Final
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.export.planning import planned
+from kagezou.export.planning import PIXEL_BYTES, planned
 from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
@@ -23,8 +23,20 @@ TEMPLATE: Final = "template.json"
 PARAMETERS: Final = "parameter_values.json"
 ASSETS: Final = "asset_references.json"
 MAX_CHUNK: Final = 10_000
+MAX_MINUTES: Final = 1440
+
+AUTO_DEPTH: Final = "auto"
+"""The depth that follows the format."""
 
 _NAME_CHARACTERS: Final = 64
+_PLACES, _FRAMES = "Places", "Frames"
+_LEAST_CORES: Final = 2
+_PROGRAM_MIB: Final = 1024
+_MIB_STEP: Final = 512
+_STARTING_S: Final = 600
+"""So long a worker may take until the first frame is begun, with drawings on slow disks and OpenGL to be opened."""
+_NOTICE_S: Final = 60
+"""So long a task that is stopped has for the frames that it has begun."""
 
 Json = dict[str, Any]
 
@@ -43,17 +55,28 @@ class FarmRequest:
         How many frames one task has: a task opens OpenGL once.
     program
         How the program is called on the workers.
+    frame_minutes
+        How long a frame may take before a task is taken for stuck.
     """
 
     project: Path
     export: ExportRequest
     chunk: int = 10
     program: str = "kagezou"
+    frame_minutes: int = 10
 
     def __post_init__(self) -> None:
         if not 1 <= self.chunk <= MAX_CHUNK:
             raise UsageProblem(
                 Message("a task has 1 to {most_chunk} frames, not {chunk}", most_chunk=MAX_CHUNK, chunk=self.chunk)
+            )
+        if not 1 <= self.frame_minutes <= MAX_MINUTES:
+            raise UsageProblem(
+                Message(
+                    "a frame may take 1 to {most_minutes} minutes, not {minutes}",
+                    most_minutes=MAX_MINUTES,
+                    minutes=self.frame_minutes,
+                )
             )
 
 
@@ -102,9 +125,20 @@ def template(document: Document, request: FarmRequest) -> Json:
                         }
                     ]
                 },
-                "script": {"actions": {"onRun": {"command": "{{Param.Program}}", "args": _words(request)}}},
+                "hostRequirements": _host_requirements(document),
+                "script": {"actions": {"onRun": _action(request)}},
             }
         ],
+    }
+
+
+def _action(request: FarmRequest) -> Json:
+    """Return the command of a task, how long it may take, and how it is stopped: the program ends between frames."""
+    return {
+        "command": "{{Param.Program}}",
+        "args": _words(request),
+        "timeout": _STARTING_S + 60 * request.frame_minutes * request.chunk,
+        "cancelation": {"mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": _NOTICE_S},
     }
 
 
@@ -138,6 +172,12 @@ def _places() -> list[Json]:
             "type": "PATH",
             "objectType": "FILE",
             "dataFlow": "IN",
+            "userInterface": {
+                "control": "CHOOSE_INPUT_FILE",
+                "label": "Project",
+                "groupLabel": _PLACES,
+                "fileFilters": [{"label": "Kagezou projects", "patterns": ["*.kage"]}],
+            },
             "description": "The Kagezou project.",
         },
         {
@@ -145,6 +185,7 @@ def _places() -> list[Json]:
             "type": "PATH",
             "objectType": "DIRECTORY",
             "dataFlow": "OUT",
+            "userInterface": _shown_as("CHOOSE_DIRECTORY", "Output folder", _PLACES),
             "description": "Where the shadow layers go.",
         },
     ]
@@ -152,35 +193,56 @@ def _places() -> list[Json]:
 
 def _settings(document: Document, request: FarmRequest) -> list[Json]:
     length, export = document.canvas.length_frames, request.export
-    depths = sorted({depth for each in DEPTHS.values() for depth in each})
+    own = export.depth == DEPTHS[export.format][0]
     return [
         {
             "name": "Frames",
             "type": "STRING",
             "default": format_frames(export.frames or tuple(range(1, length + 1))),
-            "description": "Frames such as 1-48 or 1-10,20.",
+            "userInterface": _shown_as("LINE_EDIT", "Frames", _FRAMES),
+            "description": "Frames such as 1-48, 1-10,20 or 1-48:2.",
         },
         {
             "name": "Format",
             "type": "STRING",
             "default": export.format,
             "allowedValues": list(LAYERED_SUFFIXES if export.layered else SUFFIXES),
+            "userInterface": _shown_as("DROPDOWN_LIST", "Format", _FRAMES),
             "description": "The format of the frames.",
         },
         {
             "name": "Depth",
-            "type": "INT",
-            "default": export.depth,
-            "allowedValues": depths,
-            "description": "Bits a channel; exr has 16, tga 8.",
+            "type": "STRING",
+            "default": AUTO_DEPTH if own else str(export.depth),
+            "allowedValues": [AUTO_DEPTH, *map(str, sorted({depth for each in DEPTHS.values() for depth in each}))],
+            "userInterface": _shown_as("DROPDOWN_LIST", "Bits a channel", _FRAMES),
+            "description": "Bits a channel; auto is what the format usually has. exr has 16, tga 8.",
         },
         {
             "name": "Program",
             "type": "STRING",
             "default": request.program,
-            "description": "How Kagezou is called on the workers.",
+            "userInterface": _shown_as("LINE_EDIT", "Program", "Workers"),
+            "description": "How Kagezou is called on the workers: a name, or the path of the program.",
         },
     ]
+
+
+def _shown_as(control: str, label: str, group: str) -> Json:
+    """Return what a window for sending jobs shows a parameter as."""
+    return {"control": control, "label": label, "groupLabel": group}
+
+
+def _host_requirements(document: Document) -> Json:
+    """Return what a worker must have: memory for whole pictures of the canvas, and what the program takes besides."""
+    canvas = document.canvas
+    needed = _PROGRAM_MIB + canvas.width_px * canvas.height_px * PIXEL_BYTES // (1 << 20)
+    return {
+        "amounts": [
+            {"name": "amount.worker.vcpu", "min": _LEAST_CORES},
+            {"name": "amount.worker.memory", "min": -(-needed // _MIB_STEP) * _MIB_STEP},
+        ]
+    }
 
 
 def _values(document: Document, request: FarmRequest) -> list[Json]:

@@ -18,7 +18,7 @@ from kagezou.message import Message
 from kagezou.scene.evaluate import evaluate
 
 _SHADOW_BYTES: Final = 5
-_IN_COLOUR_BYTES: Final = 25
+PIXEL_BYTES: Final = 25
 """So much memory is taken for a pixel of the canvas while shadows, and while whole pictures are drawn: measured."""
 
 
@@ -109,7 +109,7 @@ def planned(document: Document, request: ExportRequest) -> Plan:
 def _check_memory(document: Document, request: ExportRequest) -> None:
     """Refuse a canvas that the machine cannot draw, before anything is allocated for it."""
     canvas, free = document.canvas, free_memory()
-    of_pixel = _IN_COLOUR_BYTES if request.composite or request.layered else _SHADOW_BYTES
+    of_pixel = PIXEL_BYTES if request.composite or request.layered else _SHADOW_BYTES
     needed = canvas.width_px * canvas.height_px * of_pixel
     if free is not None and needed > free:
         raise UsageProblem(

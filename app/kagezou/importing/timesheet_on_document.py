@@ -8,9 +8,12 @@ from dataclasses import replace
 from kagezou.document.edits import set_canvas, set_exposures
 from kagezou.document.model import Document, Drawing, Exposure, Layer, Marker
 from kagezou.document.review import MAX_TEXT_CHARACTERS
+from kagezou.document.slate import NO_SLATE, Slate, checked_slate
+from kagezou.errors import UsageProblem
 from kagezou.importing.new_cels import printable
 from kagezou.io.names.runs import number_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
+from kagezou.io.sheets.xdts_values import NO_NUMBERS
 from kagezou.message import Message, first_names
 
 _SHOWN_CELS = 5
@@ -46,7 +49,32 @@ def timed(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]
         Message("{layer}: the timesheet has no column for it; it keeps its timing", layer=layer.name) for layer in free
     ]
     document = _marked(replace(document, timesheet=sheet.kept), sheet)
+    document, more = _numbered(document, sheet)
+    notes += more
     return set_canvas(document, replace(document.canvas, length_frames=sheet.length_frames)), notes
+
+
+def _numbered(document: Document, sheet: Timesheet) -> tuple[Document, list[Message]]:
+    """Return the document with the sheet's scene and cut where it has none, and what is said where they differ."""
+    told = Slate(scene=sheet.scene, cut=sheet.cut)
+    if told == NO_SLATE or told == Slate(scene=NO_NUMBERS["scene"], cut=NO_NUMBERS["cut"]):
+        return document, []
+    own = document.slate
+    if not own.scene and not own.cut:
+        try:
+            return replace(document, slate=checked_slate(replace(told, name=own.name))), []
+        except UsageProblem as problem:
+            return document, [Message("the timesheet: {note}", note=problem.message)]
+    if (own.scene, own.cut) == (told.scene, told.cut):
+        return document, []
+    words = Message(
+        "the timesheet is of scene {scene!r}, cut {cut!r}; the project keeps {own_scene!r} and {own_cut!r}",
+        scene=told.scene,
+        cut=told.cut,
+        own_scene=own.scene,
+        own_cut=own.cut,
+    )
+    return document, [words]
 
 
 def _marked(document: Document, sheet: Timesheet) -> Document:

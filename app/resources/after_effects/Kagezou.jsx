@@ -1,6 +1,6 @@
 /* The Kagezou panel for After Effects. Put this file into Scripts/ScriptUI Panels and open it from the Window menu.
    It makes a Kagezou project of the selected layers, timed and moved as they are, opens it, and brings the shadows back into the
-   same composition, whose comment says which project is its own. */
+   same composition, whose comment says which project is its own. Kagezou works beside After Effects, which waits for nothing. */
 (function (host) {
     var ja = String(app.isoLanguage).indexOf("ja") === 0;
     var WORDS = {
@@ -23,6 +23,20 @@
         orient: ja ? "\u81ea\u52d5\u65b9\u5411" : "auto-orientation",
         skewed: ja ? "\u89aa\u30ec\u30a4\u30e4\u30fc\u306b\u3088\u308b\u6b6a\u307f" : "skew by the layers it is parented to",
         beyond: ja ? "\u7d20\u6750\u306e\u7bc4\u56f2\u5916\u306e\u30bf\u30a4\u30e0\u30ea\u30de\u30c3\u30d7" : "time remapping beyond its pictures",
+        movie: ja ? "\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306f\u30e0\u30fc\u30d3\u30fc\u3067\u3059\u3002\u30a2\u30eb\u30d5\u30a1\u4ed8\u304d\u306e\u9023\u756a\u753b\u50cf\u306b\u3057\u3066\u304b\u3089\u9078\u629e\u3057\u3066\u304f\u3060\u3055\u3044:\n" : "These layers show movies. Render them as numbered pictures with alpha, and select those:\n",
+        within: ja ? "\u30d5\u30a1\u30a4\u30eb\u306e\u306a\u3044\u3082\u306e: " : "without a file: ",
+        cropped: ja ? "\u30d7\u30ea\u30b3\u30f3\u30dd\u30fc\u30ba\u306e\u7aef\u3067\u5207\u308c\u308b\u90e8\u5206" : "what the edge of its precomposition cuts off",
+        busy: ja ? "\u524d\u306e\u51e6\u7406\u304c\u307e\u3060\u7d42\u308f\u3063\u3066\u3044\u307e\u305b\u3093\u3002" : "Kagezou is still at work.",
+        making: ja ? "\u30d7\u30ed\u30b8\u30a7\u30af\u30c8\u3092\u4f5c\u6210\u4e2d..." : "Making the project...",
+        rendering: ja ? "\u5f71\u3092\u30ec\u30f3\u30c0\u30ea\u30f3\u30b0\u4e2d..." : "Rendering shadows...",
+        reading: ja ? "\u5f71\u3092\u8aad\u307f\u8fbc\u307f\u4e2d..." : "Importing shadows...",
+        cancel: ja ? "\u30ad\u30e3\u30f3\u30bb\u30eb" : "Cancel",
+        stopping: ja ? "\u505c\u6b62\u3057\u3066\u3044\u307e\u3059..." : "Stopping...",
+        stopped: ja ? "\u505c\u6b62\u3057\u307e\u3057\u305f\u3002\u6b21\u56de\u306f\u7d9a\u304d\u304b\u3089\u59cb\u307e\u308a\u307e\u3059\u3002" : "Stopped. The next time goes on from there.",
+        ready: ja ? "\u5b8c\u4e86" : "Done",
+        notFound: ja ? "kagezou \u304c\u898b\u3064\u304b\u308a\u307e\u305b\u3093\u3002\u300c\u30d7\u30ed\u30b0\u30e9\u30e0...\u300d\u3067\u6307\u5b9a\u3057\u3066\u304f\u3060\u3055\u3044: " : "Kagezou is not found. Choose it with Program...: ",
+        silent: ja ? "kagezou \u304b\u3089\u5fdc\u7b54\u304c\u3042\u308a\u307e\u305b\u3093\u3002\u30bf\u30fc\u30df\u30ca\u30eb\u3067\u300ckagezou doctor\u300d\u3092\u5b9f\u884c\u3057\u3066\u78ba\u8a8d\u3057\u3066\u304f\u3060\u3055\u3044\u3002" : "Kagezou does not answer. Run \u201ckagezou doctor\u201d in a terminal.",
+        lost: ja ? "\u30b3\u30f3\u30dd\u30b8\u30b7\u30e7\u30f3\u304c\u3082\u3046\u3042\u308a\u307e\u305b\u3093\u3002" : "The composition is no longer there.",
         badName: ja ? "\u3053\u306e\u540d\u524d\u306f\u6e21\u305b\u307e\u305b\u3093: " : "This name cannot be handed over: ",
         failed: ja ? "Kagezou \u304c\u5931\u6557\u3057\u307e\u3057\u305f:\n" : "Kagezou failed:\n",
         allow: ja ? "\u74b0\u5883\u8a2d\u5b9a > \u30b9\u30af\u30ea\u30d7\u30c8\u3068\u30a8\u30af\u30b9\u30d7\u30ec\u30c3\u30b7\u30e7\u30f3\u3067\u3001\u30d5\u30a1\u30a4\u30eb\u3078\u306e\u66f8\u304d\u8fbc\u307f\u3092\u8a31\u53ef\u3057\u3066\u304f\u3060\u3055\u3044\u3002" : "In Preferences > Scripting & Expressions, allow scripts to write files."
@@ -34,26 +48,78 @@
         return app.settings.haveSetting(SECTION, name) ? app.settings.getSetting(SECTION, name) : fallback;
     }
 
-    /* An argument that the system's command line takes as one word, whatever is in it. */
-    function quoted(text) {
-        if (isWindows) {
-            if (/["%\r\n]/.test(text)) {
-                throw new Error(WORDS.badName + text);
+    /* The bytes of a text in UTF-8. */
+    function bytesOf(text) {
+        var bytes = [];
+        var coded = encodeURIComponent(text);
+        for (var i = 0; i < coded.length; i++) {
+            if (coded.charAt(i) === "%") {
+                bytes.push(parseInt(coded.substring(i + 1, i + 3), 16));
+                i += 2;
+            } else {
+                bytes.push(coded.charCodeAt(i));
             }
-            return "\"" + text.replace(/\\+$/, function (tail) { return tail + tail; }) + "\"";
         }
-        if (/[\r\n]/.test(text)) {
-            throw new Error(WORDS.badName + text);
-        }
-        return "'" + text.replace(/'/g, "'\\''") + "'";
+        return bytes;
     }
 
-    function commandOf(words) {
-        var made = [quoted(setting("program", "kagezou"))];
-        for (var i = 0; i < words.length; i++) {
-            made.push(quoted(words[i]));
+    /* Any text as a word of sh in ASCII alone, so that no encoding of the line matters. */
+    function shellWord(text) {
+        var bytes = bytesOf(text);
+        var made = "";
+        for (var i = 0; i < bytes.length; i++) {
+            made += "\\0" + (bytes[i] + 512).toString(8).substring(1);
         }
-        return made.join(" ");
+        return "\"$(printf '%b' '" + made + "')\"";
+    }
+
+    /* PowerShell takes each of these quotes for the end of a text. */
+    function powerWord(text) {
+        return "'" + text.replace(/['\u2018\u2019\u201a\u201b]/g, "$&$&") + "'";
+    }
+
+    var DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+    /* UTF-16 in base 64, which PowerShell takes for a whole script: any sign in ASCII, whatever the code page is. */
+    function encodedCommand(text) {
+        var bytes = [];
+        for (var i = 0; i < text.length; i++) {
+            bytes.push(text.charCodeAt(i) & 255, text.charCodeAt(i) >> 8);
+        }
+        var made = "";
+        for (i = 0; i < bytes.length; i += 3) {
+            var three = (bytes[i] << 16) | ((bytes[i + 1] || 0) << 8) | (bytes[i + 2] || 0);
+            made += DIGITS.charAt(three >> 18) + DIGITS.charAt((three >> 12) & 63);
+            made += i + 1 < bytes.length ? DIGITS.charAt((three >> 6) & 63) : "=";
+            made += i + 2 < bytes.length ? DIGITS.charAt(three & 63) : "=";
+        }
+        return made;
+    }
+
+    /* Started apart, for callSystem waits for all who hold its pipe: on Windows by the shell, which hands nothing on, else
+       with all streams elsewhere. The words lie in a file, so that only its name is on the line. */
+    function start(words, isHidden) {
+        var file = writeText("json", listText(words));
+        var program = isHidden ? setting("program", "kagezou") : windowProgram();
+        var line = "P=" + shellWord(program) + "; A=" + shellWord("@" + file.fsName)
+            + "; if command -v \"$P\" >/dev/null 2>&1; then nohup \"$P\" \"$A\" >/dev/null 2>&1 </dev/null & else printf kagezou-failed; fi";
+        if (isWindows) {
+            var script = "try { Start-Process -FilePath " + powerWord(program) + " -ArgumentList " + powerWord("\"@" + file.fsName + "\"")
+                + (isHidden ? " -WindowStyle Hidden" : "") + " -ErrorAction Stop } catch { [Console]::Out.Write('kagezou-failed') }";
+            line = "powershell.exe -NoProfile -NonInteractive -WindowStyle Hidden -EncodedCommand " + encodedCommand(script);
+        }
+        if (call(line).indexOf("kagezou-failed") >= 0) {
+            file.remove();
+            throw new Error(WORDS.notFound + program);
+        }
+        return file;
+    }
+
+    /* On Windows the program without a console, where it lies beside the other. */
+    function windowProgram() {
+        var program = setting("program", "kagezou");
+        var beside = program.replace(/kagezou\.exe$/i, "kagezou-window.exe");
+        return isWindows && beside !== program && fileAt(beside).exists ? beside : program;
     }
 
     function call(line) {
@@ -64,19 +130,134 @@
         }
     }
 
-    /* Runs to its end; its last line tells whether it went well, for callSystem gives no exit code. */
-    function run(words) {
-        var line = commandOf(words);
-        var whole = isWindows ? "cmd.exe /c \"" + line + " 2>&1 && echo kagezou-done\"" : line + " 2>&1 && echo kagezou-done";
-        var said = call(whole);
-        if (said.indexOf("kagezou-done") < 0) {
-            throw new Error(WORDS.failed + said);
+    /* A text of JSON in ASCII. */
+    function textOf(text) {
+        return "\"" + text.replace(/[\\"\x00-\x1f\x7f-\uffff]/g, function (sign) {
+            return "\\u" + ("000" + sign.charCodeAt(0).toString(16)).slice(-4);
+        }) + "\"";
+    }
+
+    function listText(words) {
+        var texts = [];
+        for (var i = 0; i < words.length; i++) {
+            texts.push(textOf(words[i]));
+        }
+        return "[" + texts.join(",\n") + "]";
+    }
+
+    /* Kagezou at work: what it is told to do, the files that go when it is over, and what follows then. */
+    var job = null;
+    var POLL_MS = 250;
+    var MOST_STARTING_MS = 60000;
+    var MOST_SILENT_MS = 120000;
+
+    function now() {
+        return new Date().getTime();
+    }
+
+    /* Whoever presses a button while Kagezou is at work is asked nothing. */
+    function beIdle() {
+        if (job !== null) {
+            throw new Error(WORDS.busy);
         }
     }
 
-    function start(words) {
-        var line = commandOf(words);
-        call(isWindows ? "cmd.exe /c start \"\" " + line : line + " >/dev/null 2>&1 &");
+    function begin(words, doing, files, then) {
+        var told = tempFile("progress");
+        var started = start(words.concat(["--progress-file", told.fsName]), true);
+        job = { doing: doing, told: told, stop: fileAt(told.fsName + ".stop"), files: files.concat([started]), then: then, beat: "", heard: now(), isStarted: false, isStopping: false, task: 0 };
+        showJob(doing, 0);
+        job.task = app.scheduleTask("$.global." + handle + ".poll()", POLL_MS, true);
+    }
+
+    /* What Kagezou has written about its work, null where there is nothing yet. */
+    function readTold() {
+        var text = readText(job.told);
+        if (text === null || text.indexOf("state: ") !== 0) {
+            return null;
+        }
+        var told = { state: "", done: "0", total: "0", beat: "", said: [] };
+        var lines = text.split(/[\r\n]+/);
+        for (var i = 0; i < lines.length; i++) {
+            var parts = /^(\w+): (.*)$/.exec(lines[i]);
+            if (parts !== null && parts[1] === "said") {
+                told.said.push(parts[2].replace(/^kagezou: (note: )?/, ""));
+            } else if (parts !== null) {
+                told[parts[1]] = parts[2];
+            }
+        }
+        return told;
+    }
+
+    function poll() {
+        if (job === null) {
+            return;
+        }
+        var told = readTold();
+        if (told === null || told.state === "running") {
+            wait(told);
+            return;
+        }
+        var over = job;
+        endJob(told.state === "done" ? WORDS.ready : told.state === "stopped" ? WORDS.stopped : "");
+        if (told.state === "done") {
+            trying(function () {
+                over.then(told.said);
+            })();
+        } else if (told.state === "failed") {
+            alert(WORDS.failed + told.said.join("\n"));
+        }
+    }
+
+    function wait(told) {
+        var isNew = told !== null && told.beat + told.done !== job.beat;
+        if (isNew) {
+            job.isStarted = true;
+            job.heard = now();
+            job.beat = told.beat + told.done;
+        }
+        if (now() - job.heard > (job.isStarted ? MOST_SILENT_MS : MOST_STARTING_MS)) {
+            endJob("");
+            alert(WORDS.silent);
+            return;
+        }
+        if (job.isStopping && told !== null && !job.stop.exists) {
+            writeTo(job.stop, "");
+        }
+        if (told !== null) {
+            var part = Number(told.total) > 0 ? Number(told.done) / Number(told.total) : 0;
+            var count = Number(told.total) > 0 ? " " + told.done + " / " + told.total : "";
+            showJob(job.isStopping ? WORDS.stopping : job.doing + count, part);
+        }
+    }
+
+    function stopJob() {
+        if (job !== null) {
+            job.isStopping = true;
+            writeTo(job.stop, "");
+            status.text = WORDS.stopping;
+        }
+    }
+
+    function endJob(words) {
+        app.cancelTask(job.task);
+        var files = job.files.concat([job.told, job.stop]);
+        job = null;
+        for (var i = 0; i < files.length; i++) {
+            if (files[i].exists) {
+                files[i].remove();
+            }
+        }
+        showJob(words, 0);
+    }
+
+    function showJob(words, part) {
+        for (var i = 0; i < buttons.length; i++) {
+            buttons[i].enabled = job === null;
+        }
+        stopButton.enabled = job !== null;
+        bar.value = Math.round(part * 100);
+        status.text = words;
     }
 
     function activeComp() {
@@ -102,11 +283,48 @@
         return found;
     }
 
-    function sourceOf(layer) {
-        var source = layer.source ? layer.source.mainSource : null;
-        if (!source || !source.file) {
-            throw new Error(WORDS.noFile + layer.name);
+    /* What a layer shows, from the lowest: itself, or where it is a composition each layer within that shows a file. Each is
+       the way to it: the layer of the composition, the one in that, and so on. ``without`` gets names of what shows none. */
+    function leavesOf(layer, above, without) {
+        var way = above.concat([layer]);
+        var source = layer.source;
+        if (source instanceof CompItem) {
+            var leaves = [];
+            for (var i = source.numLayers; i >= 1; i--) {
+                var inner = /** @type {AVLayer} */ (source.layer(i));
+                if (isSeen(inner)) {
+                    leaves = leaves.concat(leavesOf(inner, way, without));
+                }
+            }
+            return leaves;
         }
+        if (!source || !source.mainSource || !source.mainSource.file) {
+            without.push(layer.name);
+            return [];
+        }
+        return [way];
+    }
+
+    /* Lights, cameras, nulls and guides show nothing of their own, nor do layers that are off. */
+    /** @param {any} layer */
+    function isSeen(layer) {
+        var isOfPictures = layer.source || layer.matchName === "ADBE Text Layer" || layer.matchName === "ADBE Vector Layer";
+        return Boolean(isOfPictures) && layer.enabled && !layer.nullLayer && !layer.guideLayer && !layer.adjustmentLayer;
+    }
+
+    function leafOf(way) {
+        return way[way.length - 1];
+    }
+
+    /* A movie has no drawings of its own. */
+    function isMovie(layer) {
+        var source = layer.source.mainSource;
+        var isFilm = /\.(mov|mp4|m4v|avi|mxf|mpe?g|m2ts?|mts|wmv|webm|mkv|gif|flv|3gp|dv|r3d|braw|ari|crm)$/i;
+        return !source.isStill && (isFilm.test(nameOf(source.file)) || numbered(source.file) === null);
+    }
+
+    function sourceOf(layer) {
+        var source = layer.source.mainSource;
         if (source.isStill) {
             return source.file.fsName;
         }
@@ -123,10 +341,14 @@
         return file.fsName.replace(/^.*[\/\\]/, "");
     }
 
-    /* 23.976 is 24000/1001, whatever digits After Effects shows of it. */
+    /* 23.976 is 24000/1001, whatever digits After Effects shows of it; 12.5 is 12.5. */
     function rateOf(comp) {
         var whole = Math.round(comp.frameRate);
-        return Math.abs(comp.frameRate - whole) < 0.0005 ? String(whole) : Math.round(comp.frameRate * 1.001) * 1000 + "/1001";
+        if (Math.abs(comp.frameRate - whole) < 0.0005) {
+            return String(whole);
+        }
+        var above = Math.round(comp.frameRate * 1.001);
+        return Math.abs(above / 1.001 - comp.frameRate) < 0.0015 ? above * 1000 + "/1001" : String(Math.round(comp.frameRate * 10000) / 10000);
     }
 
     /* A name that a layer of Kagezou may have; "=" would end it on the command line. */
@@ -134,54 +356,62 @@
         return text.replace(/[=\x00-\x1f\x7f-\x9f\u2028\u2029]/g, "_").replace(/^\s+|\s+$/g, "").substring(0, 190) || "A";
     }
 
-    /* Names of the layers from the bottom, no two alike. */
-    function namesOf(layers) {
-        var names = [];
-        var taken = {};
-        for (var i = 0; i < layers.length; i++) {
-            var name = plainName(layers[i].name);
-            for (var number = 2; taken["$" + name.toLowerCase()]; number++) {
-                name = plainName(layers[i].name) + " " + number;
-            }
-            taken["$" + name.toLowerCase()] = true;
-            names.push(name);
+    /* A name like one that is wanted and unlike all before. */
+    function freeName(wanted, taken) {
+        var name = plainName(wanted);
+        for (var number = 2; taken["$" + name.toLowerCase()]; number++) {
+            name = plainName(wanted) + " " + number;
         }
-        return names;
+        taken["$" + name.toLowerCase()] = true;
+        return name;
     }
 
-    /* The drawing that a layer shows at a time as its sheet would call it, or the sign of an empty cel. */
-    function celAt(layer, time) {
-        if (time < layer.inPoint || time >= layer.outPoint) {
+    /* The time within each composition on the way to a leaf, and behind them that of its pictures. */
+    function timesOn(way, time) {
+        var times = [time];
+        for (var i = 0; i < way.length; i++) {
+            var layer = way[i];
+            times.push(layer.timeRemapEnabled
+                ? layer.property("ADBE Time Remapping").valueAtTime(times[i], false)
+                : (times[i] - layer.startTime) * 100 / layer.stretch);
+        }
+        return times;
+    }
+
+    function isShownAt(way, times) {
+        for (var i = 0; i < way.length; i++) {
+            var opacity = way[i].property("ADBE Transform Group").property("ADBE Opacity");
+            if (times[i] < way[i].inPoint || times[i] >= way[i].outPoint || (opacity.numKeys > 0 && opacity.valueAtTime(times[i], false) === 0)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /* The drawing that a leaf shows at a time as its sheet would call it, or the sign of an empty cel. */
+    function celAt(way, time) {
+        var times = timesOn(way, time);
+        if (!isShownAt(way, times)) {
             return "SYMBOL_NULL_CELL";
         }
-        var opacity = layer.property("ADBE Transform Group").property("ADBE Opacity");
-        if (opacity.numKeys > 0 && opacity.valueAtTime(time, false) === 0) {
-            return "SYMBOL_NULL_CELL";
-        }
-        var source = layer.source.mainSource;
+        var footage = leafOf(way).source;
+        var source = footage.mainSource;
         if (source.isStill) {
             return nameOf(source.file).replace(/\.[^.]*$/, "");
         }
-        var shown = layer.timeRemapEnabled
-            ? layer.property("ADBE Time Remapping").valueAtTime(time, false)
-            : (time - layer.startTime) * 100 / layer.stretch;
         /* That to conform to is 0 where none was set. */
         var rate = source.displayFrameRate;
-        var last = Math.round(layer.source.duration * rate) - 1;
+        var last = Math.round(footage.duration * rate) - 1;
         var parts = numbered(source.file);
-        return String((parts ? Number(parts[2]) : 0) + Math.max(0, Math.min(last, Math.floor(shown * rate + 0.001))));
+        return String((parts ? Number(parts[2]) : 0) + Math.max(0, Math.min(last, Math.floor(times[way.length] * rate + 0.001))));
     }
 
-    function textOf(text) {
-        return "\"" + text.replace(/[\\"]/g, "\\$&") + "\"";
-    }
-
-    function columnOf(layer, comp, frames) {
+    function columnOf(way, comp, frames) {
         var rows = [];
         var before = null;
         for (var frame = 0; frame < frames; frame++) {
             /* A little into the frame, so that a key on it counts. */
-            var cel = celAt(layer, (frame + 0.01) / comp.frameRate);
+            var cel = celAt(way, (frame + 0.01) / comp.frameRate);
             if (cel !== before) {
                 rows.push("{\"frame\":" + frame + ",\"data\":[{\"id\":0,\"values\":[" + textOf(cel) + "]}]}");
                 before = cel;
@@ -190,14 +420,14 @@
         return rows.join(",");
     }
 
-    /* The layers' timing as a timesheet in a file that only lives until the project is made. */
-    function writeSheet(comp, layers, names) {
+    /* The timing of cels as a timesheet in a file that only lives until the project is made. */
+    function writeSheet(comp, cels) {
         var frames = framesOf(comp);
         var titles = [];
         var tracks = [];
-        for (var i = 0; i < layers.length; i++) {
-            titles.push(textOf(names[i]));
-            tracks.push("{\"trackNo\":" + i + ",\"frames\":[" + columnOf(layers[i], comp, frames) + "]}");
+        for (var i = 0; i < cels.length; i++) {
+            titles.push(textOf(cels[i].name));
+            tracks.push("{\"trackNo\":" + i + ",\"frames\":[" + columnOf(cels[i].way, comp, frames) + "]}");
         }
         return writeText("xdts", "exchangeDigitalTimeSheet Save Data\n{\"timeTables\":[{\"name\":\"\",\"duration\":" + frames
             + ",\"timeTableHeaders\":[{\"fieldId\":0,\"names\":[" + titles.join(",")
@@ -208,15 +438,38 @@
         return Math.max(1, Math.round(comp.duration * comp.frameRate));
     }
 
+    var made = 0;
+
+    function tempFile(suffix) {
+        made += 1;
+        return fileAt(Folder.temp.fsName + "/kagezou-" + now() + "-" + made + "." + suffix);
+    }
+
     function writeText(suffix, text) {
-        var file = new File(Folder.temp.fsName + "/kagezou-" + new Date().getTime() + "." + suffix);
+        var file = tempFile(suffix);
+        writeTo(file, text);
+        return file;
+    }
+
+    function writeTo(file, text) {
         file.encoding = "UTF-8";
+        file.lineFeed = "Unix";
         if (!file.open("w")) {
             throw new Error(WORDS.allow);
         }
         file.write(text);
         file.close();
-        return file;
+    }
+
+    /* Null where it is not there, or is being replaced. */
+    function readText(file) {
+        file.encoding = "UTF-8";
+        if (!file.exists || !file.open("r")) {
+            return null;
+        }
+        var text = file.read();
+        file.close();
+        return text;
     }
 
     /* Effects that move pixels, by their match names. */
@@ -253,18 +506,35 @@
         return [matrix[0] * point[0] + matrix[2] * point[1] + matrix[4], matrix[1] * point[0] + matrix[3] * point[1] + matrix[5]];
     }
 
-    /* How a layer lies in the composition at a time: with all it is parented to, as one move, turn and scale.
-       What the layers it is parented to skew is no such thing; then isSkewed tells. */
-    function lieInComp(layer, time, before) {
-        var lie = lieAt(layer, time);
-        if (layer.parent === null) {
+    /* All that moves a leaf from its own composition up to the outermost: what it is parented to, the layer that shows its
+       composition, what that is parented to, and so on, each with the time there. */
+    function moversOf(way, times) {
+        var movers = [];
+        for (var i = way.length - 1; i >= 0; i--) {
+            if (i < way.length - 1) {
+                movers.push({ layer: way[i], time: times[i] });
+            }
+            for (var parent = way[i].parent; parent !== null; parent = parent.parent) {
+                movers.push({ layer: parent, time: times[i] });
+            }
+        }
+        return movers;
+    }
+
+    /* How a leaf lies in the outermost composition at a time, as one move, turn and scale.
+       What its movers skew is no such thing; then isSkewed tells. */
+    function lieInComp(way, time, before) {
+        var times = timesOn(way, time);
+        var movers = moversOf(way, times);
+        var lie = lieAt(leafOf(way), times[way.length - 1]);
+        if (movers.length === 0) {
             return lie;
         }
         var mirrored = lie.scale[0] < 0;
         var linear = matrixOf(lie);
         var place = lie.position;
-        for (var parent = layer.parent; parent !== null; parent = parent.parent) {
-            var above = lieAt(parent, time);
+        for (var i = 0; i < movers.length; i++) {
+            var above = lieAt(movers[i].layer, movers[i].time);
             var over = matrixOf(above);
             place = placed(over, place);
             linear = [
@@ -286,10 +556,10 @@
         };
     }
 
-    function liesOf(layer, comp, frames) {
+    function liesOf(way, comp, frames) {
         var lies = [];
         for (var frame = 0; frame < frames; frame++) {
-            lies.push(lieInComp(layer, frame / comp.frameRate, frame > 0 ? lies[frame - 1] : null));
+            lies.push(lieInComp(way, frame / comp.frameRate, frame > 0 ? lies[frame - 1] : null));
         }
         return lies;
     }
@@ -298,7 +568,7 @@
     function isMoved(layer, comp, lies) {
         for (var i = 0; i < lies.length; i++) {
             var lie = lies[i];
-            if (lie.rotation !== 0 || Math.abs(lie.scale[0] - 100) > 0.01 || Math.abs(lie.scale[1] - 100) > 0.01
+            if (Math.abs(lie.rotation) > 0.000001 || Math.abs(lie.scale[0] - 100) > 0.01 || Math.abs(lie.scale[1] - 100) > 0.01
                 || Math.abs(lie.position[0] - lie.anchor[0] - (comp.width - layer.source.width) / 2) > 0.51
                 || Math.abs(lie.position[1] - lie.anchor[1] - (comp.height - layer.source.height) / 2) > 0.51) {
                 return true;
@@ -333,62 +603,117 @@
         return isStill ? texts[0] : "{\"keys\":[" + keys.join(",") + "]}";
     }
 
-    /* Where moved layers lie, as a file of values; null where none is moved. */
-    function writeValues(comp, layers, names) {
+    /* Where moved cels lie, as a file of values; null where none is moved. */
+    function writeValues(comp, cels) {
         var frames = framesOf(comp);
         var rows = [];
-        for (var i = 0; i < layers.length; i++) {
-            var lies = isFlat(layers[i]) ? liesOf(layers[i], comp, frames) : [];
-            if (isMoved(layers[i], comp, lies)) {
+        for (var i = 0; i < cels.length; i++) {
+            var lies = isFlat(cels[i].way) ? liesOf(cels[i].way, comp, frames) : [];
+            if (isMoved(leafOf(cels[i].way), comp, lies)) {
                 var parts = ["position", "anchor", "scale", "rotation"];
                 for (var j = 0; j < parts.length; j++) {
-                    rows.push(textOf("layers." + names[i] + "." + parts[j]) + ":" + trackText(lies, parts[j]));
+                    rows.push(textOf("layers." + cels[i].name + "." + parts[j]) + ":" + trackText(lies, parts[j]));
                 }
             }
         }
         return rows.length > 0 ? writeText("json", "{" + rows.join(",\n") + "}") : null;
     }
 
-    /* Whether a layer and all it is parented to lie in the plane of the composition. */
-    function isFlat(layer) {
+    /* Whether all layers on a way, and all they are parented to, lie in the planes of their compositions. */
+    function isFlat(way) {
+        for (var i = 0; i < way.length; i++) {
+            for (var each = way[i]; each !== null; each = each.parent) {
+                if (each.threeDLayer) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    function noteOnce(list, words) {
+        for (var i = 0; i < list.length; i++) {
+            if (list[i] === words) {
+                return;
+            }
+        }
+        list.push(words);
+    }
+
+    /* What on the way to a leaf cannot be handed over, in words. */
+    function leftOf(way, comp, left) {
+        if (!isFlat(way)) {
+            noteOnce(left, WORDS.threeD);
+        } else if (isSkewed(liesOf(way, comp, framesOf(comp)))) {
+            noteOnce(left, WORDS.skewed);
+        }
+        for (var i = 0; i < way.length; i++) {
+            leftOfLayer(way[i], left);
+        }
+        if (isRemappedBeyond(way, comp)) {
+            noteOnce(left, WORDS.beyond);
+        }
+        if (isFlat(way) && isCropped(way, comp)) {
+            noteOnce(left, WORDS.cropped);
+        }
+    }
+
+    function leftOfLayer(layer, left) {
         for (var each = layer; each !== null; each = each.parent) {
-            if (each.threeDLayer) {
+            if (each.autoOrient !== AutoOrientType.NO_AUTO_ORIENT) {
+                noteOnce(left, WORDS.orient);
+            }
+        }
+        if (layer.property("ADBE Mask Parade").numProperties > 0) {
+            noteOnce(left, WORDS.mask);
+        }
+        if (layer.hasTrackMatte) {
+            noteOnce(left, WORDS.matte);
+        }
+        var effects = layer.property("ADBE Effect Parade");
+        for (var i = 1; i <= effects.numProperties; i++) {
+            if (effects.property(i).enabled && MOVING.indexOf("|" + effects.property(i).matchName + "|") >= 0) {
+                noteOnce(left, effects.property(i).name);
+            }
+        }
+    }
+
+    /* Whether a picture reaches beyond a composition that it lies in, and the edge of that is seen in the outermost; a picture
+       that does so by its empty rim alone counts, too. */
+    function isCropped(way, comp) {
+        var frames = framesOf(comp);
+        for (var inner = 1; inner < way.length; inner++) {
+            for (var frame = 0; frame < frames; frame++) {
+                var time = frame / comp.frameRate;
+                var room = way[inner - 1].source;
+                var shown = matrixOf(lieInComp(way.slice(inner), timesOn(way, time)[inner], null));
+                var laid = inverted(matrixOf(lieInComp(way.slice(0, inner), time, null)));
+                if (!isWithin(shown, leafOf(way).source, room) && (laid === null || !isWithin(laid, comp, room))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /* Whether a rectangle lies, all of it, within another after it is moved. */
+    function isWithin(matrix, size, room) {
+        for (var corner = 0; corner < 4; corner++) {
+            var at = placed(matrix, [corner % 2 * size.width, corner < 2 ? 0 : size.height]);
+            if (at[0] < -0.51 || at[1] < -0.51 || at[0] > room.width + 0.51 || at[1] > room.height + 0.51) {
                 return false;
             }
         }
         return true;
     }
 
-    /* What of a layer cannot be handed over, in words. */
-    function leftOf(layer, comp) {
-        var left = [];
-        var i;
-        if (!isFlat(layer)) {
-            left.push(WORDS.threeD);
-        } else if (isSkewed(liesOf(layer, comp, framesOf(comp)))) {
-            left.push(WORDS.skewed);
-        }
-        for (var each = layer; each !== null; each = each.parent) {
-            if (each.autoOrient !== AutoOrientType.NO_AUTO_ORIENT && left.join().indexOf(WORDS.orient) < 0) {
-                left.push(WORDS.orient);
-            }
-        }
-        if (layer.property("ADBE Mask Parade").numProperties > 0) {
-            left.push(WORDS.mask);
-        }
-        if (layer.hasTrackMatte) {
-            left.push(WORDS.matte);
-        }
-        var effects = layer.property("ADBE Effect Parade");
-        for (i = 1; i <= effects.numProperties; i++) {
-            if (effects.property(i).enabled && MOVING.indexOf("|" + effects.property(i).matchName + "|") >= 0) {
-                left.push(effects.property(i).name);
-            }
-        }
-        if (isRemappedBeyond(layer, comp)) {
-            left.push(WORDS.beyond);
-        }
-        return left;
+    /* Null for what makes everything flat. */
+    function inverted(m) {
+        var det = m[0] * m[3] - m[1] * m[2];
+        return Math.abs(det) < 1e-9 ? null : [
+            m[3] / det, -m[1] / det, -m[2] / det, m[0] / det,
+            (m[2] * m[5] - m[3] * m[4]) / det, (m[1] * m[4] - m[0] * m[5]) / det
+        ];
     }
 
     function isSkewed(lies) {
@@ -400,16 +725,15 @@
         return false;
     }
 
-    function isRemappedBeyond(layer, comp) {
-        if (!layer.timeRemapEnabled) {
-            return false;
-        }
+    function isRemappedBeyond(way, comp) {
         var frames = framesOf(comp);
         for (var frame = 0; frame < frames; frame++) {
-            var time = (frame + 0.01) / comp.frameRate;
-            var shown = layer.property("ADBE Time Remapping").valueAtTime(time, false);
-            if (time >= layer.inPoint && time < layer.outPoint && (shown < -0.001 || shown > layer.source.duration + 0.001)) {
-                return true;
+            var times = timesOn(way, (frame + 0.01) / comp.frameRate);
+            for (var i = 0; i < way.length; i++) {
+                var isBeyond = times[i + 1] < -0.001 || times[i + 1] > way[i].source.duration + 0.001;
+                if (way[i].timeRemapEnabled && isBeyond && isShownAt(way.slice(0, i + 1), times)) {
+                    return true;
+                }
             }
         }
         return false;
@@ -425,50 +749,119 @@
         return found;
     }
 
+    /* Every cel of the layers, from the bottom: its name, the way to it, and the name of the figure that it is a part of where
+       a composition has several. What cannot be handed over at all is refused by name. */
+    function celsOf(layers) {
+        var taken = {};
+        var cels = [];
+        var movies = [];
+        var empty = [];
+        var without = [];
+        for (var i = 0; i < layers.length; i++) {
+            var lacking = [];
+            var ways = leavesOf(layers[i], [], lacking);
+            var figure = freeName(layers[i].name, taken);
+            if (ways.length === 0) {
+                empty.push(layers[i].name);
+            } else if (lacking.length > 0) {
+                without.push(layers[i].name + ": " + WORDS.within + lacking.join(", "));
+            }
+            for (var j = 0; j < ways.length; j++) {
+                if (isMovie(leafOf(ways[j]))) {
+                    noteOnce(movies, wayName(ways[j]));
+                }
+                var name = j === 0 ? figure : freeName(figure + " " + leafOf(ways[j]).name, taken);
+                cels.push({ name: name, way: ways[j], figure: j === 0 ? null : figure });
+            }
+        }
+        if (empty.length > 0) {
+            throw new Error(WORDS.noFile + empty.join(", "));
+        }
+        if (movies.length > 0) {
+            throw new Error(WORDS.movie + movies.join("\n"));
+        }
+        return { cels: cels, without: without };
+    }
+
+    function wayName(way) {
+        var names = [];
+        for (var i = 0; i < way.length; i++) {
+            names.push(way[i].name);
+        }
+        return names.join(" > ");
+    }
+
+    /* What of the layers is not handed over, a line each. */
+    function leftWords(layers, cels, comp) {
+        var lines = [];
+        for (var i = 0; i < layers.length; i++) {
+            var left = [];
+            for (var j = 0; j < cels.length; j++) {
+                if (cels[j].way[0] === layers[i]) {
+                    leftOf(cels[j].way, comp, left);
+                }
+            }
+            if (left.length > 0) {
+                lines.push(layers[i].name + ": " + left.join(", "));
+            }
+        }
+        return lines;
+    }
+
+    function askForProject() {
+        var file = File.saveDialog(WORDS.save, "Kagezou:*.kage");
+        if (file !== null && !/\.kage$/i.test(file.fsName)) {
+            file = fileAt(file.fsName + ".kage");
+            /* The dialog has asked about the name that was typed, not about this one. */
+            if (file.exists && !confirm(WORDS.there + file.fsName)) {
+                return null;
+            }
+        }
+        return file;
+    }
+
     function makeProject() {
+        beIdle();
         var comp = activeComp();
         var layers = selectedFromBottom(comp);
         if (layers.length === 0) {
             throw new Error(WORDS.noComp);
         }
-        var names = namesOf(layers);
-        var words = [];
-        var left = [];
-        for (var i = 0; i < layers.length; i++) {
-            words.push("--character", names[i] + "=" + sourceOf(layers[i]));
-            var lost = leftOf(layers[i], comp);
-            if (lost.length > 0) {
-                left.push(layers[i].name + ": " + lost.join(", "));
-            }
-        }
-        var file = File.saveDialog(WORDS.save, "Kagezou:*.kage");
+        var found = celsOf(layers);
+        var left = found.without.concat(leftWords(layers, found.cels, comp));
+        var file = askForProject();
         if (file === null) {
             return;
         }
-        if (!/\.kage$/i.test(file.fsName)) {
-            file = fileAt(file.fsName + ".kage");
-            /* The dialog has asked about the name that was typed, not about this one. */
-            if (file.exists && !confirm(WORDS.there + file.fsName)) {
-                return;
-            }
+        var words = [];
+        for (var i = 0; i < found.cels.length; i++) {
+            var cel = found.cels[i];
+            var told = cel.name + "=" + sourceOf(leafOf(cel.way));
+            words.push(cel.figure === null ? "--character" : "--cel", cel.figure === null ? told : cel.figure + "=" + told);
         }
-        var sheet = writeSheet(comp, layers, names);
-        var values = null;
+        var files = [writeSheet(comp, found.cels)];
+        words.push("--timesheet", files[0].fsName);
+        var values = writeValues(comp, found.cels);
+        if (values !== null) {
+            files.push(values);
+            words.push("--values", values.fsName);
+        }
+        begin(["new", file.fsName, "--fps", rateOf(comp), "--size", comp.width + "x" + comp.height, "--force"].concat(words), WORDS.making, files, function () {
+            if (isThere(comp)) {
+                noteProject(comp, file.fsName);
+            }
+            if (left.length > 0) {
+                alert(WORDS.left + left.join("\n"));
+            }
+        });
+    }
+
+    /* What was removed throws at whatever is asked of it. */
+    function isThere(object) {
         try {
-            values = writeValues(comp, layers, names);
-            if (values !== null) {
-                words.push("--values", values.fsName);
-            }
-            run(["new", file.fsName, "--fps", rateOf(comp), "--size", comp.width + "x" + comp.height, "--force", "--timesheet", sheet.fsName].concat(words));
-        } finally {
-            sheet.remove();
-            if (values !== null) {
-                values.remove();
-            }
-        }
-        noteProject(comp, file.fsName);
-        if (left.length > 0) {
-            alert(WORDS.left + left.join("\n"));
+            return typeof object.name === "string" && object.name.length >= 0;
+        } catch (problem) {
+            return false;
         }
     }
 
@@ -497,10 +890,15 @@
         return file.fsName;
     }
 
+    var opened = null;
+
     function openProject() {
         var path = projectOf(activeComp());
         if (path !== null) {
-            start([path]);
+            if (opened !== null && opened.exists) {
+                opened.remove();
+            }
+            opened = start([path], false);
         }
     }
 
@@ -515,6 +913,7 @@
     }
 
     function bringBack() {
+        beIdle();
         var comp = activeComp();
         var path = projectOf(comp);
         if (path === null) {
@@ -524,8 +923,20 @@
             throw new Error(WORDS.below);
         }
         var folder = path.replace(/\.kage$/i, "") + "_ae";
-        run(["export-ae", path, "-o", folder, "--name", "kagezou", "--footage", "reference", "--skip-existing"]);
-        $.global.KAGEZOU_TARGET = { comp: comp, below: lowest(comp), project: path, name: nameOf(fileAt(path)).replace(/\.kage$/i, "") };
+        var below = lowest(comp);
+        var words = ["export-ae", path, "-o", folder, "--name", "kagezou", "--footage", "reference", "--skip-existing"];
+        begin(words, WORDS.rendering, [], function (said) {
+            if (!isThere(comp)) {
+                throw new Error(WORDS.lost);
+            }
+            status.text = WORDS.reading;
+            importInto(comp, below !== null && isThere(below) ? below : lowest(comp), path, folder);
+            status.text = said.length > 0 ? said.join("\n") : WORDS.ready;
+        });
+    }
+
+    function importInto(comp, below, path, folder) {
+        $.global.KAGEZOU_TARGET = { comp: comp, below: below, project: path, name: nameOf(fileAt(path)).replace(/\.kage$/i, "") };
         try {
             $.evalFile(fileAt(folder + "/kagezou.jsx"));
         } finally {
@@ -554,15 +965,28 @@
     panel.orientation = "column";
     panel.alignChildren = ["fill", "top"];
 
+    var buttons = [];
+
     function addButton(words, work) {
         var button = panel.add("button", undefined, words);
         button.onClick = trying(work);
+        return button;
     }
 
-    addButton(WORDS.make, makeProject);
-    addButton(WORDS.open, openProject);
-    addButton(WORDS.bring, bringBack);
-    addButton(WORDS.program, chooseProgram);
+    buttons.push(addButton(WORDS.make, makeProject));
+    buttons.push(addButton(WORDS.open, openProject));
+    buttons.push(addButton(WORDS.bring, bringBack));
+    buttons.push(addButton(WORDS.program, chooseProgram));
+    var bar = panel.add("progressbar", undefined, 0, 100);
+    var status = panel.add("statictext", undefined, "", { multiline: true });
+    status.preferredSize = [220, 48];
+    var stopButton = addButton(WORDS.cancel, stopJob);
+    stopButton.enabled = false;
+
+    /* After Effects runs a scheduled text outside of this function. */
+    var handle = "KAGEZOU_PANEL_" + now();
+    $.global[handle] = { poll: poll };
+
     panel.onResizing = panel.onResize = function () { this.layout.resize(); };
     if (panel instanceof Window) {
         panel.center();

@@ -18,19 +18,52 @@ class File {
     }
     get exists() { return fs.existsSync(this.fsName); }
     get parent() { return { fsName: path.dirname(this.fsName) }; }
-    open(mode) { this.text = ""; return mode === "w" && settings.mayWrite; }
+    open(mode) { this.text = ""; this.mode = mode; return mode === "w" ? settings.mayWrite : this.exists; }
     write(text) { this.text += text; }
-    close() { fs.writeFileSync(this.fsName, this.text); }
+    read() { return fs.readFileSync(this.fsName, "utf8"); }
+    close() { if (this.mode === "w") fs.writeFileSync(this.fsName, this.text); }
     remove() { fs.unlinkSync(this.fsName); }
 }
 File.saveDialog = () => new File(settings.saveTo);
 File.openDialog = () => (settings.openFile ? new File(settings.openFile) : null);
 const asked = [];
+/* What is scheduled runs while After Effects waits for the user, and in its own time. */
+const tasks = Object.assign(new Map(), { made: 0 });
+const sleep = (ms) => Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, ms);
+function tick() {
+    for (const [id, task] of [...tasks]) {
+        if (!task.repeats) tasks.delete(id);
+        vm.runInContext(task.text, world);
+    }
+}
+function settle() { while (tasks.size > 0) { sleep(20); tick(); } }
+/* callSystem waits until everyone has let go of its pipe. Windows: PowerShell takes a script in base 64. */
+function callSystem(line) {
+    if (!settings.mayWrite) throw new Error("After Effects: scripts may not");
+    if (/[^\x20-\x7e]/.test(line)) throw new Error("a line that depends on the code page: " + line);
+    calls.push(line);
+    const started = Date.now();
+    const script = /^powershell\.exe .*-EncodedCommand ([A-Za-z0-9+\/=]+)$/.exec(line);
+    const said = script ? powerShell(Buffer.from(script[1], "base64").toString("utf16le"))
+        : require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh", timeout: 60000 });
+    settings.waited = Math.max(settings.waited || 0, Date.now() - started);
+    return said;
+}
+function powerShell(script) {
+    calls.push(script);
+    const words = /^try { Start-Process -FilePath '((?:[^']|'')*)' -ArgumentList '"((?:[^']|'')*)"'( -WindowStyle Hidden)? -ErrorAction Stop } catch { \[Console\]::Out\.Write\('kagezou-failed'\) }$/.exec(script);
+    if (!words) throw new Error("no such script: " + script);
+    const [program, argument] = [words[1], words[2]].map((word) => word.replace(/(['\u2018\u2019\u201a\u201b])\1/g, "$1"));
+    if (!fs.existsSync(program)) return "kagezou-failed";
+    require("child_process").spawn(program, [argument], { detached: true, stdio: "ignore" }).unref();
+    return "";
+}
 
 const world = {
     app: {
         isoLanguage: "ja_JP", get project() { return project(); }, newProject() { model.open.project = new model.Project(); return project(); },
         openProject(other) { model.open.project = other; }, beginUndoGroup() { model.history.begin(); }, endUndoGroup() { model.history.end(); },
+        scheduleTask(text, delay, repeats) { tasks.set(++tasks.made, { text, repeats }); return tasks.made; }, cancelTask(id) { tasks.delete(id); },
         settings: { kept: {}, haveSetting(s, n) { return n in this.kept; }, getSetting(s, n) { return this.kept[n]; }, saveSetting(s, n, v) { this.kept[n] = v; } }
     },
     File, Folder: { temp: { fsName: require("os").tmpdir() } }, CompItem, FolderItem, FootageItem, BlendingMode, ImportAsType: { FOOTAGE: "FOOTAGE" }, alert: (words) => alerts.push(words),
@@ -45,12 +78,12 @@ const world = {
     MarkerValue: function (comment) { this.comment = comment; this.duration = 0; this.cuePointName = ""; },
     asked, settings, disk: fs, undo: model.history.undo, bringIn: model.bringIn, keyboard: { shiftKey: false },
     ScriptUI: { environment: { get keyboardState() { return world.keyboard; } } }, answer: true, confirm(words) { asked.push(words); return world.answer; },
-    $: { fileName: path.resolve(scriptPath), global: {}, os: "Macintosh OS", evalFile: (file) => runFile(file.fsName) },
-    system: { callSystem: (line) => { if (!settings.mayWrite) throw new Error("After Effects: scripts may not"); calls.push(line); return require("child_process").execSync(line, { encoding: "utf8", shell: "/bin/sh" }); } },
+    isWaiting: () => tasks.size > 0, $: { fileName: path.resolve(scriptPath), global: {}, os: process.env.FAKE_OS || "Macintosh OS", evalFile: (file) => runFile(file.fsName) },
+    system: { callSystem }, sleep, tick, settle,
     Panel: class {}, Window: class {
         constructor() { this.buttons = []; this.layout = { layout() {}, resize() {} }; world.panel = world.panel || this; }
         add(kind, bounds, text, most) {
-            const made = kind === "progressbar" ? { value: text, most } : { text };
+            const made = kind === "progressbar" ? { value: text, most } : { text, enabled: true };
             this.buttons.push(made);
             return made;
         }
@@ -71,6 +104,7 @@ if (mode === "panel") {
     const [, , , , , , saveTo, program, script] = process.argv;
     settings.saveTo = saveTo;
     world.app.settings.kept.program = program;
+    world.callProgram = (...words) => require("child_process").execFileSync(program, words, { encoding: "utf8" });
     world.newComp = (name, frames) => {
         const comp = new CompItem(name, 320, 240, 1, frames / 24, 24);
         comp.put = (file, called) => {
@@ -81,8 +115,10 @@ if (mode === "panel") {
         project().activeItem = comp;
         return comp;
     };
+    world.$.global = world;
     runFile(scriptPath);
-    world.press = (index) => world.panel.buttons[index].onClick();
+    world.click = (index) => world.panel.buttons[index].onClick();
+    world.press = (index) => { world.click(index); settle(); };
     vm.runInContext(script, world);
 } else if (mode === "edited") {
     const steps = process.argv.slice(6);

@@ -28,18 +28,28 @@ def saved(tmp_path: Path) -> Path:
     return tmp_path / "walk cycle.kage"
 
 
+@pytest.fixture(params=["Macintosh OS", "Windows 11"])
+def system(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.setenv("FAKE_OS", request.param)
+    return str(request.param)
+
+
 @pytest.fixture
 def panel(tmp_path: Path, saved: Path) -> Panel:
     """Run the panel and then what a user does, in JavaScript; the drawings lie in a folder with an awkward name."""
+    return panel_at(tmp_path, saved, tmp_path / "kage zou")
+
+
+def panel_at(tmp_path: Path, saved: Path, program: Path, before: str = "") -> Panel:
+    """Return a panel whose program first does something else."""
     folder = tmp_path / 'it\'s a "cut" 50%41'
     drawings(folder, 4, "a_")
     drawings(folder, 2, "other")
-    program = tmp_path / "kage zou"
-    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m kagezou "$@"\n')
+    program.write_text(f'#!/bin/sh\n{before}\nexec "{sys.executable}" -m kagezou "$@"\n')
     program.chmod(0o755)
     script = resource_folder() / "after_effects" / "Kagezou.jsx"
     sequence = str(folder / "a__0001.png").replace("%", "%25")
-    head = f"var file = {sequence!r}; var make = 0, open = 1, bring = 2;"
+    head = f"var file = {sequence!r}; var make = 0, open = 1, bring = 2, bar = 4, status = 5, cancel = 6;"
 
     def run(words: str) -> Run:
         return run_script(script, tmp_path / "ae.json", mode=("panel", str(saved), str(program), head + words))
@@ -52,6 +62,7 @@ def shown(document: Document, layer: int = 0) -> list[tuple[int, str | None]]:
     return [(each.frame, None if each.drawing is None else cels.drawings[each.drawing].name) for each in cels.exposures]
 
 
+@pytest.mark.usefixtures("system")
 def test_the_panel_goes_the_whole_round(panel: Panel, saved: Path) -> None:
     run = panel("""
         var cut = newComp('cut', 24);
@@ -110,7 +121,7 @@ def test_what_characters_cast_on_each_other_comes_back_over_them(panel: Panel, s
         var cut = newComp('cut', 4);
         ['under', 'A', 'B', 'over'].forEach((name) => { cut.put(file, name).selected = name.length < 2; });
         press(make); press(bring);
-        system.callSystem("'" + app.settings.kept.program + "' set '" + settings.saveTo + "' layers.A.receives=true");
+        callProgram('set', settings.saveTo, 'layers.A.receives=true');
         press(bring); press(bring);
     """)
     assert run.tree["alerts"] == []

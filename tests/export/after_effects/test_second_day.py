@@ -104,6 +104,12 @@ DAYS = {
         said=left("A shadow: in point, out point"),
         sees=lambda run: run.layer("cut", "A shadow")["inPoint"] == 1 / 24,
     ),
+    "lock": Day("shadow.locked = true; layerOf('cut', 'Light').locked = true; layerOf('cut', 'A').locked = true;"),
+    "lay into space": Day("shadow.threeDLayer = true;", said=left("A shadow: transform")),
+    "track matte": Day(
+        "var matte = main.layers.addSolid([1, 1, 1], 'matte', 64, 48, 1, 1); matte.moveBefore(shadow);"
+        "shadow.hasTrackMatte = true;",
+    ),
     "slip": Day("shadow.startTime = 1 / 24;", said=left("A shadow: start time")),
     "split": Day("shadow.split(2 / 24);", [("cut", 90), ("cut", 90)], left("A shadow: out point, in point")),
     "duplicate layer": Day("shadow.duplicate();", [("cut", 90), ("cut", 90)]),
@@ -285,8 +291,11 @@ def test_many_changes_are_not_all_named(tmp_path: Path) -> None:
         fainter = with_values(fainter, **{f"layers__{layer.name}__shadow__opacity": 0.2})
     first, second = (script_of(handed_off(each, tmp_path / name)) for each, name in ((apart, "1"), (fainter, "2")))
     run = run_edited(first, tmp_path / "ae.json", ("", second))
-    assert len(run.summary()[CHANGED]) == 13
-    assert run.summary()[CHANGED][-1] == "... and 3 more"
+    assert len(run.summary()[CHANGED]) == 15
+    lost = "comp('cut').all.slice(0, -8).forEach((each) => each.remove());"
+    both = run_edited(first, tmp_path / "ae.json", (lost, second))
+    assert [len(lines) for lines in both.summary().values()] == [0, 7, 16]
+    assert both.summary()[DELETED][-1] == "... and 10 more"
 
 
 def where(run: Run) -> list[tuple[str, float]]:

@@ -9,7 +9,7 @@ from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
-from kagezou.cli.terminal import ProgressLine, give, tell
+from kagezou.cli.terminal import give, tell
 
 DESCRIPTION = """\
 Draw a small animated character, make a project of it, render its shadow layers and the finished pictures, and say
@@ -38,10 +38,10 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
 
     folder: Path = options.folder.absolute()
     workers = processors()
-    with ProgressLine("drawing") as line:
+    with entry_points.line("drawing") as line:
         demo = make_demo(folder, workers, line.update)
     request = ExportRequest(folder / "render", composite=True, workers=workers)
-    with stopping_gently() as interruption, ProgressLine("rendering") as line:
+    with stopping_gently() as interruption, entry_points.line("rendering") as line:
         summary = export_frames(demo.document, request, entry_points.open_context, line.update, interruption.is_set)
     code = verdict(summary, interruption)
     if code:

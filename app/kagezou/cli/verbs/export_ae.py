@@ -9,7 +9,7 @@ from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
-from kagezou.cli.terminal import ProgressLine, give, give_json, note
+from kagezou.cli.terminal import give, give_json, note
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
@@ -39,6 +39,7 @@ def add_arguments(parser: Parser) -> None:
         "--footage", choices=("copy", "reference"), default="copy", help="copy drawings, or leave them where they lie"
     )
     parser.add_argument("--mattes", metavar="LIST", default="", help="out of shadow,core,distance,lit,receivers")
+    parser.add_argument("--controls", action="store_true", help="a null whose sliders drive all shadows")
     parser.add_argument("--format", choices=("png", "exr"), default="png", help="the format of the shadows (png)")
     parser.add_argument("--depth", type=int, choices=(8, 16), default=8, help="bits a channel of png (8)")
     parser.add_argument(
@@ -68,13 +69,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         per_drawing=options.per_drawing,
         copies=options.footage == "copy",
         mattes=tuple(each for each in options.mattes.split(",") if each),
+        controls=options.controls,
         format=options.format,
         depth=options.depth,
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
     )
     document = load(options.project)
-    with stopping_gently() as interruption, ProgressLine("rendering") as line:
+    with stopping_gently() as interruption, entry_points.line("rendering") as line:
         done = HAND_OFF.export(document, request, entry_points.open_context, line.update, interruption.is_set)
     _report(done, as_json=options.json)
     return max(verdict(each, interruption) for each in done.exports)

@@ -8,7 +8,7 @@ from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
-from kagezou.cli.terminal import ProgressLine, give, give_json, note, tell
+from kagezou.cli.terminal import give, give_json, note, tell
 
 if TYPE_CHECKING:
     from kagezou.export.exchange.export import SceneMade
@@ -50,7 +50,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     place = Place(options.output, options.project, options.name or options.project.stem)
     choices = ExportChoices(exporter.key, depth=options.depth, only_work_area=options.work_area)
     request = replace(exporter.request(document, choices, place), workers=options.workers or processors())
-    with stopping_gently() as interruption, ProgressLine("rendering") as line:
+    with stopping_gently() as interruption, entry_points.line("rendering") as line:
         made = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
     _report(made, as_json=options.json)
     if made.scene is None:

@@ -34,6 +34,13 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--composite", action="store_true", help="also background, shadows and characters in one")
     parser.add_argument("--receivers", action="store_true", help="also mattes of the ground and every set piece")
     parser.add_argument("--layered", action="store_true", help="each frame one psd or exr with all layers instead")
+    parser.add_argument(
+        "--frame-minutes",
+        type=whole_number,
+        default=10,
+        metavar="N",
+        help="how long a frame may take before a task is taken for stuck (10)",
+    )
     parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
 
 
@@ -61,7 +68,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         layered=options.layered,
     )
     document = load(project)
-    job = FarmRequest(project, export, options.chunk, options.program)
+    job = FarmRequest(project, export, options.chunk, options.program, options.frame_minutes)
     request = BundleRequest(job, options.bundle)
     FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
     give(shown(options.bundle / TEMPLATE))

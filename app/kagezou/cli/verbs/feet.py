@@ -5,9 +5,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.terminal import Json, ProgressLine, give, give_json, note, one_line
-from kagezou.errors import UsageProblem
-from kagezou.message import Message
+from kagezou.cli.terminal import Json, give, give_json, note, one_line
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document, Layer
@@ -30,7 +28,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
-def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Look through the drawings, write what was found, and list it."""
     from kagezou.importing.feet import document_with_feet
     from kagezou.io.project.file import load, save
@@ -38,7 +36,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     before = document = load(options.project)
     layers = _layers(document, options.layer)
     if not options.list:
-        with ProgressLine("looking for feet") as line:
+        with entry_points.line("looking for feet") as line:
             found = document_with_feet(
                 document, [layer.id for layer in layers], lambda _part, done, whole: line.update(done, whole)
             )
@@ -60,11 +58,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
 def _layers(document: "Document", names: list[str] | None) -> "list[Layer]":
     if names is None:
         return list(document.layers)
-    known = {layer.name: layer for layer in document.layers}
-    missing = [name for name in names if name not in known]
-    if missing:
-        raise UsageProblem(Message("there is no layer {name!r} in this project", name=missing[0]))
-    return [known[name] for name in names]
+    from kagezou.document.layer_named import layer_named
+
+    return [layer_named(document, name) for name in names]
 
 
 def _about(document: "Document", layer: "Layer") -> Json:

@@ -115,7 +115,7 @@ def _add_whole_files(parser: Parser) -> None:
     )
 
 
-def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
+def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Make the project and write it."""
     from kagezou.importing.understood import understood
     from kagezou.io.files.faults import shown
@@ -134,7 +134,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if options.values is not None:
         document = _with_values(document, options.values)
     if not options.no_feet:
-        found = _on_feet(document)
+        found = _on_feet(document, entry_points)
         document = found.document
         notes += found.notes
     save(document, path)
@@ -228,11 +228,10 @@ def _with_values(document: "Document", path: Path) -> "Document":
     return document
 
 
-def _on_feet(document: "Document") -> "Imported":
+def _on_feet(document: "Document", entry_points: EntryPoints) -> "Imported":
     """Return the document with the feet of all its layers."""
-    from kagezou.cli.terminal import ProgressLine
     from kagezou.importing.feet import document_with_feet
 
     ids = [layer.id for layer in document.layers]
-    with ProgressLine("looking for feet") as line:
+    with entry_points.line("looking for feet") as line:
         return document_with_feet(document, ids, lambda _part, done, whole: line.update(done, whole))

@@ -2,6 +2,7 @@
 
 from argparse import Namespace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
@@ -9,7 +10,11 @@ from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
-from kagezou.cli.terminal import ProgressLine, note
+from kagezou.cli.terminal import note
+from kagezou.message import Message
+
+if TYPE_CHECKING:
+    from kagezou.export.request import ExportRequest
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -32,7 +37,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
-    parser.add_argument("--depth", type=int, choices=(8, 16), help="bits a channel (8; exr has 16, tga 8)")
+    parser.add_argument("--depth", choices=("auto", "8", "16"), default="auto", help="bits a channel (8; exr has 16)")
     parser.add_argument(
         "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
     )
@@ -70,33 +75,20 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
-    from kagezou.animation.frames import parse_frames
     from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
     from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
-    from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.project.file import load
     from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
     from kagezou.scene.heavy_sets import heavy_words
 
     form = options.format or ("psd" if options.layered else "png")
-    request = ExportRequest(
-        folder=options.output,
-        frames=None if options.frames is None else parse_frames(options.frames),
-        layers=None if options.layer is None else tuple(options.layer),
-        format=form,
-        depth=options.depth or DEPTHS[form][0],
-        composite=options.composite,
-        layered=options.layered,
-        receivers=options.receivers,
-        united=options.united,
-        guides=options.guides,
-        skip_existing=options.skip_existing,
-        workers=options.workers or processors(),
-        keep_going=options.keep_going,
-    )
+    depth, said = _depth(options, form)
+    request = _request(options, form, depth)
     exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
-    lines = JobLines() if options.openjd else ProgressLine("rendering")
+    lines = JobLines() if options.openjd else entry_points.line("rendering")
     with stopping_gently() as interruption, lines as line:
+        if isinstance(lines, JobLines) and said is not None:
+            lines.say(said)
         document = load(options.project)
         if options.path_mapping is not None:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
@@ -108,3 +100,44 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     if not options.openjd:
         report(summary, as_json=options.json)
     return verdict(summary, interruption)
+
+
+def _depth(options: Namespace, form: str) -> tuple[int, Message | None]:
+    """Return bits a channel, and what is to be said of them.
+
+    Whoever sends a job may change its format and leave a depth behind that this format does not have.
+    """
+    from kagezou.export.request import DEPTHS
+
+    if options.depth == "auto":
+        return DEPTHS[form][0], None
+    depth = int(options.depth)
+    if depth in DEPTHS[form] or not options.openjd:
+        return depth, None
+    return DEPTHS[form][0], Message(
+        "{format} has no {asked} bits a channel; it is written with {depth}",
+        format=form,
+        asked=depth,
+        depth=DEPTHS[form][0],
+    )
+
+
+def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
+    from kagezou.animation.frames import parse_frames
+    from kagezou.export.request import ExportRequest
+
+    return ExportRequest(
+        folder=options.output,
+        frames=None if options.frames is None else parse_frames(options.frames),
+        layers=None if options.layer is None else tuple(options.layer),
+        format=form,
+        depth=depth,
+        composite=options.composite,
+        layered=options.layered,
+        receivers=options.receivers,
+        united=options.united,
+        guides=options.guides,
+        skip_existing=options.skip_existing,
+        workers=options.workers or processors(),
+        keep_going=options.keep_going,
+    )

@@ -7,7 +7,7 @@ from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.processors import processors
-from kagezou.cli.terminal import ProgressLine, give, give_json, note, tell
+from kagezou.cli.terminal import give, give_json, note, tell
 
 DESCRIPTION = """\
 Write the finished picture as a video: .mp4 is H.264 to look at, .mov is ProRes 4444 with alpha, both in BT.709. With
@@ -45,7 +45,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         layer=options.layer,
         workers=options.workers or processors(),
     )
-    with stopping_gently() as interruption, ProgressLine("filming") as line:
+    with stopping_gently() as interruption, entry_points.line("filming") as line:
         document = load(options.project)
         if (words := heavy_words(document)) is not None:
             note(words)

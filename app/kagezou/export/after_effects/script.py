@@ -21,6 +21,7 @@ _PARTS: Final = (
     "place",
     "survey",
     "footage",
+    "controls",
     "layers",
     "guides",
     "comps",

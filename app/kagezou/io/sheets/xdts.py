@@ -77,12 +77,22 @@ def sheets_of(text: str) -> tuple[Timesheet, ...]:
 
 def _with_kept(sheet: Timesheet, owner: Reader, table: Reader) -> Timesheet:
     """Return a sheet with what the file says of it, unless that is too much to be kept."""
+    scene, cut = numbers_of(owner.value)
+    sheet = replace(sheet, scene=scene, cut=cut)
     own = {name: reader.value for name, reader in owner.members().items() if name != TABLES}
     text = json.dumps({**own, TABLES: [table.value]}, ensure_ascii=False, separators=(",", ":"))
     if len(text) > MAX_KEPT_CHARACTERS:
         note = Message("it is too large for what is not used of it to be kept for writing")
         return replace(sheet, notes=(*sheet.notes, note))
     return replace(sheet, kept=text)
+
+
+def numbers_of(sheet: object) -> tuple[str, str]:
+    """Return the scene and the cut that stand in the head of a sheet, as texts; empty where nothing does."""
+    header = sheet.get("header") if isinstance(sheet, dict) else None
+    known = header if isinstance(header, dict) else {}
+    scene, cut = (text_of_value(Reader(known.get(key), key)) for key in ("scene", "cut"))
+    return scene, cut
 
 
 def _behind_first_line(text: str) -> tuple[str, bool, tuple[Message, ...]]:

@@ -8,6 +8,9 @@ from kagezou.message import Message
 MAX_FRAMES: Final = 1_000_000
 MAX_COLUMNS: Final = 1000
 
+NO_NUMBERS: Final = {"cut": "1", "scene": "1"}
+"""What stands in the head of a sheet whose writer knows neither cut nor scene, as OpenToonz writes it."""
+
 SYMBOL: Final = "SYMBOL_"
 """A value that begins so is none: the empty cel, or a mark on a cel that goes on."""
 

@@ -21,7 +21,7 @@
      */
     function newEntry(comp, layer, tag) {
         var entry = { comp: comp, layer: layer, tag: tag, memory: {}, before: {}, isNew: true };
-        entries.push(entry);
+        noteEntry(entry);
         noteMade(tag);
         return entry;
     }
@@ -62,6 +62,7 @@
             });
         }
         followBounds(entry);
+        followControls(entry, wanted.driven);
         if (mark(propertyOf(layer, "ADBE Marker"), wanted.markers, layer.startTime, entry.memory)) {
             tellLeft(nameOfEntry(entry), "n");
         }
@@ -79,9 +80,9 @@
         });
     }
 
-    /* The numbers of a layer that was parented are those of its parent. */
+    /* The numbers of a layer that was parented are those of its parent, and one in space is not where Kagezou lays it. */
     function followPlace(entry, work) {
-        if (entry.layer.parent !== null) {
+        if (entry.layer.parent !== null || entry.layer.threeDLayer) {
             tellLeft(nameOfEntry(entry), "p");
             return;
         }
@@ -115,7 +116,9 @@
             if (!entry.layer.nullLayer) {
                 entry.layer.enabled = true;
             }
-            backNames.push(nameOfEntry(entry));
+            if (entry.tag.indexOf("in:") !== 0) {
+                backNames.push(nameOfEntry(entry));
+            }
         }
     }
 
@@ -126,6 +129,9 @@
             entry.layer.enabled = false;
             entry.memory.g = "1";
             remember(entry.layer, entry.tag, entry.memory);
-            goneNames.push(nameOfEntry(entry));
+            /* What lies within a composition that is switched off itself is not said. */
+            if (entry.tag.indexOf("in:") !== 0) {
+                goneNames.push(nameOfEntry(entry));
+            }
         }
     }

@@ -43,20 +43,30 @@
                 var part = plans[i].parts[j];
                 wanted["$" + part.tag] = part;
                 var isThere = entriesOf(part.tag).length > 0;
-                if (!isThere && (plans[i].isTarget || plans[i].instances.length > 0 || plans[i].wanted.tag === "main")) {
+                var isAsked = part.kind !== "controls" || HAND_OFF.controls;
+                if (!isThere && isAsked && (plans[i].isTarget || plans[i].instances.length > 0 || plans[i].wanted.tag === "main")) {
                     deletedNames.push(part.name);
                 }
             }
         }
         for (i = 0; i < entries.length; i++) {
-            var mine = wanted["$" + entries[i].tag];
-            if (!mine) {
-                switchOff(entries[i]);
-            } else if (mine.kind === "layer") {
-                updateLayer(entries[i], mine.wanted);
-            } else if (mine.kind === "null") {
-                updateNull(entries[i], mine.wanted);
-            }
+            updatePart(entries[i], wanted["$" + entries[i].tag]);
+        }
+    }
+
+    /* A lock is against a slip of the hand, so it is no reason to leave a layer alone. */
+    function updatePart(entry, part) {
+        var isLocked = entry.layer.locked;
+        entry.layer.locked = false;
+        if (!part) {
+            switchOff(entry);
+        } else if (part.kind === "layer") {
+            updateLayer(entry, part.wanted);
+        } else if (part.kind === "null") {
+            updateNull(entry, part.wanted);
+        }
+        if (isLocked) {
+            entry.layer.locked = true;
         }
     }
 

@@ -21,7 +21,7 @@
     }
 
     function interpolation(type) {
-        return type === KeyframeInterpolationType.HOLD ? "H" : type === KeyframeInterpolationType.LINEAR ? "L" : "B";
+        return type === KeyframeInterpolationType.HOLD ? "H" : (type === KeyframeInterpolationType.LINEAR ? "L" : "B");
     }
 
     /**
