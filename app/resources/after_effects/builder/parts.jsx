@@ -24,7 +24,7 @@
             var isGuide = part.kind === "null" || part.kind === "controls";
             var there = isGuide ? null : carrierIn(comp, part.tag);
             if (there !== null) {
-                lower = there;
+                lower = plan.isTarget && part.tag.indexOf("received:") === 0 ? lower : there;
             } else if (plan.added["$" + part.tag]) {
                 var entry = addOne(part, comp, root);
                 if (entry === null) {
@@ -34,7 +34,7 @@
                     addedNames.push(nameOfEntry(entry));
                 }
                 if (part.kind === "layer" && plan.isTarget) {
-                    putBeside(entry.layer, part.wanted, target);
+                    lower = putBeside(entry.layer, part.wanted, target, lower);
                 } else if (!isGuide) {
                     putOver(entry.layer, lower);
                     lower = entry.layer;
@@ -69,7 +69,7 @@
         }
     }
 
-    /* Right under the character, so over those before it; what is cast on a character right over it. */
+    /* What is cast on a character right over it; the lowest shadow under the character, and each over the one before. */
     /**
      * Until After Effects 23 a track matte is the layer right above, and nothing may come between.
      * @param {any} layer
@@ -83,14 +83,21 @@
      * @param {AVLayer} layer
      * @param {any} wanted
      * @param {any} target
+     * @param {Layer} lower
+     * @returns {Layer} the one that the next goes over
      */
-    function putBeside(layer, wanted, target) {
+    function putBeside(layer, wanted, target, lower) {
         if (wanted.tag.indexOf("received:") === 0) {
             var character = characterOf(target, wanted);
             if (character) {
                 layer.moveBefore(character);
             }
+            return lower;
+        }
+        if (lower !== null) {
+            putOver(layer, lower);
         } else if (target.below) {
             layer.moveAfter(target.below);
         }
+        return layer;
     }
