@@ -147,7 +147,10 @@ DAYS = {
         sees=lambda run: not run.item("cut", "CompItem")["markers"],
     ),
     "delete composition": Day(
-        "main.remove();", [("cut", 90)], {}, sees=lambda run: len(run.item("cut", "CompItem")["layers"]) == 5
+        "main.remove();",
+        [("cut", 90)],
+        {NOTES: ["Nothing was left of the composition cut, so it was built anew."]},
+        sees=lambda run: len(run.item("cut", "CompItem")["layers"]) == 5,
     ),
     "take the comment away": Day("shadow.comment = '';", [("cut", 60)], {DELETED: ["A shadow"]}),
     "precompose, moving all attributes": Day(

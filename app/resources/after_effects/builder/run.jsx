@@ -146,13 +146,16 @@
         return whole;
     }
 
-    function tellOfMain(main, target) {
+    function tellOfMain(main, target, wasBuiltBefore) {
         var names = [];
         for (var i = 1; i < main.instances.length; i++) {
             names.push(main.instances[i].name);
         }
         if (names.length > 0) {
             tellNote(said(WORDS.copies, [names.join(", ")]));
+        }
+        if (wasBuiltBefore && main.isBuilt) {
+            tellNote(said(WORDS.compAnew, [main.wanted.name]));
         }
         if (main.instances.length === 0 && !target) {
             tellNote(said(WORDS.compGone, [main.wanted.name]));
@@ -168,6 +171,7 @@
         var main = plans[plans.length - 1];
         isFirstTime = main.isFresh;
         mainName = main.instances.length > 0 ? main.instances[0].name : main.wanted.name;
+        var wasBuiltBefore = made["$" + signsOf("comp:main")] === true;
         var instances = measure(plans);
         if (!target) {
             askAbout(instances);
@@ -182,7 +186,7 @@
         if (main.instances.length > 0) {
             updateFollowers(main.instances[0]);
         }
-        tellOfMain(main, target);
+        tellOfMain(main, target, wasBuiltBefore);
         updateParts(plans);
         checkProject();
         writeLedger();
