@@ -32,7 +32,8 @@
         reading: ja ? "\u5f71\u3092\u8aad\u307f\u8fbc\u307f\u4e2d..." : "Importing shadows...",
         cancel: ja ? "\u30ad\u30e3\u30f3\u30bb\u30eb" : "Cancel",
         stopping: ja ? "\u505c\u6b62\u3057\u3066\u3044\u307e\u3059..." : "Stopping...",
-        stopped: ja ? "\u505c\u6b62\u3057\u307e\u3057\u305f\u3002\u6b21\u56de\u306f\u7d9a\u304d\u304b\u3089\u59cb\u307e\u308a\u307e\u3059\u3002" : "Stopped. The next time goes on from there.",
+        stopped: ja ? "\u505c\u6b62\u3057\u307e\u3057\u305f\u3002" : "Stopped.",
+        resumable: ja ? "\u505c\u6b62\u3057\u307e\u3057\u305f\u3002\u6b21\u56de\u306f\u7d9a\u304d\u304b\u3089\u59cb\u307e\u308a\u307e\u3059\u3002" : "Stopped. The next time goes on from there.",
         ready: ja ? "\u5b8c\u4e86" : "Done",
         notFound: ja ? "kagezou \u304c\u898b\u3064\u304b\u308a\u307e\u305b\u3093\u3002\u300c\u30d7\u30ed\u30b0\u30e9\u30e0...\u300d\u3067\u6307\u5b9a\u3057\u3066\u304f\u3060\u3055\u3044: " : "Kagezou is not found. Choose it with Program...: ",
         silent: ja ? "kagezou \u304b\u3089\u5fdc\u7b54\u304c\u3042\u308a\u307e\u305b\u3093\u3002\u30bf\u30fc\u30df\u30ca\u30eb\u3067\u300ckagezou doctor\u300d\u3092\u5b9f\u884c\u3057\u3066\u78ba\u8a8d\u3057\u3066\u304f\u3060\u3055\u3044\u3002" : "Kagezou does not answer. Run \u201ckagezou doctor\u201d in a terminal.",
@@ -102,7 +103,7 @@
         var file = writeText("json", listText(words));
         var program = isHidden ? setting("program", "kagezou") : windowProgram();
         var line = "P=" + shellWord(program) + "; A=" + shellWord("@" + file.fsName)
-            + "; if command -v \"$P\" >/dev/null 2>&1; then nohup \"$P\" \"$A\" >/dev/null 2>&1 </dev/null & else printf kagezou-failed; fi";
+            + "; if command -v \"$P\" >/dev/null 2>&1; then (\"$P\" \"$A\" >/dev/null 2>&1 </dev/null &) else printf kagezou-failed; fi";
         if (isWindows) {
             var script = "try { Start-Process -FilePath " + powerWord(program) + " -ArgumentList " + powerWord("\"@" + file.fsName + "\"")
                 + (isHidden ? " -WindowStyle Hidden" : "") + " -ErrorAction Stop } catch { [Console]::Out.Write('kagezou-failed') }";
@@ -199,7 +200,7 @@
             return;
         }
         var over = job;
-        endJob(told.state === "done" ? WORDS.ready : (told.state === "stopped" ? WORDS.stopped : ""));
+        endJob(told.state === "done" ? WORDS.ready : (told.state === "stopped" ? (over.doing === WORDS.rendering ? WORDS.resumable : WORDS.stopped) : ""));
         if (told.state === "done") {
             trying(function () {
                 over.then(told.said);

@@ -1,5 +1,7 @@
 """``kagezou set`` where a value means more than itself: a figure that is made to travel leaves its lamp."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 from tests.cli.projects import Shell, make_drawings
@@ -71,3 +73,22 @@ class TestLoopingWaves:
         assert "there is nothing to set" in shell.said
         assert shell("set", project, "--loop-waves", "--frame", 3) == 2
         assert "goes without --frame" in shell.said
+
+
+def test_parallel_writers_never_lose_an_edit(shell: Shell, project: Path) -> None:
+    """Each in a process of its own, all at once."""
+    names = [f"shadow.{name}" for name in ("simplify", "distance", "grow", "softness", "fade", "tip_distance")]
+    writers = [
+        subprocess.Popen([sys.executable, "-m", "kagezou", "set", str(project), f"layers.Hero.{name}={number}"])
+        for number, name in enumerate(names, start=11)
+    ]
+    assert [writer.wait() for writer in writers] == [0] * len(names)
+    for number, name in enumerate(names, start=11):
+        assert shell.ok("get", project, f"layers.Hero.{name}").strip() == str(number)
+
+
+def test_a_project_that_a_window_has_open_is_changed_and_that_is_said(shell: Shell, project: Path) -> None:
+    project.with_name(f".{project.name}.lock").write_text("1\nkagezou\nstudio-7\n", encoding="utf-8")
+    assert shell("set", project, "layers.Hero.shadow.opacity=0.5") == 0
+    assert "open in a window on studio-7" in shell.said
+    assert shell.ok("get", project, "layers.Hero.shadow.opacity").strip() == "0.5"

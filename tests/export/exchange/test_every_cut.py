@@ -38,7 +38,7 @@ def drawn(document: Document, folder: Path, *, every_frame: bool, separator: str
         kept.append(stack)
         return SceneText("")
 
-    made(document, folder, SceneTarget(".txt", write, every_frame=every_frame, separator=separator))
+    made(document, folder, SceneTarget(".txt", "layers", write, every_frame=every_frame, separator=separator))
     return kept[0]
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import note
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
@@ -59,6 +60,7 @@ def add_arguments(parser: Parser) -> None:
     )
 
 
+@holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation

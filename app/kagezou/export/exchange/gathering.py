@@ -10,7 +10,7 @@ import numpy as np
 
 from kagezou.document.model import Canvas
 from kagezou.export.exchange.drawn import DrawnLayer, Who
-from kagezou.export.exchange.stack import FOLDER, Stack, StackLayer
+from kagezou.export.exchange.stack import Stack, StackLayer
 from kagezou.export.names import digits_for, safe_names
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
@@ -78,6 +78,8 @@ class Gathered:
         The frames of the document that are handed over, one after the other.
     layers
         From the bottom.
+    pictures
+        The name of the pictures' folder.
     """
 
     folder: Path
@@ -87,6 +89,7 @@ class Gathered:
     frames: tuple[int, ...]
     every_frame: bool
     layers: tuple[Who, ...]
+    pictures: str
     separator: str = "_"
     _shown: dict[tuple[Who, int], _Shown] = field(default_factory=dict)
     _numbers: dict[Who, dict[str, int]] = field(default_factory=dict)
@@ -152,7 +155,7 @@ class Gathered:
         """Remove numbered pictures of an earlier, longer export from the folders: some programs take them all."""
         there = set(self._paths.values())
         for label in self._labels.values():
-            folder = self.folder / FOLDER / label
+            folder = self.folder / self.pictures / label
             for path in folder.iterdir() if folder.is_dir() else ():
                 is_numbered = re.fullmatch(re.escape(label) + r"[_.][0-9]+\.png", path.name)
                 if is_numbered and path not in there:
@@ -173,6 +176,7 @@ class Gathered:
             depth=self.depth,
             every_frame=self.every_frame,
             separator=self.separator,
+            folder=self.pictures,
             is_filled=bool(seen) and all(each.is_filled for each in self._over_time(seen[0])),
         )
         return stack, tuple(self._notes(seen))
@@ -215,7 +219,7 @@ class Gathered:
 
     def _path(self, who: Who, number: int) -> Path:
         label = self._labels[who]
-        return self.folder / FOLDER / label / f"{label}{self.separator}{number:0{self.digits}d}.png"
+        return self.folder / self.pictures / label / f"{label}{self.separator}{number:0{self.digits}d}.png"
 
 
 def _opacities(shown: tuple[_Shown, ...]) -> tuple[float, ...]:

@@ -202,4 +202,4 @@ def _text(words: str) -> str:
     return '"' + plain.replace("\\", r"\\").replace('"', r"\"") + '"'
 
 
-OPENTOONZ: Final = SceneTarget(".tnz", opentoonz_scene, separator=".")
+OPENTOONZ: Final = SceneTarget(".tnz", "opentoonz_layers", opentoonz_scene, separator=".")

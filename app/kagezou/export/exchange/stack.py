@@ -3,12 +3,9 @@
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Final, TypeVar
+from typing import TypeVar
 
 from kagezou.message import Message
-
-FOLDER: Final = "layers"
-"""The folder of the pictures, beside the scene."""
 
 Value = TypeVar("Value")
 
@@ -71,6 +68,8 @@ class Stack:
         Whether the lowest layer fills the whole canvas on every frame.
     separator
         What stands before the number of a file.
+    folder
+        The folder of the pictures, beside the scene.
     """
 
     name: str
@@ -85,6 +84,7 @@ class Stack:
     every_frame: bool = False
     is_filled: bool = True
     separator: str = "_"
+    folder: str = "layers"
 
     @property
     def last_frame(self) -> int:
@@ -97,7 +97,7 @@ class Stack:
 
     def pattern(self, label: str, digits: str) -> str:
         """Return where the pictures of a layer lie, with ``digits`` in the place of the number."""
-        return f"{FOLDER}/{label}/{label}{self.separator}{digits}.png"
+        return f"{self.folder}/{label}/{label}{self.separator}{digits}.png"
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +124,8 @@ class SceneTarget:
     ----------
     suffix
         Of the scene's file.
+    pictures
+        The name of the pictures' folder: one of its own, so that scenes of several programs in one folder stay whole.
     write
         Makes the scene of a stack.
     every_frame
@@ -135,6 +137,7 @@ class SceneTarget:
     """
 
     suffix: str
+    pictures: str
     write: Callable[[Stack], SceneText]
     every_frame: bool = False
     separator: str = "_"

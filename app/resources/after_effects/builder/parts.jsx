@@ -24,7 +24,7 @@
             var isGuide = part.kind === "null" || part.kind === "controls";
             var there = isGuide ? null : carrierIn(comp, part.tag);
             if (there !== null) {
-                lower = plan.isTarget && part.tag.indexOf("received:") === 0 ? lower : there;
+                lower = plan.isTarget && /^(received:|background:set_under$)/.test(part.tag) ? lower : there;
             } else if (plan.added["$" + part.tag]) {
                 var entry = addOne(part, comp, root);
                 if (entry === null) {
@@ -88,10 +88,17 @@
      */
     function putBeside(layer, wanted, target, lower) {
         if (wanted.tag.indexOf("received:") === 0) {
-            var character = characterOf(target, wanted);
+            /* What lies over another of the same goes over that. */
+            var other = /:over$/.test(wanted.tag) ? carrierIn(target.comp, coded(wanted.tag.replace(/:over$/, ""))) : null;
+            var character = other || characterOf(target, wanted);
             if (character) {
                 layer.moveBefore(character);
             }
+            return lower;
+        }
+        if (wanted.tag === "background:set_under") {
+            /* Under the background, which is the user's own. */
+            layer.moveToEnd();
             return lower;
         }
         if (lower !== null) {
