@@ -140,6 +140,9 @@ DAYS = {
         {DELETED: ["A shadow"]},
         sees=lambda run: "A shadow" not in [each["name"] for each in run.tree["items"]],
     ),
+    "delete a folder and hold Shift": Day(
+        "item('Shadows').remove(); keyboard.shiftKey = true;", [("cut", 90)], {NEW: ["A shadow"]}
+    ),
     "delete guide": Day("layerOf('cut', 'Light').remove();", said={CHANGED: FOLLOWED, DELETED: ["Light"]}),
     "delete marker": Day(
         "main.markerProperty.keys = [];",

@@ -69,7 +69,6 @@
         }
     }
 
-    /* What is cast on a character right over it; the lowest shadow under the character, and each over the one before. */
     /**
      * Until After Effects 23 a track matte is the layer right above, and nothing may come between.
      * @param {any} layer
@@ -80,6 +79,7 @@
     }
 
     /**
+     * What is cast on a character right over it; the lowest shadow under the character, and each over the one before.
      * @param {AVLayer} layer
      * @param {any} wanted
      * @param {any} target

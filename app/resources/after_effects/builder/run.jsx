@@ -68,20 +68,16 @@
         }
     }
 
-    /* A lock is against a slip of the hand, so it is no reason to leave a layer alone. */
     function updatePart(entry, part) {
-        var isLocked = entry.layer.locked;
-        entry.layer.locked = false;
-        if (!part) {
-            switchOff(entry);
-        } else if (part.kind === "layer") {
-            updateLayer(entry, part.wanted);
-        } else if (part.kind === "null") {
-            updateNull(entry, part.wanted);
-        }
-        if (isLocked) {
-            entry.layer.locked = true;
-        }
+        unlocked(entry.layer, function () {
+            if (!part) {
+                switchOff(entry);
+            } else if (part.kind === "layer") {
+                updateLayer(entry, part.wanted);
+            } else if (part.kind === "null") {
+                updateNull(entry, part.wanted);
+            }
+        });
     }
 
     /* Two cuts may be called alike. Where a hand-off of this name came from a folder that is still there, the user says
