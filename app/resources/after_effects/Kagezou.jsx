@@ -903,10 +903,11 @@
         }
     }
 
-    /* Whether shadows of this project lie in the composition already, so that nobody has to say where. */
+    /* Whether shadows of this project lie in the composition already, precomposed or not, so that nobody has to say where. */
     function hasShadows(comp, path) {
         for (var i = 1; i <= comp.numLayers; i++) {
-            if (comp.layer(i).comment.indexOf("kagezou:" + path + ":shadow:") === 0) {
+            var source = comp.layer(i).source;
+            if (comp.layer(i).comment.indexOf("kagezou:" + path + ":shadow:") >= 0 || (source instanceof CompItem && hasShadows(source, path))) {
                 return true;
             }
         }

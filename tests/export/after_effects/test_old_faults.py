@@ -26,10 +26,12 @@ TOP = (
 )
 STATES = {
     "as it was": "",
+    "locked": "main.all.forEach((each) => { each.locked = true; });",
     "precomposed with all attributes": "together();",
     "precomposed without": "alone();",
     "precomposed both ways": "alone(); together();",
-    "all precomposed": "main.layers.precompose(main.all.map((each) => each.index), 'all', true);",
+    "all precomposed": "main.layers.precompose(main.all.map((each) => each.index), 'all', true);"
+    "main.all[0].locked = true;",
 }
 
 
@@ -259,7 +261,7 @@ def test_a_missing_file_changes_nothing(document: Document, tmp_path: Path) -> N
 def test_another_order_arrives_unless_the_user_has_one(document: Document, tmp_path: Path) -> None:
     turned = replace(document, layers=document.layers[::-1])
     own = "main.layers.addSolid([1, 0, 0], 'own', 8, 8, 1, 1).moveBefore(at('A shadow')); at('own').enabled = false;"
-    run = rerun(document, turned, own, tmp_path)
+    run = rerun(document, turned, own + "at('B').locked = true; at('A').locked = true;", tmp_path)
     names = [layer["name"] for layer in reversed(run.item("cut", "CompItem")["layers"])]
     assert names[:6] == ["Background", "own", "B shadow", "A shadow", "B", "A"]
     assert run.summary()[CHANGED] == ["cut: stacking order"]

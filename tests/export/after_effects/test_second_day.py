@@ -140,6 +140,9 @@ DAYS = {
         {DELETED: ["A shadow"]},
         sees=lambda run: "A shadow" not in [each["name"] for each in run.tree["items"]],
     ),
+    "delete a folder and hold Shift": Day(
+        "item('Shadows').remove(); keyboard.shiftKey = true;", [("cut", 90)], {NEW: ["A shadow"]}
+    ),
     "delete guide": Day("layerOf('cut', 'Light').remove();", said={CHANGED: FOLLOWED, DELETED: ["Light"]}),
     "delete marker": Day(
         "main.markerProperty.keys = [];",
@@ -147,7 +150,10 @@ DAYS = {
         sees=lambda run: not run.item("cut", "CompItem")["markers"],
     ),
     "delete composition": Day(
-        "main.remove();", [("cut", 90)], {}, sees=lambda run: len(run.item("cut", "CompItem")["layers"]) == 5
+        "main.remove();",
+        [("cut", 90)],
+        {NOTES: ["Nothing was left of the composition cut, so it was built anew."]},
+        sees=lambda run: len(run.item("cut", "CompItem")["layers"]) == 5,
     ),
     "take the comment away": Day("shadow.comment = '';", [("cut", 60)], {DELETED: ["A shadow"]}),
     "precompose, moving all attributes": Day(

@@ -101,8 +101,14 @@
         }
         for (i = 1; i < ours.length; i++) {
             if (ours[i].layer.index > ours[i - 1].layer.index) {
-                ours[i].layer.moveBefore(ours[i - 1].layer);
+                moveOver(ours[i].layer, ours[i - 1].layer);
             }
         }
         return true;
+    }
+
+    function moveOver(layer, lower) {
+        unlocked(layer, function () {
+            layer.moveBefore(lower);
+        });
     }

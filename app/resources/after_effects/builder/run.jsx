@@ -68,20 +68,16 @@
         }
     }
 
-    /* A lock is against a slip of the hand, so it is no reason to leave a layer alone. */
     function updatePart(entry, part) {
-        var isLocked = entry.layer.locked;
-        entry.layer.locked = false;
-        if (!part) {
-            switchOff(entry);
-        } else if (part.kind === "layer") {
-            updateLayer(entry, part.wanted);
-        } else if (part.kind === "null") {
-            updateNull(entry, part.wanted);
-        }
-        if (isLocked) {
-            entry.layer.locked = true;
-        }
+        unlocked(entry.layer, function () {
+            if (!part) {
+                switchOff(entry);
+            } else if (part.kind === "layer") {
+                updateLayer(entry, part.wanted);
+            } else if (part.kind === "null") {
+                updateNull(entry, part.wanted);
+            }
+        });
     }
 
     /* Two cuts may be called alike. Where a hand-off of this name came from a folder that is still there, the user says
@@ -146,13 +142,16 @@
         return whole;
     }
 
-    function tellOfMain(main, target) {
+    function tellOfMain(main, target, wasBuiltBefore) {
         var names = [];
         for (var i = 1; i < main.instances.length; i++) {
             names.push(main.instances[i].name);
         }
         if (names.length > 0) {
             tellNote(said(WORDS.copies, [names.join(", ")]));
+        }
+        if (wasBuiltBefore && main.isBuilt) {
+            tellNote(said(WORDS.compAnew, [main.wanted.name]));
         }
         if (main.instances.length === 0 && !target) {
             tellNote(said(WORDS.compGone, [main.wanted.name]));
@@ -168,6 +167,7 @@
         var main = plans[plans.length - 1];
         isFirstTime = main.isFresh;
         mainName = main.instances.length > 0 ? main.instances[0].name : main.wanted.name;
+        var wasBuiltBefore = made["$" + signsOf("comp:main")] === true;
         var instances = measure(plans);
         if (!target) {
             askAbout(instances);
@@ -182,7 +182,7 @@
         if (main.instances.length > 0) {
             updateFollowers(main.instances[0]);
         }
-        tellOfMain(main, target);
+        tellOfMain(main, target, wasBuiltBefore);
         updateParts(plans);
         checkProject();
         writeLedger();
