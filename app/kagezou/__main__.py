@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from kagezou.render.gpu.context import GraphicsContext
     from kagezou.render.gpu.info import GraphicsInfo
 
-PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb")
-"""What the window opens: projects, and the timesheets and PSD files that drawing programs hand over."""
+PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb", ".oca")
+"""What the window opens: projects, and the timesheets and files of layers that drawing programs hand over."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

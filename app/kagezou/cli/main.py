@@ -24,6 +24,8 @@ VERBS: Final = {
     "get": "print the value of a property",
     "info": "say what is in a project, and what is missing",
     "inspect": "say what any file is understood to be, and what of it is not used",
+    "retake": "give layers other drawings, and say what became of keys and feet",
+    "relink": "find drawings that were moved, in another folder",
     "feet": "find the characters' feet anew, and list how they stand",
     "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",

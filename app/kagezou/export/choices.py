@@ -20,7 +20,7 @@ class ExportChoices:
         As of `ExportRequest`.
     in_one
         Whether a farm makes frames of layers instead of shadow layers.
-    per_drawing, copies, mattes
+    per_drawing, copies, mattes, controls
         As of `HandOffRequest`.
     chunk
         Frames a task of a farm.
@@ -40,6 +40,7 @@ class ExportChoices:
     per_drawing: bool = False
     copies: bool = True
     mattes: tuple[str, ...] = ()
+    controls: bool = False
     chunk: int = 10
     video_layer: str = ""
 

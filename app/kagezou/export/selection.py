@@ -1,10 +1,9 @@
 """What of a document a request asks for: its frames and layers, and what they ever do."""
 
-from difflib import get_close_matches
-
 from kagezou.animation.track import Track, Value
 from kagezou.document import properties
 from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
+from kagezou.document.layer_named import no_layer
 from kagezou.document.model import Document, Layer, Tracks
 from kagezou.document.piece_kinds import kind_of
 from kagezou.document.property import Property
@@ -50,7 +49,7 @@ def chosen_layers(document: Document, request: ExportRequest) -> tuple[Layer, ..
     by_name = {layer.name: layer for layer in document.layers}
     for name in request.layers:
         if name not in by_name:
-            raise UsageProblem(_no_layer(name, tuple(by_name)))
+            raise UsageProblem(no_layer(name, tuple(by_name)))
     return tuple(layer for layer in document.layers if layer.name in request.layers)
 
 
@@ -119,16 +118,6 @@ def ever_clay(document: Document) -> tuple[bool, ...]:
         if kind_of(piece, frame) is PieceKind.MESH and value_at(piece.tracks, PIECE_DISPLAY, frame) == "clay"
     }
     return tuple(each for each in (True, False) if each in seen)
-
-
-def _no_layer(name: str, known: tuple[str, ...]) -> Message:
-    near = get_close_matches(name, known, n=1)
-    if near:
-        return Message("there is no layer {name!r} in this project; did you mean {near!r}?", name=name, near=near[0])
-    if known:
-        others = ", ".join(map(repr, known))
-        return Message("there is no layer {name!r} in this project, only {others}", name=name, others=others)
-    return Message("there is no layer {name!r} in this project, only none at all", name=name)
 
 
 def _is_ever_visible(layer: Layer) -> bool:

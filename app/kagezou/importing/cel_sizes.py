@@ -52,8 +52,10 @@ def canvas_size(size_px: tuple[int, int]) -> tuple[int, int]:
     return size_px
 
 
-def measured_cels(name: str, drawings: tuple[Drawing, ...], progress: Progress) -> MeasuredCels:
-    """Return the drawings of a layer called ``name`` with their sizes.
+def measured_cels(
+    name: str, drawings: tuple[Drawing, ...], progress: Progress, *, are_placed: bool = False
+) -> MeasuredCels:
+    """Return the drawings of a layer called ``name`` with their sizes; of some that are placed these may differ.
 
     Raises
     ------
@@ -74,7 +76,7 @@ def measured_cels(name: str, drawings: tuple[Drawing, ...], progress: Progress) 
     if len(problems) > _SHOWN:
         notes.append(Message("{name}: {count} drawings cannot be opened", name=name, count=len(problems)))
     sizes = Counter((info.width_px, info.height_px) for _, info in infos)
-    if len(sizes) > 1:
+    if len(sizes) > 1 and not are_placed:
         first = infos[0][1]
         other = next(
             (drawing, info)

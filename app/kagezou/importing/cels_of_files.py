@@ -10,6 +10,7 @@ from kagezou.animation.frames import format_frames
 from kagezou.document.model import Cels, Drawing, Exposure
 from kagezou.errors import InputProblem
 from kagezou.importing.cel_sizes import measured_cels
+from kagezou.importing.cels_of_oca import held_by_oca
 from kagezou.importing.cels_of_psd import held_by_psd
 from kagezou.importing.file_notes import said_once
 from kagezou.importing.file_pages import FILM_RATE, pages_of
@@ -21,6 +22,7 @@ from kagezou.io.files.faults import shown
 from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.parts import is_exr
 from kagezou.io.images.sequences import NumberedFile, Sequence, find_sequences
+from kagezou.io.oca.reading import oca_file
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.paths import absolute
 from kagezou.message import Message
@@ -51,6 +53,8 @@ def held_by(source: CharacterSource, progress: Progress = no_progress, frame_rat
         return _joining(source, Held([_new_cels(name, source.drawings, source, progress, frame_rate)], notes))
     if is_psd(path) and path.is_file():
         return _joining(source, held_by_psd(source, path, progress))
+    if (document := oca_file(path)) is not None:
+        return _joining(source, held_by_oca(source, document, progress))
     found = find_sequences(path)
     notes = list(said_once(source.name or printable(path.stem), [(path, found.notes)]))
     if found.left_out:

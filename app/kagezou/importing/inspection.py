@@ -23,7 +23,7 @@ from kagezou.io.sets.mesh_cache import MeshCache, is_mesh
 from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.message import Message, first_names
-from kagezou.picture_source import file_of
+from kagezou.picture_source import PicturePart, file_of
 
 Fact = str | int | float | bool | None | Sequence["Fact"] | Mapping[str, "Fact"]
 
@@ -88,7 +88,7 @@ def _drawings(path: Path) -> Inspection:
         "characters": [_facts_of(layer, first) for layer, first in zip(held.layers, firsts, strict=True)]
     }
     if held.backgrounds:
-        names = [each.address for each in held.backgrounds]
+        names = [each.address if isinstance(each, PicturePart) else each.name for each in held.backgrounds]
         facts["backgrounds"] = names
         lines.append(Message("background: {names}", names=", ".join(names)))
     return Inspection(path, "drawings", facts, tuple(lines), _notes_on(held, firsts))

@@ -49,6 +49,8 @@ class NewCels:
         What is odd about the files, one sentence each.
     joins
         The name of the layer whose figure it is a part of; None for a figure of its own.
+    moved
+        ``(frame, (dx, dy))``, px: from when on its drawings lie so far from the middle of the canvas.
     """
 
     name: str
@@ -57,6 +59,7 @@ class NewCels:
     length_frames: int
     notes: tuple[Message, ...]
     joins: str | None = None
+    moved: tuple[tuple[int, tuple[int, int]], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,12 +73,15 @@ class Held:
     notes
         About the source as a whole.
     backgrounds
-        Opaque pictures in it that are named like a background.
+        Opaque pictures in it that are named like a background, or fill the canvas under everything.
+    away_px
+        How far from the middle of the canvas the first of them lies.
     """
 
     layers: list[NewCels]
     notes: list[Message]
-    backgrounds: tuple[PicturePart, ...] = ()
+    backgrounds: tuple[PicturePart | Path, ...] = ()
+    away_px: tuple[int, int] = (0, 0)
 
 
 def printable(name: str) -> str:

@@ -1,4 +1,4 @@
-"""Who figures_seen on while drawings are read: told how far it is, and may end it."""
+"""Who looks on while drawings are read: told how far it is, and may end it."""
 
 from collections.abc import Callable
 from enum import StrEnum
@@ -18,6 +18,8 @@ class LoadPhase(StrEnum):
     """A place for the lamp is sought."""
     FEET = "feet"
     """All drawings are decoded, to find the feet in them."""
+    COMPARING = "comparing"
+    """Old and new drawings are decoded, to see which is which."""
     READING = "reading"
     """Drawings are decoded, to be shown."""
 

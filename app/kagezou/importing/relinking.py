@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.document.alike_names import folded
-from kagezou.document.edits import set_drawings
+from kagezou.document.edits import set_background_cels, set_drawings
 from kagezou.document.model import Document, Drawing
 from kagezou.errors import InputProblem
 from kagezou.importing.progress import LoadPhase, Progress, no_progress
@@ -27,10 +27,10 @@ class Relinked:
     notes: tuple[Message, ...]
 
 
-def missing_of(document: Document, layer_ids: Collection[str]) -> tuple[Path, ...]:
-    """Return the files of layers that are not there, each once."""
-    drawings = (each for layer in document.layers if layer.id in layer_ids for each in layer.cels.drawings)
-    paths = dict.fromkeys(drawing.path for drawing in drawings)
+def missing_of(document: Document, layer_ids: Collection[str], *, behind: bool = False) -> tuple[Path, ...]:
+    """Return the files of layers, and with ``behind`` of the background, that are not there, each once."""
+    cels = [layer.cels for layer in document.layers if layer.id in layer_ids] + [document.behind] * behind
+    paths = dict.fromkeys(drawing.path for each in cels for drawing in each.drawings)
     return tuple(path for path in paths if not path.is_file())
 
 
@@ -58,14 +58,19 @@ def found_again(missing: Collection[Path], folder: Path, progress: Progress = no
     return Relinked(found, tuple(notes))
 
 
-def relinked(document: Document, layer_ids: Collection[str], again: Relinked) -> tuple[Document, tuple[Message, ...]]:
-    """Return the document with the drawings of layers where they were found, and what is to be said."""
+def relinked(
+    document: Document, layer_ids: Collection[str], again: Relinked, *, behind: bool = False
+) -> tuple[Document, tuple[Message, ...]]:
+    """Return the document with drawings where they were found, of the background with ``behind``, and what to say."""
     odd: list[str] = []
     for layer in document.layers:
         if layer.id not in layer_ids:
             continue
         drawings = tuple(_moved(drawing, again.found, odd) for drawing in layer.cels.drawings)
         document = set_drawings(document, layer.id, drawings)
+    if behind:
+        pictures = tuple(_moved(drawing, again.found, odd) for drawing in document.behind.drawings)
+        document = set_background_cels(document, replace(document.behind, drawings=pictures))
     notes = again.notes
     if odd:
         notes = (*notes, Message("drawings that have another size than before: {names}", names=_first(odd)))

@@ -5,7 +5,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-from kagezou.document.edits import add_layer, join_layer, set_background, set_canvas
+from kagezou.animation.track import Interpolation
+from kagezou.document.address import Address
+from kagezou.document.edits import add_layer, join_layer, set_background, set_canvas, set_constant, set_key
+from kagezou.document.figure_properties import BACKGROUND_POSITION, POSITION
 from kagezou.document.model import Canvas, Document
 from kagezou.document.set_pieces import stood_up, stood_up_notes
 from kagezou.errors import UsageProblem
@@ -25,7 +28,7 @@ from kagezou.io.images.reading import probe
 from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.message import Message
-from kagezou.picture_source import PicturePart
+from kagezou.picture_source import PicturePart, file_of
 
 STILL_LENGTH_FRAMES = 24
 """The cut of a project that has only stills."""
@@ -57,13 +60,13 @@ class Brought:
     notes
         What the user should know of the files, one sentence each.
     backgrounds
-        Opaque layers that could be the background.
+        Opaque pictures that could be the background, and how far from the middle of the canvas each lies, px.
     """
 
     characters: tuple[NewCels, ...]
     figures_seen: tuple[MeasuredFigure, ...]
     notes: tuple[Message, ...]
-    backgrounds: tuple[PicturePart, ...] = ()
+    backgrounds: tuple[tuple[PicturePart | Path, tuple[int, int]], ...] = ()
 
 
 def new_document(
@@ -162,27 +165,32 @@ def _read(sources: Sequence[CharacterSource], progress: Progress, frame_rate: Fr
     """Return what the sources hold, not looked at yet."""
     characters: list[NewCels] = []
     notes: list[Message] = []
-    backgrounds: list[PicturePart] = []
+    backgrounds: list[tuple[PicturePart | Path, tuple[int, int]]] = []
     for source in sources:
         held = held_by(source, progress, frame_rate)
         characters += held.layers
         notes += held.notes
-        backgrounds += held.backgrounds
+        backgrounds += [(each, held.away_px if index == 0 else (0, 0)) for index, each in enumerate(held.backgrounds)]
     return Brought(tuple(characters), (), tuple(notes), tuple(backgrounds))
 
 
-def _with_background(document: Document, found: Sequence[PicturePart], notes: list[Message]) -> Document:
+def _with_background(document: Document, read: Brought, notes: list[Message]) -> Document:
     """Put the first of what was found under everything, unless there is a background; the others are reported."""
-    taken = found[:1] if document.background is None else ()
+    taken = read.backgrounds[:1] if document.background is None else ()
     notes += [
         Message(
             "{path}: the layer {layer!r} was left out, as there is a background already",
-            path=shown(each.path),
-            layer=each.address,
+            path=shown(file_of(each)),
+            layer=each.address if isinstance(each, PicturePart) else each.stem,
         )
-        for each in found[len(taken) :]
+        for each, _ in read.backgrounds[len(taken) :]
     ]
-    return set_background(document, taken[0]) if taken else document
+    for source, (dx, dy) in taken:
+        document = set_background(document, source)
+        if (dx, dy) != (0, 0):
+            x, y = document.canvas.box.middle
+            document = set_constant(document, Address(BACKGROUND_POSITION), [x + dx, y + dy])
+    return document
 
 
 def _looks(characters: Sequence[NewCels], canvas: Box, progress: Progress) -> tuple[MeasuredFigure, ...]:
@@ -193,7 +201,7 @@ def _natural_size(behind: NewCels | None, read: Brought) -> tuple[int, int]:
     if behind is not None:
         return canvas_size(behind.size_px)
     if read.backgrounds:
-        info = probe(read.backgrounds[0])
+        info = probe(read.backgrounds[0][0])
         return canvas_size((info.width_px, info.height_px))
     if not read.characters:
         return DEFAULT_SIZE_PX
@@ -212,12 +220,14 @@ def put_in(document: Document, read: Brought) -> Imported:
     is_first = not document.layers
     canvas_box = document.canvas.box
     notes = list(read.notes)
-    document = _with_background(document, read.backgrounds, notes)
+    document = _with_background(document, read, notes)
     figures_seen: dict[str, MeasuredFigure] = {}
     for character, seen in zip(read.characters, read.figures_seen, strict=True):
         look = replace(seen, figure=seen.figure.on(canvas_box)) if seen.figure else seen
         document = add_layer(document, character.name, character.cels, look.figure.box if look.figure else canvas_box)
         layer = document.layers[-1]
+        if character.moved:
+            document, look = _moved(document, layer.id, character), _seen_there(look, character)
         if character.joins is not None:
             document = join_layer(document, layer.id, _figure_named(document, character.joins, layer.id))
         figures_seen[layer.id] = look
@@ -230,6 +240,25 @@ def put_in(document: Document, read: Brought) -> Imported:
         document = _with_length(document, read.characters)
         document = with_ground_and_light(document, figures_seen)
     return Imported(document, tuple(notes), tuple(figures_seen))
+
+
+def _moved(document: Document, layer_id: str, character: NewCels) -> Document:
+    """Lay drawings where their file says, by keys that are held."""
+    address = Address(POSITION, layer_id)
+    (x, y), first = document.canvas.box.middle, character.moved[0][1]
+    if len(character.moved) == 1:
+        return set_constant(document, address, [x + first[0], y + first[1]])
+    for frame, (dx, dy) in character.moved:
+        document = set_key(document, address, frame, [x + dx, y + dy], Interpolation.HOLD)
+    return document
+
+
+def _seen_there(seen: MeasuredFigure, character: NewCels) -> MeasuredFigure:
+    """Return what was seen of the first drawing where that lies, so that ground and light fit it."""
+    if seen.figure is None:
+        return seen
+    (dx, dy), (x, y) = character.moved[0][1], seen.figure.offset
+    return replace(seen, figure=replace(seen.figure, offset=(x + dx, y + dy)))
 
 
 def _figure_named(document: Document, name: str, part_id: str) -> str:

@@ -24,7 +24,7 @@ from kagezou.scene.stances import stances_of
 _RADIUS_OF_FIGURE: Final = 0.05
 """The radius of the patch under a foot on the ground where ``contact.size`` is 1, as a part of the height."""
 
-_GONE_OF_FIGURE: Final = 0.12
+GONE_OF_FIGURE: Final = 0.12
 """A foot so high over the ground, as a part of the height, has no patch any more."""
 
 _LEAST_STRENGTH: Final = 1 / 512
@@ -99,4 +99,4 @@ def _touching(on: Moment, figure: Layer, since: int, card: Card, tall: float) ->
 
 def _nearness(gap_px: float, tall: float) -> float:
     """Return how much of its patch a foot has that is so far over the ground."""
-    return min(max(1 - gap_px / (_GONE_OF_FIGURE * tall), 0.0), 1.0)
+    return min(max(1 - gap_px / (GONE_OF_FIGURE * tall), 0.0), 1.0)

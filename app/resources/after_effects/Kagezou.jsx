@@ -200,7 +200,7 @@
             return;
         }
         var over = job;
-        endJob(told.state === "done" ? WORDS.ready : told.state === "stopped" ? (over.doing === WORDS.rendering ? WORDS.resumable : WORDS.stopped) : "");
+        endJob(told.state === "done" ? WORDS.ready : (told.state === "stopped" ? (over.doing === WORDS.rendering ? WORDS.resumable : WORDS.stopped) : ""));
         if (told.state === "done") {
             trying(function () {
                 over.then(told.said);

@@ -1458,6 +1458,10 @@
         <translation>キャラクターと背景をフォルダーにコピー</translation>
     </message>
     <message>
+        <source>A null whose sliders drive all shadows</source>
+        <translation>すべての影を動かすスライダー付きヌル</translation>
+    </message>
+    <message>
         <source> frames a task</source>
         <translation> フレーム / タスク</translation>
     </message>
@@ -2579,6 +2583,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Looking for the feet of %1</source>
         <translation>%1 の足を探しています</translation>
+    </message>
+    <message>
+        <source>Comparing the drawings of %1 with those of before</source>
+        <translation>%1のセルを前のセルと比べています</translation>
     </message>
     <message>
         <source>Reading drawings of %1</source>
@@ -4971,6 +4979,10 @@ Drop a folder of cels here.</source>
         <translation>多くのソフトで読めるレイヤーとコマ</translation>
     </message>
     <message>
+        <source>no drawing is missing</source>
+        <translation>見つからないセルはありません</translation>
+    </message>
+    <message>
         <source>nothing fills the canvas; Blender has white there</source>
         <translation>キャンバスを埋めるものがありません。Blender ではそこが白になります</translation>
     </message>
@@ -4991,10 +5003,6 @@ Drop a folder of cels here.</source>
         <translation>レイヤー{name!r} はフォルダー{folder!r} にあります</translation>
     </message>
     <message>
-        <source>the layer {name!r} multiplies on some frames and lies plainly on others; here it has one way for all of them, that of its first frame</source>
-        <translation>レイヤー{name!r} は乗算のフレームと通常のフレームがあります。ここでは最初のフレームの描画モードに統一されます</translation>
-    </message>
-    <message>
         <source>the shadows of {layers} are handed over as one, with their opacity in it, for no layers make the picture: they unite on some frames only, have a second colour, or change places with others</source>
         <translation>{layers} の影は、レイヤーの重ね合わせでは同じ絵にならないため、不透明度を含めて一枚にまとめて渡します（一部のフレームでだけ一体になる、第二の色がある、または他の影と順序が入れ替わるため）</translation>
     </message>
@@ -5003,17 +5011,77 @@ Drop a folder of cels here.</source>
         <translation>動画には PyAV が要りますが、入っていません：{how}</translation>
     </message>
     <message>
+        <source>{name}: contacts that moved by more than 1 % of the height: frames {frames}</source>
+        <translation>{name}：接地が身長の 1 % より大きく動いたフレーム：{frames}</translation>
+    </message>
+    <message>
+        <source>{name}: drawings that are gone: {names}</source>
+        <translation>{name}：なくなったセル：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: keys that came upon another key and are left out: {keys}</source>
+        <translation>{name}：ほかのキーと重なるため除いたキー：{keys}</translation>
+    </message>
+    <message>
+        <source>{name}: known again under another name: {picture} by the same picture, {likeness} by likeness, {order} by their order</source>
+        <translation>{name}：名前の変わったセル：同じ画像 {picture} 枚、似た画像 {likeness} 枚、並び順 {order} 枚</translation>
+    </message>
+    <message>
+        <source>{name}: new drawings: {names}</source>
+        <translation>{name}：新しいセル：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: no timing shows these: {names}</source>
+        <translation>{name}：どのコマにも出ないセル：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: please look at frames {frames}</source>
+        <translation>{name}：確認してほしいフレーム：{frames}</translation>
+    </message>
+    <message>
         <source>{name}: these are not drawn without a part that is missing ({how}): {by_extra}</source>
         <translation>{name}：足りない部品があるため描画されないもの（{how}）：{by_extra}</translation>
+    </message>
+    <message>
+        <source>{name}: where a drawing is gone the one before is held (frames {frames})</source>
+        <translation>{name}：なくなったセルのコマは、前のセルを止めて使います（フレーム {frames}）</translation>
     </message>
     <message>
         <source>it is damaged: an instancer names what is not there</source>
         <translation>壊れています：インスタンサーが存在しないものを参照しています</translation>
     </message>
     <message>
+        <source>A column for each layer; effects in the schematic have its blend mode and its opacity.</source>
+        <translation>レイヤーごとに列ができます。描画モードと不透明度はスケマティックのエフェクトにあります。</translation>
+    </message>
+    <message>
+        <source>In OpenToonz: File &gt; Load Scene…, and choose {file}.</source>
+        <translation>OpenToonz：File &gt; Load Scene… で {file} を選びます。</translation>
+    </message>
+    <message>
         <source>Lamp</source>
         <comment>a kind of light</comment>
         <translation>ランプ</translation>
+    </message>
+    <message>
+        <source>OpenToonz</source>
+        <translation>OpenToonz</translation>
+    </message>
+    <message>
+        <source>a frame may take 1 to {most_minutes} minutes, not {minutes}</source>
+        <translation>1 フレームにかけられる時間は 1〜{most_minutes} 分です（指定: {minutes}）</translation>
+    </message>
+    <message>
+        <source>a scene with a column for each layer</source>
+        <translation>レイヤーごとに列を持つシーン</translation>
+    </message>
+    <message>
+        <source>frames are counted from 1 in OpenToonz: its frame 1 is frame {first} here</source>
+        <translation>OpenToonz ではフレームを 1 から数えます。OpenToonz のフレーム 1 はここではフレーム {first} です</translation>
+    </message>
+    <message>
+        <source>it does not say its {name}; {usual} was taken</source>
+        <translation>{name} が書かれていないため、{usual} としました</translation>
     </message>
     <message>
         <source>it is damaged: instances are made of themselves</source>
@@ -5022,6 +5090,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>it is damaged: what is compressed in it cannot be read</source>
         <translation>壊れています：圧縮されたデータを読めません</translation>
+    </message>
+    <message>
+        <source>it is larger than {megabytes} MB</source>
+        <translation>{megabytes} MB を超えています</translation>
     </message>
     <message>
         <source>it is made of more than {most} layers</source>
@@ -5058,6 +5130,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>its animation of {count} frames is not used: layers count as they are visible now</source>
         <translation>{count} フレームのアニメーションは使いません。レイヤーは現在の表示状態のまま扱います</translation>
+    </message>
+    <message>
+        <source>its background colour is not used</source>
+        <translation>背景色は使われません</translation>
     </message>
     <message>
         <source>its cameras {names} are mirrored, which is not done</source>
@@ -5220,6 +5296,30 @@ Drop a folder of cels here.</source>
         <translation>layers.{layer}：セルごとに紙の扱いが違います</translation>
     </message>
     <message>
+        <source>left out, as they are cut to what is below them: {names}</source>
+        <translation>下のレイヤーでクリッピングされているため読み込みませんでした：{names}</translation>
+    </message>
+    <message>
+        <source>left out, as they are empty: {names}</source>
+        <translation>空のため読み込みませんでした：{names}</translation>
+    </message>
+    <message>
+        <source>left out, as they are guides: {names}</source>
+        <translation>参考用レイヤーのため読み込みませんでした：{names}</translation>
+    </message>
+    <message>
+        <source>left out, as they are hidden: {names}</source>
+        <translation>非表示のため読み込みませんでした：{names}</translation>
+    </message>
+    <message>
+        <source>left out, as they are of a kind that is not read: {names}</source>
+        <translation>読み込めない種類のため読み込みませんでした：{names}</translation>
+    </message>
+    <message>
+        <source>left out, as they do not lie plainly on what is below them: {names}</source>
+        <translation>描画モードが通常ではないため読み込みませんでした：{names}</translation>
+    </message>
+    <message>
         <source>lengths that would leave their range and are kept at its end: {count}</source>
         <translation>範囲を超えるため上限・下限にとどめた長さの値：{count} 個</translation>
     </message>
@@ -5276,10 +5376,6 @@ Drop a folder of cels here.</source>
         <translation>アルファチャンネルがないため、画像の縁につながる白を透明として扱いました</translation>
     </message>
     <message>
-        <source>no drawing of the chosen layers is missing</source>
-        <translation>選んだレイヤーに見つからないセルはありません</translation>
-    </message>
-    <message>
         <source>no key goes before the first frame</source>
         <translation>キーは最初のフレームより前には行けません</translation>
     </message>
@@ -5306,6 +5402,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>note</source>
         <translation>メモ</translation>
+    </message>
+    <message>
+        <source>nothing fills the canvas: where half-clear shadows lie on each other there, OpenToonz mixes them in its own way; put something opaque under them</source>
+        <translation>キャンバスを埋めるものがありません。半透明の影が重なるところは OpenToonz では混ざり方が違います。下に不透明なものを置いてください</translation>
     </message>
     <message>
         <source>nothing is drawn</source>
@@ -5448,6 +5548,10 @@ Drop a folder of cels here.</source>
         <translation>カメラは新しい画面の中央を向くため、遠近のある影が少し変わります</translation>
     </message>
     <message>
+        <source>the control Height does not move {names}</source>
+        <translation>コントロール「Height」では {names} は動きません</translation>
+    </message>
+    <message>
         <source>the cut ends here</source>
         <translation>カットはここで終わりです</translation>
     </message>
@@ -5516,6 +5620,10 @@ Drop a folder of cels here.</source>
         <translation>最新の版を使います。使わない古いセル：{count} 枚（{names}）</translation>
     </message>
     <message>
+        <source>the opacity of these layers is not used: {names}</source>
+        <translation>次のレイヤーの不透明度は使われません：{names}</translation>
+    </message>
+    <message>
         <source>the picture of the background keeps its own size in px</source>
         <translation>背景の画像は元のピクセルサイズのままです</translation>
     </message>
@@ -5542,6 +5650,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>the soft edges of drawn shapes are not done: {names}</source>
         <translation>シェイプのぼかしは行いません：{names}</translation>
+    </message>
+    <message>
+        <source>the timesheet is of scene {scene!r}, cut {cut!r}; the project keeps {own_scene!r} and {own_cut!r}</source>
+        <translation>タイムシートはシーン {scene!r}、カット {cut!r} のものです。プロジェクトの {own_scene!r}、{own_cut!r} はそのままにしました</translation>
     </message>
     <message>
         <source>the timesheet: {note}</source>
@@ -5932,12 +6044,24 @@ Drop a folder of cels here.</source>
         <translation>{name}：描画されないもの：{never}</translation>
     </message>
     <message>
-        <source>{name}: these are other drawings, so they are exposed as their numbers say</source>
-        <translation>{name}：別のセルなので、番号どおりに並べました</translation>
+        <source>{name}: these are of other sizes than the document says, and lie about their middles: {names}</source>
+        <translation>{name}：ドキュメントに書かれた大きさと違う画像があり、中心を合わせて置きました：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: two frames begin at {frame}; the later one is used</source>
+        <translation>{name}：フレーム {frame} から始まるコマが 2 つあります。後のほうを使います</translation>
+    </message>
+    <message>
+        <source>{name}: what is before the document&apos;s first frame is not used</source>
+        <translation>{name}：ドキュメントの最初のフレームより前は使われません</translation>
     </message>
     <message>
         <source>{name}: which foot carries is doubtful on {count} drawings (frames {frames}); please look at them</source>
         <translation>{name}：{count} 枚のセルで接地足が疑わしいです（フレーム {frames}）。確認してください</translation>
+    </message>
+    <message>
+        <source>{name}: words about feet that are not there any more: {names}</source>
+        <translation>{name}：足がなくなったため除いた足の指定：{names}</translation>
     </message>
     <message>
         <source>{name}: {cause}</source>
@@ -5956,12 +6080,20 @@ Drop a folder of cels here.</source>
         <translation>{name}：{count} 枚、{numbers}、{first} … {last}</translation>
     </message>
     <message>
+        <source>{name}: {count} keys went along with their drawings</source>
+        <translation>{name}：キー {count} 個がセルと一緒に移動しました</translation>
+    </message>
+    <message>
         <source>{name}: {note}, in all its {count} files</source>
         <translation>{name}：{note}（{count} 個のファイルすべて）</translation>
     </message>
     <message>
         <source>{name}: {note}, in {files} of {count} files, first in {path}</source>
         <translation>{name}：{note}（{count} 個中 {files} 個、最初は {path}）</translation>
+    </message>
+    <message>
+        <source>{name}: {same} drawings are as before, {changed} are other pictures, {new} are new, {gone} are gone</source>
+        <translation>{name}：前と同じセル {same} 枚、変わったセル {changed} 枚、新しいセル {new} 枚、なくなったセル {gone} 枚</translation>
     </message>
     <message>
         <source>{part} is a part of {figure} and has no shadow of its own; please ask for {figure}</source>

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from kagezou.io.images.reading import probe, read_cel
 from tests.export.after_effects.extendscript import Run, pair_at, place_at, property_of, value_at
+from tests.export.after_effects.sampling import resampled, with_control
 
 Pixels = NDArray[np.uint8] | NDArray[np.uint16]
 
@@ -58,29 +59,13 @@ def _laid(run: Run, layer: dict[str, Any], under: Pixels, frame: int, rate: floa
 
 
 def _moved(layer: dict[str, Any], pixels: Pixels, shape: tuple[int, ...], time: float, full: int) -> Pixels:
-    """Return a layer's pixels where they lie in its composition: sampled between texels, weighted by alpha."""
+    """Return a layer's pixels where they lie in its composition."""
     transform = ("ADBE Transform Group",)
     anchor = pair_at(property_of(layer, *transform, "ADBE Anchor Point"), time)
     scale = np.array(pair_at(property_of(layer, *transform, "ADBE Scale"), time)) / 100
     turn = np.deg2rad(value_at(property_of(layer, *transform, "ADBE Rotate Z"), time))
     linear = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]) * scale
-    rows, columns = np.indices(shape)
-    away = np.stack([columns + 0.5, rows + 0.5]) - np.reshape(place_at(layer, time), (2, 1, 1))
-    x, y = np.einsum("ij,jrc->irc", np.linalg.inv(linear), away) + np.reshape(anchor, (2, 1, 1)) - 0.5
-    x, y = np.round(x, 9), np.round(y, 9)
-    light = pixels / full
-    light[..., :3] *= light[..., 3:]
-    height, width = pixels.shape[:2]
-    taken = np.zeros((*shape, 4))
-    left, top = np.floor(x).astype(int), np.floor(y).astype(int)
-    for down in (0, 1):
-        for over in (0, 1):
-            column, row = left + over, top + down
-            part = (1 - np.abs(x - column)) * (1 - np.abs(y - row))
-            part[(column < 0) | (row < 0) | (column >= width) | (row >= height)] = 0
-            taken += part[..., np.newaxis] * light[row.clip(0, height - 1), column.clip(0, width - 1)]
-    taken[..., :3] /= np.where(taken[..., 3:] > 0, taken[..., 3:], 1)
-    return _stored(taken, full)
+    return _stored(resampled(pixels / full, shape, linear, anchor, place_at(layer, time)), full)
 
 
 def _source(run: Run, layer: dict[str, Any], frame: int, rate: float, full: int) -> Pixels:
@@ -109,7 +94,8 @@ def _with_effect(effect: dict[str, Any], pixels: Pixels, time: float, full: int)
         sources = [parts[f"ADBE Shift Channels-000{number}"]["value"] for number in (2, 3, 4, 1)]
         most = np.full(pixels.shape[:2], full, pixels.dtype)
         return np.stack([most if each == FULL_ON else pixels[..., SOURCES[each]] for each in sources], -1)
-    assert effect["matchName"] == "ADBE Fill"
+    if effect["matchName"] != "ADBE Fill":
+        return _stored(with_control(effect, pixels / full, time), full)
     color = parts["ADBE Fill-0002"]
     held = [key for key in color["keys"] if key["time"] <= time + 1e-9]
     assert all(key["out"] == "HOLD" for key in color["keys"])

@@ -18,7 +18,7 @@ class Property {
     constructor(matchName, value, layer) {
         this.matchName = matchName; this._name = matchName; this._value = value; this.layer = layer || null;
         this.keys = []; this.children = {}; this.expression = ""; this.group = null; this.enabled = true;
-        this.isSpatial = ["ADBE Position", "ADBE Anchor Point"].includes(matchName);
+        this.isSpatial = ["ADBE Position", "ADBE Anchor Point", "ADBE Geometry2-0001", "ADBE Geometry2-0002", "ADBE Point Control-0001"].includes(matchName);
         /* Scale has a third number in flat layers too; a place has one ease for all of its numbers. */
         this.eases = matchName === "ADBE Scale" ? 3 : 1;
         this._separated = false;
@@ -45,6 +45,7 @@ class Property {
         this._separated = on;
     }
     _open() {
+        if (this.layer) this.layer._unlocked();
         const place = this.group && this.group.children["ADBE Position"];
         const isShut = place && (this === place ? place._separated : /^ADBE Position_/.test(this.matchName) && !place._separated);
         if (isShut) fail("hidden by the dimensions: " + this.matchName);
@@ -75,10 +76,11 @@ class Property {
     keyInTemporalEase(index) { return this._eases(this._key(index).ease_in); }
     keyOutTemporalEase(index) { return this._eases(this._key(index).ease_out); }
     _eases(known) { return known ? [].concat(known) : new Array(this.eases).fill({ speed: 0, influence: 16.666666667 }); }
-    keyInSpatialTangent(index) { this._key(index); if (!this.isSpatial) fail("no tangents"); return [0, 0, 0]; }
+    keyInSpatialTangent(index) { this._key(index); if (!this.isSpatial) fail("no tangents"); return new Array(this._directions()).fill(0); }
+    _directions() { return /^ADBE (Position|Anchor Point)$/.test(this.matchName) ? 3 : 2; }
     setSpatialAutoBezierAtKey(index, on) { this._key(index).is_curved = on; }
     setSpatialTangentsAtKey(index, into, out) {
-        if (!this.isSpatial || into.length !== 3 || out.length !== 3) fail("three tangents");
+        if (!this.isSpatial || into.length !== this._directions() || out.length !== this._directions()) fail("tangents of other directions");
         this._key(index).is_curved = into.concat(out).some((each) => each !== 0);
     }
     valueAtTime(time, isBefore) {
@@ -175,7 +177,7 @@ function named(list, name) {
 function compWords(comp, time) { return { layer: (name) => ({ effect: (called) => effectWords(named(comp.all, name), called, time) }) }; }
 function effectWords(layer, name, time) {
     const effect = named(Object.values(layer._groups["ADBE Effect Parade"].children), name);
-    return (part) => effect.property(part).valueAtTime(time, false);
+    return (part) => ({ value: effect.property(part).valueAtTime(time, false) });
 }
 
 const EFFECTS = {
@@ -203,10 +205,10 @@ class Effects extends Property {
 class Layer {
     constructor(comp, source, duration) {
         this.id = ++open.ids;
-        this.comp = comp; this.source = source; this.name = source.name; this.comment = ""; this.label = 5;
-        this.blendingMode = BlendingMode.NORMAL; this.enabled = true; this.stretch = 100; this.selected = false;
+        this.comp = comp; this.source = source; this.name = source.name; this.comment = "";
+        this.enabled = true; this.stretch = 100; this.selected = false;
         this._parent = null; this.threeDLayer = false; this.hasTrackMatte = false; this.autoOrient = "NO"; this.nullLayer = false;
-        this.startTime = 5; this.inPoint = 0; this.outPoint = duration; this._remap = false;
+        this._start = 5; this._in = 0; this._out = duration; this._remap = false; this.locked = false; this._label = 5; this._blend = BlendingMode.NORMAL;
         this._groups = {
             "ADBE Transform Group": new Property("ADBE Transform Group", undefined, this),
             "ADBE Effect Parade": new Effects("ADBE Effect Parade", undefined, this),
@@ -217,8 +219,20 @@ class Layer {
         const middle = source.width ? [source.width / 2, source.height / 2] : [0, 0];
         const usual = [["ADBE Opacity", 100], ["ADBE Anchor Point", middle], ["ADBE Scale", [100, 100]], ["ADBE Rotate Z", 0],
             ["ADBE Position_0", 0], ["ADBE Position_1", 0], ["ADBE Position", [comp.width / 2, comp.height / 2]]];
-        for (const [name, value] of usual) this._groups["ADBE Transform Group"].put(new Property(name, value));
+        for (const [name, value] of usual) this._groups["ADBE Transform Group"].put(new Property(name, value, this));
     }
+    /* Whether a script may change a locked layer is written nowhere; here it may not. */
+    _unlocked() { if (this.locked) fail("the layer is locked: " + this.name); }
+    get startTime() { return this._start; }
+    set startTime(value) { this._unlocked(); this._start = value; }
+    get inPoint() { return this._in; }
+    set inPoint(value) { this._unlocked(); this._in = value; }
+    get outPoint() { return this._out; }
+    set outPoint(value) { this._unlocked(); this._out = value; }
+    get label() { return this._label; }
+    set label(value) { this._unlocked(); this._label = value; }
+    get blendingMode() { return this._blend; }
+    set blendingMode(value) { this._unlocked(); this._blend = value; }
     get transform() { return this._groups["ADBE Transform Group"].children; }
     get index() { return this.comp.all.indexOf(this) + 1; }
     get containingComp() { return this.comp; }
@@ -496,7 +510,7 @@ class CompItem extends Item {
 class Project {
     constructor() {
         this.all = []; this.rootFolder = { name: "root" }; this.activeItem = null; this.file = null;
-        this.linearBlending = false; this.workingSpace = ""; this.bitsPerChannel = 8;
+        this.linearBlending = false; this.linearizeWorkingSpace = false; this.workingSpace = ""; this.bitsPerChannel = 8;
     }
     get numItems() { return this.all.length; }
     item(index) { return this.all[index - 1]; }

@@ -369,6 +369,12 @@ def test_scripts_are_ecmascript_3_and_use_after_effects_as_it_is() -> None:
 def test_the_checkers_do_complain() -> None:
     text = built_of("/** @type {any} */ (null)")
     assert complaints(text.replace("var carriers = [];", "const carriers = [];"), checkers())
+    for words, said in (
+        ("sizes = isLeft ? 1 : isRight ? 2 : 3;", "a condition in a condition"),
+        ("sizes = isLeft && isRight || isFirstTime;", "&& beside ||"),
+        ("sizes = known.class;", "a reserved word"),
+    ):
+        assert said in complaints(text.replace("sizes = {};", words), checkers())
     assert "conformFramerate" in complaints(
         text.replace("source.conformFrameRate", "source.conformFramerate"), checkers()
     )

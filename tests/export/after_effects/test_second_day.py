@@ -62,9 +62,9 @@ def left(*lines: str, changed: list[str] | None = None) -> dict[str, list[str]]:
 
 DAYS = {
     "nothing": Day(""),
-    "rename layer": Day("shadow.name = 'mine';", said={CHANGED: ["mine: opacity"]}),
-    "rename everything": Day(
-        "app.project.all.forEach((each) => { each.name = 'my ' + each.name; });",
+    "rename layer": Day("shadow.name = 'mine';", said=left("mine: name", changed=["mine: opacity"])),
+    "rename compositions and folders": Day(
+        "app.project.all.filter((each) => !each.mainSource).forEach((each) => { each.name = 'my ' + each.name; });",
         [("my cut", 90)],
         sees=lambda run: [each["kind"] for each in run.tree["items"]].count("FootageItem") == 3,
     ),
@@ -103,6 +103,29 @@ DAYS = {
         "shadow.inPoint = 1 / 24; shadow.outPoint = 3 / 24;",
         said=left("A shadow: in point, out point"),
         sees=lambda run: run.layer("cut", "A shadow")["inPoint"] == 1 / 24,
+    ),
+    "switch off": Day("shadow.enabled = false;", sees=lambda run: not run.layer("cut", "A shadow")["enabled"]),
+    "add effects and masks": Day(
+        "shadow._groups['ADBE Effect Parade'].addProperty('ADBE Tint'); var name = 'one';"
+        "shadow._groups['ADBE Mask Parade'].put(shadow._groups['ADBE Marker']);",
+        sees=lambda run: (
+            list(run.layer("cut", "A shadow")["groups"]["ADBE Effect Parade"]["children"]) == ["ADBE Tint"]
+        ),
+    ),
+    "move items to other folders": Day(
+        "app.project.all.forEach((each) => { each.parentFolder = app.project.rootFolder; });",
+        sees=lambda run: {each["folder"] for each in run.tree["items"]} == {"root"},
+    ),
+    "copy and paste into another composition": Day(
+        "var own = app.project.items.addComp('own', 64, 48, 1, 1, 24); shadow.duplicate().moveToComp(own);",
+        [("cut", 90), ("own", 90)],
+        {CHANGED: [*FOLLOWED, "own / A shadow: opacity"]},
+    ),
+    "lock": Day("shadow.locked = true; layerOf('cut', 'Light').locked = true; layerOf('cut', 'A').locked = true;"),
+    "lay into space": Day("shadow.threeDLayer = true;", said=left("A shadow: transform")),
+    "track matte": Day(
+        "var matte = main.layers.addSolid([1, 1, 1], 'matte', 64, 48, 1, 1); matte.moveBefore(shadow);"
+        "shadow.hasTrackMatte = true;",
     ),
     "slip": Day("shadow.startTime = 1 / 24;", said=left("A shadow: start time")),
     "split": Day("shadow.split(2 / 24);", [("cut", 90), ("cut", 90)], left("A shadow: out point, in point")),
@@ -285,8 +308,11 @@ def test_many_changes_are_not_all_named(tmp_path: Path) -> None:
         fainter = with_values(fainter, **{f"layers__{layer.name}__shadow__opacity": 0.2})
     first, second = (script_of(handed_off(each, tmp_path / name)) for each, name in ((apart, "1"), (fainter, "2")))
     run = run_edited(first, tmp_path / "ae.json", ("", second))
-    assert len(run.summary()[CHANGED]) == 13
-    assert run.summary()[CHANGED][-1] == "... and 3 more"
+    assert len(run.summary()[CHANGED]) == 15
+    lost = "comp('cut').all.slice(0, -8).forEach((each) => each.remove());"
+    both = run_edited(first, tmp_path / "ae.json", (lost, second))
+    assert [len(lines) for lines in both.summary().values()] == [0, 7, 16]
+    assert both.summary()[DELETED][-1] == "... and 10 more"
 
 
 def where(run: Run) -> list[tuple[str, float]]:

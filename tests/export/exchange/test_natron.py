@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kagezou.export.choices import Place
+from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exchange.export import SceneMade
 from kagezou.export.exchange.natron import NATRON
 from kagezou.export.exporters.natron_scene import NATRON_SCENE
@@ -55,8 +55,6 @@ def test_the_project_has_the_cuts_size_and_time(tmp_path: Path) -> None:
 
 def test_the_script_can_be_imported_whatever_the_cut_is_called(tmp_path: Path) -> None:
     document = rich_cut(tmp_path / "in")
-    from kagezou.export.choices import ExportChoices
-
     place = Place(tmp_path / "out", None, "カット 12-b")
     request = NATRON_SCENE.request(document, ExportChoices(NATRON_SCENE.key), place)
     stem = request.file.removesuffix(".py")

@@ -47,7 +47,7 @@ def test_time_size_and_order_are_those_of_the_cut(tmp_path: Path) -> None:
     nodes = nodes_of(done.scene.read_text(encoding="utf-8"))
     root = nodes[0]
     assert (root.kind, root.knob("first_frame"), root.knob("last_frame")) == ("Root", "101", "108")
-    assert (root.knob("fps"), root.knob("format")) == ("23.976024", "64 48 0 0 64 48 1 kagezou")
+    assert (root.knob("fps"), root.knob("format")) == ("23.976024", "64 48 0 0 64 48 1 kagezou_64x48")
     assert "nuke.script_directory()" in root.knobs["project_directory"]
     laid = [node for node in of_kind(nodes, "Merge2") if node.knob("name").startswith("Merge")]
     labels = [node.knob("label") for node in laid]
@@ -64,7 +64,7 @@ def test_only_the_work_area_has_its_own_numbers(tmp_path: Path) -> None:
     assert done.scene is not None
     root = nodes_of(done.scene.read_text(encoding="utf-8"))[0]
     assert (root.knob("first_frame"), root.knob("last_frame")) == ("103", "104")
-    folder = tmp_path / "out" / "layers" / "background"
+    folder = tmp_path / "out" / "nuke_layers" / "background"
     assert [path.name for path in sorted(folder.iterdir())] == ["background_0103.png", "background_0104.png"]
 
 

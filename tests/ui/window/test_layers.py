@@ -129,7 +129,7 @@ def test_missing_drawings_are_marked_and_found_again(
 
 def test_where_nothing_is_missing_that_is_said(plain: MainWindow) -> None:
     plain.parts.actions["layer_relink"].trigger()
-    assert "No drawing of the chosen layers is missing" in plain.parts.bar.text
+    assert "No drawing is missing" in plain.parts.bar.text
 
 
 def test_other_drawings_take_the_place_and_keys_stay(

@@ -39,6 +39,7 @@ def add_arguments(parser: Parser) -> None:
         "--footage", choices=("copy", "reference"), default="copy", help="copy drawings, or leave them where they lie"
     )
     parser.add_argument("--mattes", metavar="LIST", default="", help="out of shadow,core,distance,lit,receivers")
+    parser.add_argument("--controls", action="store_true", help="a null whose sliders drive all shadows")
     parser.add_argument("--format", choices=("png", "exr"), default="png", help="the format of the shadows (png)")
     parser.add_argument("--depth", type=int, choices=(8, 16), default=8, help="bits a channel of png (8)")
     parser.add_argument(
@@ -68,6 +69,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         per_drawing=options.per_drawing,
         copies=options.footage == "copy",
         mattes=tuple(each for each in options.mattes.split(",") if each),
+        controls=options.controls,
         format=options.format,
         depth=options.depth,
         skip_existing=options.skip_existing,

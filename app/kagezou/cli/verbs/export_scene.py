@@ -13,7 +13,7 @@ from kagezou.cli.terminal import give, give_json, note, tell
 if TYPE_CHECKING:
     from kagezou.export.exchange.export import SceneMade
 
-PROGRAMS = ("blender", "nuke", "natron", "fusion", "oca")
+PROGRAMS = ("blender", "nuke", "natron", "fusion", "opentoonz", "oca")
 DESCRIPTION = """\
 Write one folder for another program: the pictures of every layer (background, shadows, characters), straight alpha, and
 the scene that lays them on each other as Kagezou does: size, frame rate, first frame, order, Multiply, opacity, holds.

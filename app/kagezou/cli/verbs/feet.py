@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, give, give_json, note, one_line
-from kagezou.errors import UsageProblem
-from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document, Layer
@@ -60,11 +58,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
 def _layers(document: "Document", names: list[str] | None) -> "list[Layer]":
     if names is None:
         return list(document.layers)
-    known = {layer.name: layer for layer in document.layers}
-    missing = [name for name in names if name not in known]
-    if missing:
-        raise UsageProblem(Message("there is no layer {name!r} in this project", name=missing[0]))
-    return [known[name] for name in names]
+    from kagezou.document.layer_named import layer_named
+
+    return [layer_named(document, name) for name in names]
 
 
 def _about(document: "Document", layer: "Layer") -> Json:

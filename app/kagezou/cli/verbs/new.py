@@ -3,6 +3,7 @@
 from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,6 +25,7 @@ DESCRIPTION = (
     "a background is one picture, or such a folder or pattern."
 )
 _BACKGROUND = "background"
+_RATE = Fraction(24)
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
   kagezou new walk.kage --character Hero=drawings/body --cel Hero=arm=drawings/arm
@@ -32,6 +34,7 @@ EXAMPLES = """\
   kagezou new shot.kage --character A=cels/A --background set.exr --layer background=diffuse
   kagezou new cut12.kage --timesheet cut12/cut12.xdts
   kagezou new cut12.kage --psd cut12.psd
+  kagezou new cut12.kage --oca cut12.oca
   kagezou new cut12.kage --character A=cels/A --timesheet cut12.xdts --fps 24 --size 1920x1080
 """
 
@@ -39,6 +42,7 @@ EXAMPLES = """\
 def add_arguments(parser: Parser) -> None:
     """Say what can be typed."""
     _add_sources(parser)
+    _add_whole_files(parser)
     parser.add_argument("--background", type=Path, metavar="DIR_OR_FILE", help="the pictures under everything")
     parser.add_argument(
         "--timesheet",
@@ -47,7 +51,7 @@ def add_arguments(parser: Parser) -> None:
         help="when which drawing is exposed (also .tdts, .sts); without --character its columns find their drawings",
     )
     parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
-    parser.add_argument("--fps", type=frame_rate, default="24", metavar="RATE", help="frames a second (24)")
+    parser.add_argument("--fps", type=frame_rate, metavar="RATE", help="frames a second (24, or as an OCA file says)")
     parser.add_argument(
         "--values",
         type=Path,
@@ -78,15 +82,6 @@ def _add_sources(parser: Parser) -> None:
         help="one more cel of a character, such as an arm, over what was named before: one figure, one shadow",
     )
     parser.add_argument(
-        "--psd",
-        type=Path,
-        action="append",
-        default=[],
-        metavar="FILE.psd",
-        help="a PSD file with everything in it: groups of numbered layers become characters, a layer named "
-        "'BG' the background; a timesheet beside it with the same name times it",
-    )
-    parser.add_argument(
         "--layer",
         action="append",
         default=[],
@@ -96,6 +91,27 @@ def _add_sources(parser: Parser) -> None:
     )
     parser.add_argument(
         "--sheet", metavar="NAME_OR_NUMBER", help="which sheet of a timesheet file that holds several (the first)"
+    )
+
+
+def _add_whole_files(parser: Parser) -> None:
+    parser.add_argument(
+        "--psd",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="FILE.psd",
+        help="a PSD file with everything in it: groups of numbered layers become characters, a layer named "
+        "'BG' the background; a timesheet beside it with the same name times it",
+    )
+    parser.add_argument(
+        "--oca",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="FILE.oca",
+        help="a document of Open Cel Animation with everything in it: its layers become characters, groups of several "
+        "figures, a lowest layer that fills the canvas the background; canvas, rate and length are the cut's",
     )
 
 
@@ -129,16 +145,21 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
 
 def _brought(options: Namespace) -> "Imported":
     """Return the document of all that was named, timed by a sheet where there is one."""
+    from kagezou.importing.oca_project import as_long_as, oca_among
     from kagezou.importing.sheet_project import check_seen, timed_from_beside
     from kagezou.importing.staging import CharacterSource, new_document, with_timesheet
 
     is_timed = options.timesheet is not None
     sources = [CharacterSource(name, source, is_timed, *figure) for name, source, *figure in options.character]
-    sources += [CharacterSource(None, source) for source in options.psd]
+    sources += [CharacterSource(None, source) for source in (*options.psd, *options.oca)]
     if is_timed and not sources:
         sources = _beside(options)
     sources, background = _of_layers(sources, options.background, options.layer)
-    imported = new_document(sources, background=background, size=options.size, frame_rate=options.fps)
+    cut = oca_among(sources)
+    size = options.size or (cut.size_px if cut else None)
+    rate = options.fps or (cut.frame_rate if cut else _RATE)
+    imported = new_document(sources, background=background, size=size, frame_rate=rate)
+    imported = imported if cut is None else as_long_as(imported, cut)
     _check_layers(imported.document, options.layer)
     if not is_timed:
         return timed_from_beside(imported, sources)

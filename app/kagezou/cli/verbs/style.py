@@ -159,10 +159,11 @@ def _own_folder() -> Path:
 
 def _meant(document: "Document", name: str | None) -> "list[Layer]":
     """Return the layer of a name, or without one every figure's."""
-    found = [layer for layer in document.layers if (layer.joins is None if name is None else name == layer.name)]
+    from kagezou.document.layer_named import layer_named
+
+    if name is not None:
+        return [layer_named(document, name)]
+    found = [layer for layer in document.layers if layer.joins is None]
     if not found:
-        if name is None:
-            raise UsageProblem(Message("there is no character in this project"))
-        known = ", ".join(repr(layer.name) for layer in document.layers) or "none at all"
-        raise UsageProblem(Message("there is no layer {name!r} in this project, only {known}", name=name, known=known))
+        raise UsageProblem(Message("there is no character in this project"))
     return found

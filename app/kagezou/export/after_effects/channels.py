@@ -1,6 +1,6 @@
 """From tracks to channels: the same curve in After Effects' units (seconds, per cent)."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
 from kagezou.animation.ease import EASY, MIN_INFLUENCE, Ease
@@ -63,7 +63,13 @@ def pair_of(track: Track, rate: Fraction, shift: tuple[float, float] = (0.0, 0.0
 
 def baked_pair(track: Track, frames: int, rate: Fraction, shift: tuple[float, float] = (0.0, 0.0)) -> Pair:
     """Return a track of points with a key on each frame on which one of them does not go straight on."""
-    values = [_shifted(track.value_at(frame), shift) for frame in range(1, frames + 1)]
+    return pair_through([_shifted(track.value_at(frame), shift) for frame in range(1, frames + 1)], rate)
+
+
+def pair_through(values: Sequence[tuple[float, float]], rate: Fraction) -> Pair:
+    """Return the points of all frames as one property, with keys where one of their numbers does not go straight on."""
+    if all(value == values[0] for value in values):
+        return Pair(values[0])
     parts = [list(part) for part in zip(*values, strict=True)]
     keys = tuple(
         PairKey(seconds(frame, rate), value, "LINEAR", "LINEAR")

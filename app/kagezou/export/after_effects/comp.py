@@ -79,6 +79,50 @@ class Transform:
 
 
 @dataclass(frozen=True, slots=True)
+class Rising:
+    """How a shadow moves while the control of the height is at so many px.
+
+    Parameters
+    ----------
+    contact
+        Where the figure touches the ground, px of the composition, about which the shadow shrinks.
+    raised
+        Where the shadow of that place falls when it is held ``step_px`` higher.
+    step_px
+        A part of the figure's height.
+    tall_px
+        The height of the figure.
+    shrink
+        Which part of its size the shadow loses at that height.
+    """
+
+    contact: Pair
+    raised: Pair
+    step_px: float
+    tall_px: float
+    shrink: float
+
+
+@dataclass(frozen=True, slots=True)
+class Driven:
+    """What of a layer the controls drive.
+
+    Parameters
+    ----------
+    has_look
+        Whether opacity, colour and softness do.
+    rising
+        How the height moves it, None where it does not.
+    gone_px
+        The height at which nothing is left of it, 0 where there is none.
+    """
+
+    has_look: bool = True
+    rising: Rising | None = None
+    gone_px: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class Footage:
     """Pictures on disk.
 
@@ -147,6 +191,8 @@ class CompLayer:
         How it lies; None where it lies centred on whole pixels.
     label
         As of `Footage`.
+    driven
+        What the controls drive of it, None for nothing.
     """
 
     tag: str
@@ -161,6 +207,7 @@ class CompLayer:
     colors: tuple[tuple[float, tuple[float, ...]], ...] = ()
     transform: Transform | None = None
     label: int = 0
+    driven: Driven | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,6 +254,8 @@ class HandOff:
         What the first frame is called.
     work_area
         Start and length in seconds.
+    controls
+        Whether a null has sliders that drive all shadows.
     """
 
     project: str
@@ -220,3 +269,4 @@ class HandOff:
     work_area: tuple[float, float]
     footage: tuple[Footage, ...]
     comps: tuple[Comp, ...]
+    controls: bool = False

@@ -11,7 +11,9 @@ from typing import Final
 from kagezou.document.model import Document
 from kagezou.errors import Stopped, UsageProblem
 from kagezou.export.after_effects.building import RenderedFootage, Written, hand_off
+from kagezou.export.after_effects.controls import controlled, notes_on_controls
 from kagezou.export.after_effects.drawings import CelFootage, remove_beyond
+from kagezou.export.after_effects.labels import labelled
 from kagezou.export.after_effects.mattes import MATTES
 from kagezou.export.after_effects.renderings import Rendering, renderings_of
 from kagezou.export.after_effects.script import script_of
@@ -51,6 +53,8 @@ class HandOffRequest:
         Whether characters and background are copied; else they are referred to where they lie, if that can be done.
     mattes
         Keys of `MATTES`.
+    controls
+        Whether the composition has a null whose sliders drive all shadows.
     format, depth, skip_existing, workers
         As of `ExportRequest`.
     """
@@ -60,6 +64,7 @@ class HandOffRequest:
     per_drawing: bool = False
     copies: bool = True
     mattes: tuple[str, ...] = ()
+    controls: bool = False
     format: str = "png"
     depth: int = 8
     skip_existing: bool = False
@@ -202,11 +207,13 @@ class _ScriptRun:
         lit = "lit" in request.mattes
         written = Written(request.folder, self.footage, cels, background, lit, united)
         file = safe_names([request.name])[request.name] + ".jsx"
-        text = script_of(hand_off(document, request.name, file, written))
-        write_bytes(request.folder / file, text.encode("ascii"))
+        made = labelled(document, hand_off(document, request.name, file, written))
+        made = controlled(document, made) if request.controls else made
+        write_bytes(request.folder / file, script_of(made).encode("ascii"))
         self._tell(self._all, self._all)
         copied = notes_on_copies(self._drawings, self._staying, copies=request.copies)
-        return request.folder / file, (*united.notes(), *copied, *notes_on_transforms(document))
+        notes = (*united.notes(), *copied, *notes_on_transforms(document), *notes_on_controls(made))
+        return request.folder / file, notes
 
     def counts(self, summaries: tuple[Summary, ...], script: Path | None) -> tuple[FileCount, ...]:
         """Return how many files of each kind there are and should be."""

@@ -4,7 +4,7 @@ from fractions import Fraction
 from typing import Any, Final
 
 from kagezou.export.exchange.scripts import filled_in
-from kagezou.export.exchange.stack import FOLDER, SceneTarget, SceneText, Stack, StackLayer, held
+from kagezou.export.exchange.stack import SceneTarget, SceneText, Stack, StackLayer, held
 from kagezou.message import Message
 
 _MOST_FPS: Final = 32767
@@ -15,7 +15,7 @@ def blender_scene(stack: Stack) -> SceneText:
     fps, base = rate_of(stack.frame_rate)
     cut = {
         "name": stack.name,
-        "folder": FOLDER,
+        "folder": stack.folder,
         "width": stack.width_px,
         "height": stack.height_px,
         "fps": fps,
@@ -58,4 +58,4 @@ def _pictures(stack: Stack, layer: StackLayer) -> list[list[int]]:
     return [list(key) for key in held(shown, stack.first_frame)]
 
 
-BLENDER: Final = SceneTarget(".py", blender_scene)
+BLENDER: Final = SceneTarget(".py", "blender_layers", blender_scene)

@@ -12,7 +12,7 @@ from kagezou.errors import Stopped, UsageProblem
 from kagezou.export.checks import check_sources, prepare_folders
 from kagezou.export.exchange.drawn import DrawnLayer, Packer, Who, layers_of
 from kagezou.export.exchange.gathering import Gathered, ordered
-from kagezou.export.exchange.stack import FOLDER, SceneTarget
+from kagezou.export.exchange.stack import SceneTarget
 from kagezou.export.file_kinds import LAYER_PICTURES, SCENE, FileCount
 from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing, stops_of
 from kagezou.export.layered import LayeredContent
@@ -136,6 +136,8 @@ def _gathering(document: Document, request: SceneRequest, plan: Plan) -> Gathere
         frames=tuple(sorted(target.frame for job in plan.jobs for target in job.targets)),
         every_frame=request.target.every_frame,
         layers=scene_layers(plan),
+        pictures=request.target.pictures,
+        separator=request.target.separator,
     )
 
 
@@ -195,7 +197,7 @@ class _SceneRun:
 
     def _prepare(self) -> None:
         """See whether there is room and whether the folder can be written to."""
-        folder = self.gathered.folder / FOLDER
+        folder = self.gathered.folder / self.gathered.pictures
         sequences = tuple(replace(each, folder=folder) for each in self.plan.sequences)
         prepare_folders(self.request.frames_wanted, Plan(self.plan.jobs, sequences, {}))
 

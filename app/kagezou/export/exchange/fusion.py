@@ -133,4 +133,4 @@ def _text(words: str) -> str:
     return '"' + "".join(signs.get(sign, sign) for sign in words) + '"'
 
 
-FUSION: Final = SceneTarget(".comp", fusion_scene, every_frame=True)
+FUSION: Final = SceneTarget(".comp", "fusion_layers", fusion_scene, every_frame=True)

@@ -10,7 +10,7 @@ import numpy as np
 
 from kagezou.document.model import Canvas
 from kagezou.export.exchange.drawn import DrawnLayer, Who
-from kagezou.export.exchange.stack import FOLDER, Stack, StackLayer
+from kagezou.export.exchange.stack import Stack, StackLayer
 from kagezou.export.names import digits_for, safe_names
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
@@ -53,6 +53,14 @@ class _Shown:
     multiply: bool
     is_filled: bool
 
+    @property
+    def seen_opacity(self) -> float:
+        """The opacity, 0 where nothing is seen."""
+        return 0.0 if self.picture is None else self.opacity
+
+
+_NOTHING: Final = _Shown(None, 1.0, multiply=False, is_filled=False)
+
 
 @dataclass(slots=True)
 class Gathered:
@@ -62,7 +70,7 @@ class Gathered:
     ----------
     folder
         Where the scene will lie.
-    name, depth, every_frame
+    name, depth, every_frame, separator
         As of `Stack`.
     canvas
         That of the document.
@@ -70,6 +78,8 @@ class Gathered:
         The frames of the document that are handed over, one after the other.
     layers
         From the bottom.
+    pictures
+        The name of the pictures' folder.
     """
 
     folder: Path
@@ -79,6 +89,8 @@ class Gathered:
     frames: tuple[int, ...]
     every_frame: bool
     layers: tuple[Who, ...]
+    pictures: str
+    separator: str = "_"
     _shown: dict[tuple[Who, int], _Shown] = field(default_factory=dict)
     _numbers: dict[Who, dict[str, int]] = field(default_factory=dict)
     _paths: dict[tuple[Who, int], Path] = field(default_factory=dict)
@@ -143,9 +155,9 @@ class Gathered:
         """Remove numbered pictures of an earlier, longer export from the folders: some programs take them all."""
         there = set(self._paths.values())
         for label in self._labels.values():
-            folder = self.folder / FOLDER / label
+            folder = self.folder / self.pictures / label
             for path in folder.iterdir() if folder.is_dir() else ():
-                is_numbered = re.fullmatch(re.escape(label) + r"_[0-9]+\.png", path.name)
+                is_numbered = re.fullmatch(re.escape(label) + r"[_.][0-9]+\.png", path.name)
                 if is_numbered and path not in there:
                     path.unlink()
 
@@ -159,10 +171,12 @@ class Gathered:
             frame_rate=self.canvas.frame_rate,
             first_frame=self._number(self.frames[0]),
             length_frames=len(self.frames),
-            layers=tuple(self._layer(who) for who in seen),
+            layers=tuple(layer for who in seen for layer in self._layers_of(who)),
             digits=self.digits,
             depth=self.depth,
             every_frame=self.every_frame,
+            separator=self.separator,
+            folder=self.pictures,
             is_filled=bool(seen) and all(each.is_filled for each in self._over_time(seen[0])),
         )
         return stack, tuple(self._notes(seen))
@@ -172,35 +186,26 @@ class Gathered:
         """The layers that are seen on any frame."""
         return [who for who in self.layers if self._numbers.get(who)]
 
-    def _layer(self, who: Who) -> StackLayer:
+    def _layers_of(self, who: Who) -> Iterator[StackLayer]:
+        """Yield a layer; where it multiplies on some frames and lies plainly on others two, each seen on its own."""
         shown = self._over_time(who)
         numbers = {picture: place for place, picture in enumerate(self._numbers[who].values(), start=1)}
-        opacities, last = [], next(each.opacity for each in shown if each.picture is not None)
-        for each in shown:
-            last = last if each.picture is None else each.opacity
-            opacities.append(last)
-        pictures = tuple(0 if each.picture is None else numbers[each.picture] for each in shown)
-        return StackLayer(who.name, self._labels[who], self._multiplies(who), pictures, tuple(opacities))
+        ways = sorted({each.multiply for each in shown if each.picture is not None}, reverse=True)
+        for way in ways:
+            own = [each if each.multiply == way else _NOTHING for each in shown]
+            pictures = tuple(0 if each.picture is None else numbers[each.picture] for each in own)
+            opacities = _opacities(shown) if len(ways) == 1 else tuple(each.seen_opacity for each in own)
+            name = who.name if way == ways[0] else f"{who.name}_normal"
+            yield StackLayer(name, self._labels[who], way, pictures, opacities)
 
     def _notes(self, seen: list[Who]) -> Iterator[Message]:
         for who in seen:
-            ways = {each.multiply for each in self._over_time(who) if each.picture is not None}
-            if len(ways) > 1:
-                yield Message(
-                    "the layer {name!r} multiplies on some frames and lies plainly on others; here it has one way for "
-                    "all of them, that of its first frame",
-                    name=who.name,
-                )
             label = self._labels[who]
             if label != who.name:
                 yield Message("the layer {name!r} lies in the folder {folder!r}", name=who.name, folder=label)
 
-    def _multiplies(self, who: Who) -> bool:
-        return next(each.multiply for each in self._over_time(who) if each.picture is not None)
-
     def _over_time(self, who: Who) -> tuple[_Shown, ...]:
-        nothing = _Shown(None, 1.0, multiply=False, is_filled=False)
-        return tuple(self._shown.get((who, frame), nothing) for frame in self.frames)
+        return tuple(self._shown.get((who, frame), _NOTHING) for frame in self.frames)
 
     def _picture(self, layer: DrawnLayer, frame: int) -> int | None:
         """Return the number of a picture; where every frame has one, that of the first that shows it."""
@@ -214,7 +219,17 @@ class Gathered:
 
     def _path(self, who: Who, number: int) -> Path:
         label = self._labels[who]
-        return self.folder / FOLDER / label / f"{label}_{number:0{self.digits}d}.png"
+        return self.folder / self.pictures / label / f"{label}{self.separator}{number:0{self.digits}d}.png"
+
+
+def _opacities(shown: tuple[_Shown, ...]) -> tuple[float, ...]:
+    """Return the opacity on each frame; while nothing is seen that of the last one before, else of the first."""
+    last = next(each.opacity for each in shown if each.picture is not None)
+    opacities = []
+    for each in shown:
+        last = last if each.picture is None else each.opacity
+        opacities.append(last)
+    return tuple(opacities)
 
 
 def _make(folder: Path) -> None:

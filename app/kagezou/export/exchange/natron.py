@@ -33,4 +33,4 @@ def _layer(stack: Stack, layer: StackLayer) -> dict[str, Any]:
     }
 
 
-NATRON: Final = SceneTarget(".py", natron_scene, every_frame=True, is_module=True)
+NATRON: Final = SceneTarget(".py", "natron_layers", natron_scene, every_frame=True, is_module=True)

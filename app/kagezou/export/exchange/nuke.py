@@ -33,7 +33,7 @@ def _root(stack: Stack) -> str:
         last_frame=stack.last_frame,
         lock_range="true",
         fps=_number(stack.frame_rate),
-        format=_quoted(f"{_format(stack)} kagezou"),
+        format=_quoted(_format(stack)),
         project_directory=r'"\[python \{nuke.script_directory()\}]"',
     )
 
@@ -46,7 +46,7 @@ def _canvases(stack: Stack) -> Iterator[str]:
             inputs=0,
             channels="rgba",
             color=color,
-            format=_quoted(f"{_format(stack)} kagezou"),
+            format=_quoted(_format(stack)),
             first=stack.first_frame,
             last=stack.last_frame,
             name=name,
@@ -66,7 +66,7 @@ def _picture(stack: Stack, layer: StackLayer, place: int) -> Iterator[str]:
         inputs=0,
         file_type="png",
         file=_quoted(stack.pattern(layer.label, "#" * stack.digits)),
-        format=_quoted(f"{_format(stack)} kagezou"),
+        format=_quoted(_format(stack)),
         first=stack.first_frame,
         last=stack.last_frame,
         origfirst=stack.first_frame,
@@ -130,7 +130,7 @@ def _mix(stack: Stack, layer: StackLayer) -> str:
 
 def _format(stack: Stack) -> str:
     size = f"{stack.width_px} {stack.height_px}"
-    return f"{size} 0 0 {size} 1"
+    return f"{size} 0 0 {size} 1 kagezou_{stack.width_px}x{stack.height_px}"
 
 
 def _number(rate: Fraction) -> str:
@@ -147,4 +147,4 @@ def _node(kind: str, **knobs: object) -> str:
     return "\n".join([f"{kind} {{", *(f" {knob} {value}" for knob, value in knobs.items()), "}"])
 
 
-NUKE: Final = SceneTarget(".nk", nuke_scene, every_frame=True)
+NUKE: Final = SceneTarget(".nk", "nuke_layers", nuke_scene, every_frame=True)

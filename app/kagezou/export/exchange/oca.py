@@ -89,4 +89,4 @@ def _plain(number: float) -> float:
     return float(f"{number:.9g}")
 
 
-OCA: Final = SceneTarget(".oca", oca_scene)
+OCA: Final = SceneTarget(".oca", "oca_layers", oca_scene)

@@ -3,12 +3,9 @@
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Final, TypeVar
+from typing import TypeVar
 
 from kagezou.message import Message
-
-FOLDER: Final = "layers"
-"""The folder of the pictures, beside the scene."""
 
 Value = TypeVar("Value")
 
@@ -69,6 +66,10 @@ class Stack:
         Whether there is a file for every frame, which bears its number, instead of one for every picture.
     is_filled
         Whether the lowest layer fills the whole canvas on every frame.
+    separator
+        What stands before the number of a file.
+    folder
+        The folder of the pictures, beside the scene.
     """
 
     name: str
@@ -82,6 +83,8 @@ class Stack:
     depth: int = 8
     every_frame: bool = False
     is_filled: bool = True
+    separator: str = "_"
+    folder: str = "layers"
 
     @property
     def last_frame(self) -> int:
@@ -90,11 +93,11 @@ class Stack:
 
     def file(self, label: str, number: int) -> str:
         """Return where a picture lies, from the scene's folder, with forward slashes."""
-        return f"{FOLDER}/{label}/{label}_{number:0{self.digits}d}.png"
+        return self.pattern(label, f"{number:0{self.digits}d}")
 
     def pattern(self, label: str, digits: str) -> str:
         """Return where the pictures of a layer lie, with ``digits`` in the place of the number."""
-        return f"{FOLDER}/{label}/{label}_{digits}.png"
+        return f"{self.folder}/{label}/{label}{self.separator}{digits}.png"
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,17 +124,23 @@ class SceneTarget:
     ----------
     suffix
         Of the scene's file.
+    pictures
+        The name of the pictures' folder: one of its own, so that scenes of several programs in one folder stay whole.
     write
         Makes the scene of a stack.
     every_frame
         Whether it wants a file for every frame.
+    separator
+        What stands before the number of a file.
     is_module
         Whether it imports the scene as Python does, so that its name has letters, digits and ``_`` alone.
     """
 
     suffix: str
+    pictures: str
     write: Callable[[Stack], SceneText]
     every_frame: bool = False
+    separator: str = "_"
     is_module: bool = False
 
 

@@ -29,6 +29,7 @@ class Option(StrEnum):
     PER_DRAWING = "per_drawing"
     COPIES = "copies"
     MATTES = "mattes"
+    CONTROLS = "controls"
     CHUNK = "chunk"
     VIDEO_LAYER = "video_layer"
 

@@ -46,6 +46,7 @@ class HandOffExporter(Exporter[HandOffRequest, HandedOff]):
             per_drawing=choices.per_drawing,
             copies=choices.copies,
             mattes=choices.mattes,
+            controls=choices.controls,
             format=choices.format,
             depth=choices.depth if choices.format == "png" else 8,
             skip_existing=choices.skip_existing,
@@ -130,5 +131,7 @@ HAND_OFF: Final = HandOffExporter(
     purpose=Message("a script that builds the whole composition"),
     icon="target-script",
     verb="export-ae",
-    options=frozenset((Option.DEPTH, Option.PER_DRAWING, Option.COPIES, Option.MATTES, Option.SKIP_EXISTING)),
+    options=frozenset(
+        (Option.DEPTH, Option.PER_DRAWING, Option.COPIES, Option.MATTES, Option.CONTROLS, Option.SKIP_EXISTING)
+    ),
 )

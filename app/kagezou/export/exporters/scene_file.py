@@ -9,7 +9,7 @@ from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exchange.export import SceneMade, SceneRequest, export_scene, scene_layers
 from kagezou.export.exchange.gathering import labels_of
-from kagezou.export.exchange.stack import FOLDER, SceneTarget
+from kagezou.export.exchange.stack import SceneTarget
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import frames_chosen, workers
 from kagezou.export.names import safe_names
@@ -54,7 +54,7 @@ class SceneFile(Exporter[SceneRequest, SceneMade]):
         plan = planned(document, request.frames_wanted)
         length = sum(len(job.targets) for job in plan.jobs)
         labels = reversed(labels_of(scene_layers(plan)).values())
-        return (request.file, *(f"{FOLDER}/{label}/  ≤ {length} × .png" for label in labels))
+        return (request.file, *(f"{self.target.pictures}/{label}/  ≤ {length} × .png" for label in labels))
 
     def request(self, document: Document, choices: ExportChoices, place: Place) -> SceneRequest:
         """Return what the scene is asked for with."""

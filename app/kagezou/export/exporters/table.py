@@ -13,6 +13,7 @@ from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
 from kagezou.export.exporters.natron_scene import NATRON_SCENE
 from kagezou.export.exporters.nuke_scene import NUKE_SCENE
 from kagezou.export.exporters.oca_scene import OCA_SCENE
+from kagezou.export.exporters.opentoonz_scene import OPENTOONZ_SCENE
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.video_file import VIDEO_FILE
 from kagezou.export.request import DEPTHS
@@ -20,7 +21,7 @@ from kagezou.export.request import DEPTHS
 AnyExporter = Exporter[Any, Any]
 """An exporter whose requests and results are its own matter."""
 
-SCENES: Final = (BLENDER_SCENE, NUKE_SCENE, NATRON_SCENE, FUSION_SCENE, OCA_SCENE)
+SCENES: Final = (BLENDER_SCENE, NUKE_SCENE, NATRON_SCENE, FUSION_SCENE, OPENTOONZ_SCENE, OCA_SCENE)
 """Those that write a scene for another program."""
 
 EXPORTERS: Final[tuple[AnyExporter, ...]] = (

@@ -29,6 +29,7 @@ _ROWS: Final = {
     Option.MATTES: 4,
     Option.RECEIVERS: 5,
     Option.CHUNK: 6,
+    Option.CONTROLS: 9,
 }
 """The place of each, which nothing that is offered with it has; the mattes go on in the rows below theirs."""
 
@@ -111,6 +112,7 @@ class ExportOptions(QWidget):
             _refuse(self._ticks[Option.ONLY_WORK_AREA], self.tr("the cut has none"))
         self._add(self.tr("Each different shadow once, held by time remapping"), Option.PER_DRAWING)
         self._add(self.tr("Copy characters and background into the folder"), Option.COPIES)
+        self._add(self.tr("A null whose sliders drive all shadows"), Option.CONTROLS)
         for number, (matte, words) in enumerate(self._matte_words().items()):
             box = self._mattes[matte] = QCheckBox(words)
             box.toggled.connect(self._choose_mattes)
@@ -140,7 +142,7 @@ class ExportOptions(QWidget):
         for each in (*widgets, self.format_box):
             each.ensurePolished()
         high = max(each.sizeHint().height() for each in (*widgets, self.format_box)) + _ROW_GAP_PX
-        for row in range(_ROWS[Option.MATTES] + len(self._mattes)):
+        for row in range(max(_ROWS[Option.MATTES] + len(self._mattes), _ROWS[Option.CONTROLS] + 1)):
             self._form.setRowMinimumHeight(row, high)
         self._form.setRowStretch(self._form.rowCount(), 1)
         self._form.setColumnStretch(1, 1)

@@ -15,7 +15,7 @@ _KEY: Final = Qt.ItemDataRole.UserRole
 _PURPOSE: Final = Qt.ItemDataRole.UserRole + 1
 _ICON_PX: Final = 24
 _GAP_PX: Final = 10
-_ROW_GAP_PX: Final = 14
+_ROW_GAP_PX: Final = 8
 
 Index = QModelIndex | QPersistentModelIndex
 

@@ -12,6 +12,7 @@ from kagezou.errors import Problem
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.importing.staging import CharacterSource
+from kagezou.io.oca.reading import oca_file
 from kagezou.io.pixels.signatures import is_psd
 from kagezou.io.project.file import next_version
 from kagezou.io.project.recovery_file import RecoveredWork
@@ -79,9 +80,9 @@ class ProjectActions(QObject):
         """Open a project without asking about the old one; false if it turns out at once that it cannot be opened.
 
         A timesheet, which drawing programs start us with, begins a project of the drawings beside it, and a PSD file
-        one of what is in it.
+        or a document of Open Cel Animation one of what is in it.
         """
-        if is_psd(path):
+        if is_psd(path) or oca_file(path) is not None:
             return self._load(self._open_project.new((CharacterSource(None, path),)))
         if path.suffix.lower() in TIMESHEET_SUFFIXES:
             return self._asking.sheet(path, self._open_project.new_by)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.importing.staging import CharacterSource
+from kagezou.io.oca.reading import oca_file
 from kagezou.io.pixels.signatures import is_picture, is_psd
 from kagezou.io.sets.mesh_cache import is_mesh
 
@@ -22,7 +23,7 @@ class DroppedFiles:
     project
         A project to open, if there is one among the files.
     characters
-        Folders, PSD files and a single picture, which become layers.
+        Folders, PSD files, documents of Open Cel Animation and a single picture, which become layers.
     pictures
         Several pictures, of one character or more.
     background
@@ -61,7 +62,7 @@ def dropped_files_of(paths: Iterable[Path]) -> DroppedFiles:
         return DroppedFiles(set_file=set_file)
     if len(given) == 1 and given[0].suffix.lower() in _OPAQUE:
         return DroppedFiles(background=given[0])
-    whole = [path for path in given if path.is_dir() or is_psd(path)]
+    whole = [path for path in given if path.is_dir() or is_psd(path) or oca_file(path) is not None]
     pictures = [path for path in given if path not in whole and is_picture(path)]
     if len(pictures) == 1:
         return DroppedFiles(characters=tuple(CharacterSource(None, path) for path in (*whole, *pictures)))

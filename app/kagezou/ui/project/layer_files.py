@@ -10,8 +10,7 @@ from kagezou.document.model import Document
 from kagezou.importing.new_cels import CharacterSource
 from kagezou.importing.progress import Progress
 from kagezou.importing.relinking import Relinked, found_again, missing_of, relinked
-from kagezou.importing.replacing import replaced
-from kagezou.importing.staging import Brought, brought
+from kagezou.importing.retakes.retake import RetakeRead, read_retake, retaken
 from kagezou.message import Message
 from kagezou.ui.project.asking import Asking
 from kagezou.ui.project.dialogs import Dialogs
@@ -57,11 +56,11 @@ class LayerFiles(QObject):
             self._asking.pictures(paths, lambda sources: self._replacing(layer_id, sources))
 
     def relink(self) -> None:
-        """Ask where the missing drawings of the chosen layers are; with none missing, say so."""
-        ids = self._bridge.layer_ids
-        missing = missing_of(self._bridge.document, ids)
+        """Ask where missing drawings are: one folder mends all layers and the background; with none missing, say so."""
+        ids = tuple(layer.id for layer in self._bridge.document.layers)
+        missing = missing_of(self._bridge.document, ids, behind=True)
         if not missing:
-            self.noted.emit(Message("no drawing of the chosen layers is missing"))
+            self.noted.emit(Message("no drawing is missing"))
         elif folder := self._dialogs.folder_of_cels():
             self._loading.start(self._relinking(ids, missing, folder))
 
@@ -77,14 +76,14 @@ class LayerFiles(QObject):
             self.noted.emit(Message("{path}: this folder is not there", path=str(next(iter(folders)))))
 
     def _replacing(self, layer_id: str, sources: tuple[CharacterSource, ...]) -> AnyLoad:
-        canvas = self._bridge.document.canvas
+        document = self._bridge.document
 
-        def read(progress: Progress) -> Brought:
-            return brought(sources, canvas, progress)
+        def read(progress: Progress) -> RetakeRead:
+            return read_retake(document, layer_id, sources, progress)
 
-        def put(read: Brought) -> None:
+        def put(read: RetakeRead) -> None:
             if any(layer.id == layer_id for layer in self._bridge.document.layers):
-                done = replaced(self._bridge.document, layer_id, read)
+                done = retaken(self._bridge.document, layer_id, read).imported
                 self._edit(self.tr("Replace drawings"), done.document, done.notes, (layer_id,))
 
         return Load(sources[0].path.name, read, put)
@@ -94,7 +93,7 @@ class LayerFiles(QObject):
             return found_again(missing, folder, progress)
 
         def put(again: Relinked) -> None:
-            document, notes = relinked(self._bridge.document, ids, again)
+            document, notes = relinked(self._bridge.document, ids, again, behind=True)
             self._edit(self.tr("Relink drawings"), document, notes, ids)
 
         return Load(folder.name, read, put)

@@ -204,5 +204,7 @@ def part_words(part: LoadPhase) -> str:
             return translate("Loading", "Finding a place for the lamp for %1")
         case LoadPhase.FEET:
             return translate("Loading", "Looking for the feet of %1")
+        case LoadPhase.COMPARING:
+            return translate("Loading", "Comparing the drawings of %1 with those of before")
         case LoadPhase.READING:
             return translate("Loading", "Reading drawings of %1")

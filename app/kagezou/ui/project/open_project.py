@@ -15,9 +15,10 @@ from kagezou.errors import Problem
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.importing.background_pictures import background_of, laid_behind
 from kagezou.importing.new_cels import NewCels
+from kagezou.importing.oca_project import document_of_sources
 from kagezou.importing.progress import LoadPhase, Progress
-from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
-from kagezou.importing.staging import Brought, CharacterSource, Imported, brought, exposed, new_document, put_in
+from kagezou.importing.sheet_project import document_of_sheet
+from kagezou.importing.staging import Brought, CharacterSource, Imported, brought, exposed, put_in
 from kagezou.importing.timesheet_on_document import sheet_of
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.project import file as project_file
@@ -88,7 +89,7 @@ class OpenProject(QObject):
         """Begin a project with characters; it has no file yet and counts as unsaved."""
 
         def read(progress: Progress) -> Imported:
-            return _first_seen(self, timed_from_beside(new_document(sources, progress=progress), sources), progress)
+            return _first_seen(self, document_of_sources(sources, progress), progress)
 
         return Load(
             _names(sources), read, lambda imported: self._begin(self.tr("New from cels"), imported), replaces=True
@@ -131,7 +132,7 @@ class OpenProject(QObject):
         def read(progress: Progress) -> Imported | Brought:
             over = self.bridge.document
             if over.is_blank:
-                return _first_seen(self, timed_from_beside(new_document(sources, progress=progress), sources), progress)
+                return _first_seen(self, document_of_sources(sources, progress), progress)
             return brought(sources, over.canvas, progress)
 
         def put(found: Imported | Brought) -> None:

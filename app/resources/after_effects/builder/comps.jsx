@@ -79,6 +79,16 @@
     /* How compositions are before anything is changed, by their ids. */
     var settingsBefore = {};
 
+    /* What the user added is no business of the script, but it no longer lies on the same part of the picture. */
+    function tellOwnLayers(comp, name) {
+        for (var i = 1; i <= comp.numLayers && name === "S"; i++) {
+            if (readComment(comp.layer(i).comment) === null && !isCarrier(comp.layer(i))) {
+                tellNote(said(WORDS.ownLayers, [comp.name]));
+                return;
+            }
+        }
+    }
+
     /** @param {CompItem} comp */
     function measureComp(comp) {
         var states = {};
@@ -142,6 +152,7 @@
             var now = SETTINGS[name](comp);
             if (!isNew && now !== before(comp)[name]) {
                 tellChanged(comp.name, name);
+                tellOwnLayers(comp, name);
             }
             read.memory[name] = now;
         }

@@ -1,5 +1,5 @@
     /* Items of the project by their tags. There are several of one tag where one was copied or a project was brought in. */
-    var FOLDERS = ["Footage", "Background", "Characters", "Shadows", "Mattes", "Guides"];
+    var FOLDERS = ["Footage", "Background", "Characters", "Shadows", "Set", "Mattes", "Guides"];
     var known = {};
     var comps = [];
 

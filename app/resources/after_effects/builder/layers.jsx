@@ -21,7 +21,7 @@
      */
     function newEntry(comp, layer, tag) {
         var entry = { comp: comp, layer: layer, tag: tag, memory: {}, before: {}, isNew: true };
-        entries.push(entry);
+        noteEntry(entry);
         noteMade(tag);
         return entry;
     }
@@ -56,17 +56,27 @@
                 setColors(layer, wanted.colors);
             });
         }
+        followName(entry, wanted.name);
         if (wanted.label > 0) {
             follow(entry, "l", function () {
                 layer.label = wanted.label;
             });
         }
         followBounds(entry);
+        followControls(entry, wanted.driven);
         if (mark(propertyOf(layer, "ADBE Marker"), wanted.markers, layer.startTime, entry.memory)) {
             tellLeft(nameOfEntry(entry), "n");
         }
         remember(layer, entry.tag, entry.memory);
         step();
+    }
+
+    function followName(entry, name) {
+        follow(entry, "h", function () {
+            if (entry.layer.name !== name) {
+                entry.layer.name = name;
+            }
+        });
     }
 
     function followTime(entry, held) {
@@ -79,9 +89,9 @@
         });
     }
 
-    /* The numbers of a layer that was parented are those of its parent. */
+    /* The numbers of a layer that was parented are those of its parent, and one in space is not where Kagezou lays it. */
     function followPlace(entry, work) {
-        if (entry.layer.parent !== null) {
+        if (entry.layer.parent !== null || entry.layer.threeDLayer) {
             tellLeft(nameOfEntry(entry), "p");
             return;
         }
@@ -111,11 +121,13 @@
     /** @param {Entry} entry */
     function switchOn(entry) {
         if (entry.memory.g) {
-            entry.memory.g = "";
-            if (!entry.layer.nullLayer) {
+            if (entry.memory.g === "on") {
                 entry.layer.enabled = true;
             }
-            backNames.push(nameOfEntry(entry));
+            entry.memory.g = "";
+            if (entry.tag.indexOf("in:united:") !== 0) {
+                backNames.push(nameOfEntry(entry));
+            }
         }
     }
 
@@ -123,9 +135,13 @@
     /** @param {Entry} entry */
     function switchOff(entry) {
         if (!entry.memory.g) {
+            /* What was off before is off when it comes back. */
+            entry.memory.g = entry.layer.enabled ? "on" : "off";
             entry.layer.enabled = false;
-            entry.memory.g = "1";
             remember(entry.layer, entry.tag, entry.memory);
-            goneNames.push(nameOfEntry(entry));
+            /* What lies within a composition that is switched off itself is not said. */
+            if (entry.tag.indexOf("in:united:") !== 0) {
+                goneNames.push(nameOfEntry(entry));
+            }
         }
     }

@@ -82,9 +82,9 @@
     }
 
     function readLedger() {
-        var folders = ledgerFolders();
-        for (var i = 0; i < folders.length; i++) {
-            var text = readComment(folders[i].comment).memory.t || "";
+        var keepers = ledgerFolders().concat(itemsOf("comp:main"));
+        for (var i = 0; i < keepers.length; i++) {
+            var text = readComment(keepers[i].comment).memory.t || "";
             hasLedger = hasLedger || text !== "";
             for (var j = 0; j + 4 <= text.length; j += 4) {
                 noteSigns(text.substring(j, j + 4));
@@ -117,5 +117,12 @@
         for (var i = 0; i < folders.length; i++) {
             var tag = readComment(folders[i].comment).tag;
             remember(folders[i], tag, { t: madeList.slice(i * MOST_MADE, (i + 1) * MOST_MADE).join("") });
+        }
+        /* Folders may be thrown away. */
+        var mains = itemsOf("comp:main");
+        for (i = 0; i < mains.length; i++) {
+            var read = readComment(mains[i].comment);
+            read.memory.t = madeList.slice(0, MOST_MADE / 2).join("");
+            remember(mains[i], read.tag, read.memory);
         }
     }

@@ -21,7 +21,8 @@
         var lower = null;
         for (var i = 0; i < plan.parts.length; i++) {
             var part = plan.parts[i];
-            var there = part.kind === "null" ? null : carrierIn(comp, part.tag);
+            var isGuide = part.kind === "null" || part.kind === "controls";
+            var there = isGuide ? null : carrierIn(comp, part.tag);
             if (there !== null) {
                 lower = there;
             } else if (plan.added["$" + part.tag]) {
@@ -34,7 +35,7 @@
                 }
                 if (part.kind === "layer" && plan.isTarget) {
                     putBeside(entry.layer, part.wanted, target);
-                } else if (part.kind !== "null") {
+                } else if (!isGuide) {
                     putOver(entry.layer, lower);
                     lower = entry.layer;
                 }
@@ -45,6 +46,9 @@
     function addOne(part, comp, root) {
         if (part.kind === "white") {
             return putWhite(comp, part.tag);
+        }
+        if (part.kind === "controls") {
+            return addControls(comp, part.tag, root);
         }
         if (part.kind === "null") {
             return addNull(comp, part.wanted, part.tag, root);
@@ -59,13 +63,22 @@
      */
     function putOver(layer, lower) {
         if (lower !== null) {
-            layer.moveBefore(lower);
+            layer.moveBefore(withMatte(lower));
         } else {
             layer.moveToEnd();
         }
     }
 
     /* Right under the character, so over those before it; what is cast on a character right over it. */
+    /**
+     * Until After Effects 23 a track matte is the layer right above, and nothing may come between.
+     * @param {any} layer
+     * @returns {Layer}
+     */
+    function withMatte(layer) {
+        return layer.trackMatteLayer === undefined && layer.hasTrackMatte ? layer.containingComp.layer(layer.index - 1) : layer;
+    }
+
     /**
      * @param {AVLayer} layer
      * @param {any} wanted

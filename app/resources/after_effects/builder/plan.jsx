@@ -23,6 +23,9 @@
         for (i = 0; i < wanted.nulls.length; i++) {
             parts.push({ tag: scoped(wanted, wanted.nulls[i].tag), wanted: wanted.nulls[i], kind: "null", name: wanted.nulls[i].name });
         }
+        if (wanted.tag === "main") {
+            parts.push({ tag: "controls", wanted: null, kind: "controls", name: "Kagezou" });
+        }
         return parts;
     }
 
@@ -68,7 +71,8 @@
             for (var j = 0; j < parts.length; j++) {
                 var isThere = entriesOf(parts[j].tag).length > 0;
                 var footage = parts[j].kind === "layer" ? parts[j].wanted.footage : null;
-                plan.added["$" + parts[j].tag] = plan.isFresh || (!isThere && (returning || !wasMade(parts[j].tag, footage)));
+                var isOffered = parts[j].kind !== "controls" || HAND_OFF.controls;
+                plan.added["$" + parts[j].tag] = isOffered && (plan.isFresh || (!isThere && (returning || !wasMade(parts[j].tag, footage))));
             }
             plans.push(plan);
         }

@@ -77,6 +77,15 @@
         return false;
     }
 
+    function isCarrier(layer) {
+        for (var i = 0; i < carriers.length; i++) {
+            if (carriers[i].layer.index === layer.index && carriers[i].comp.id === layer.containingComp.id) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /**
      * @param {CompItem} comp
      * @param {AVLayer} layer
@@ -130,7 +139,7 @@
         var isFootages = follower.footage !== null && now === sizes["$" + follower.footage.id].S;
         /* Without layers of ours it was made of the footage alone, leaving all attributes. */
         var isAlone = isFootages && entriesIn(comp).length === 0;
-        var like = now === before(main).S && !isAlone ? main : isFootages ? follower.footage : null;
+        var like = now === before(main).S && !isAlone ? main : (isFootages ? follower.footage : null);
         if (like !== null && sizeOf(like) !== now) {
             comp.width = like.width;
             comp.height = like.height;

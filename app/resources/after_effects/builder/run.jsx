@@ -1,3 +1,18 @@
+    /* Before anything is changed: a file that is missing leaves the project as it is. */
+    function checkFiles(plans, target) {
+        for (var i = 0; i < HAND_OFF.footage.length; i++) {
+            var footage = HAND_OFF.footage[i];
+            if (isNeeded(footage.tag, target) && (itemsOfFootage(footage.tag).length > 0 || isToImport(footage.tag, plans))) {
+                fileOf(footage);
+            }
+        }
+    }
+
+    function isToImport(tag, plans) {
+        var wasThere = wasMade(coded("footage:" + tag), null) && !isReturning();
+        return itemsOfFootage(tag).length === 0 && isWanted(tag, plans, wasThere);
+    }
+
     function bringFootage(plans, root, target) {
         for (var i = 0; i < HAND_OFF.footage.length; i++) {
             var footage = HAND_OFF.footage[i];
@@ -6,14 +21,13 @@
                 continue;
             }
             var items = itemsOfFootage(footage.tag);
-            var tag = coded("footage:" + footage.tag);
-            if (items.length === 0 && isWanted(footage.tag, plans, wasMade(tag, null) && !isReturning())) {
+            if (isToImport(footage.tag, plans)) {
                 importFootage(footage, root);
-                noteMade(tag);
+                noteMade(coded("footage:" + footage.tag));
             }
             for (var j = 0; j < items.length; j++) {
                 updateFootage(/** @type {FootageItem} */ (items[j]), footage);
-                noteMade(tag);
+                noteMade(coded("footage:" + footage.tag));
             }
         }
     }
@@ -43,20 +57,30 @@
                 var part = plans[i].parts[j];
                 wanted["$" + part.tag] = part;
                 var isThere = entriesOf(part.tag).length > 0;
-                if (!isThere && (plans[i].isTarget || plans[i].instances.length > 0 || plans[i].wanted.tag === "main")) {
+                var isAsked = part.kind !== "controls" || HAND_OFF.controls;
+                if (!isThere && isAsked && (plans[i].isTarget || plans[i].instances.length > 0 || plans[i].wanted.tag === "main")) {
                     deletedNames.push(part.name);
                 }
             }
         }
         for (i = 0; i < entries.length; i++) {
-            var mine = wanted["$" + entries[i].tag];
-            if (!mine) {
-                switchOff(entries[i]);
-            } else if (mine.kind === "layer") {
-                updateLayer(entries[i], mine.wanted);
-            } else if (mine.kind === "null") {
-                updateNull(entries[i], mine.wanted);
-            }
+            updatePart(entries[i], wanted["$" + entries[i].tag]);
+        }
+    }
+
+    /* A lock is against a slip of the hand, so it is no reason to leave a layer alone. */
+    function updatePart(entry, part) {
+        var isLocked = entry.layer.locked;
+        entry.layer.locked = false;
+        if (!part) {
+            switchOff(entry);
+        } else if (part.kind === "layer") {
+            updateLayer(entry, part.wanted);
+        } else if (part.kind === "null") {
+            updateNull(entry, part.wanted);
+        }
+        if (isLocked) {
+            entry.layer.locked = true;
         }
     }
 
@@ -148,8 +172,9 @@
         if (!target) {
             askAbout(instances);
         }
-        var root = folderOf(null, app.project.rootFolder);
         showProgress(stepsOf());
+        checkFiles(plans, target);
+        var root = folderOf(null, app.project.rootFolder);
         bringFootage(plans, root, target);
         for (var i = 0; i < plans.length; i++) {
             bringComp(plans[i], root, target);
@@ -177,6 +202,9 @@
             origins["$" + target.comp.id] = [Math.floor((target.comp.width - HAND_OFF.width) / 2), Math.floor((target.comp.height - HAND_OFF.height) / 2)];
         }
         for (i = 0; i < plan.instances.length; i++) {
+            if (!plan.isTarget) {
+                followOrder(plan, plan.instances[i]);
+            }
             addParts(plan, plan.instances[i], root, target, i > 0);
             markComp(plan, plan.instances[i]);
         }

@@ -21,7 +21,7 @@
     }
 
     function interpolation(type) {
-        return type === KeyframeInterpolationType.HOLD ? "H" : type === KeyframeInterpolationType.LINEAR ? "L" : "B";
+        return type === KeyframeInterpolationType.HOLD ? "H" : (type === KeyframeInterpolationType.LINEAR ? "L" : "B");
     }
 
     /**
@@ -148,5 +148,8 @@
         l: function (layer) {
             return String(layer.label);
         },
-        k: stateOfSliders
+        k: stateOfSliders,
+        h: function (layer) {
+            return checksum(layer.name);
+        }
     };

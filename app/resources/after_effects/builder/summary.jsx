@@ -1,5 +1,7 @@
     /* What was done, what was left and why: said once, at the end. */
-    var MOST_LINES = 12;
+    /* So many lines a screen has room for, whatever there is to say. */
+    var LINES_IN_ALL = 30;
+    var LEAST_LINES = 3;
     var changes = {};
     var leaves = {};
     var changedNames = [];
@@ -50,14 +52,26 @@
     }
 
     function addPart(parts, head, lines) {
-        if (lines.length === 0) {
-            return;
+        if (lines.length > 0) {
+            parts.push({ head: head, lines: lines });
         }
-        var shown = lines.slice(0, MOST_LINES);
-        if (lines.length > MOST_LINES) {
-            shown.push(said(WORDS.more, [lines.length - MOST_LINES]));
+    }
+
+    function shownOf(part, most) {
+        var shown = part.lines.slice(0, most);
+        if (part.lines.length > most) {
+            shown.push(said(WORDS.more, [part.lines.length - most]));
         }
-        parts.push(head + "\n" + shown.join("\n"));
+        return part.head + "\n" + shown.join("\n");
+    }
+
+    function textOf(title, parts) {
+        var texts = title === "" ? [] : [title];
+        var most = Math.max(LEAST_LINES, Math.floor(LINES_IN_ALL / Math.max(1, parts.length)));
+        for (var i = 0; i < parts.length; i++) {
+            texts.push(shownOf(parts[i], most));
+        }
+        return texts.join("\n\n");
     }
 
     /* The first time only what is to be known; the panel is silent where nothing had to be left. */
@@ -77,8 +91,8 @@
             addPart(done, WORDS.changed, linesOf(changes, changedNames));
             addPart(done, WORDS.added, addedNames);
             addPart(done, WORDS.back, backNames);
-            var isChanged = done.length + goneNames.length > 0;
-            done.unshift(said(isChanged ? WORDS.updated : WORDS.unchanged, [title]));
         }
-        alert(done.concat(parts).join("\n\n"));
+        var isChanged = done.length + goneNames.length > 0;
+        var head = isFirstTime ? "" : said(isChanged ? WORDS.updated : WORDS.unchanged, [title]);
+        alert(textOf(head, done.concat(parts)));
     }

@@ -3,15 +3,21 @@
     /** @typedef {{comp: CompItem, layer: AVLayer, tag: string, memory: any, before: any, isNew: boolean}} Entry */
     /** @type {Entry[]} */
     var entries = [];
+    var entriesByTag = {};
+
+    /** @param {Entry} entry */
+    function noteEntry(entry) {
+        entries.push(entry);
+        entriesByTag["$" + entry.tag] = entriesOf(entry.tag).concat([entry]);
+    }
 
     function survey() {
-        entries = [];
         for (var i = 0; i < comps.length; i++) {
             for (var j = comps[i].numLayers; j >= 1; j--) {
                 var layer = /** @type {AVLayer} */ (comps[i].layer(j));
                 var read = layer.comment.indexOf("kagezou:") < 0 ? null : readComment(layer.comment);
                 if (read !== null) {
-                    entries.push({ comp: comps[i], layer: layer, tag: read.tag, memory: read.memory, before: {}, isNew: false });
+                    noteEntry({ comp: comps[i], layer: layer, tag: read.tag, memory: read.memory, before: {}, isNew: false });
                 }
             }
         }
@@ -61,14 +67,9 @@
         return found;
     }
 
+    /** @returns {Entry[]} */
     function entriesOf(tag) {
-        var found = [];
-        for (var i = 0; i < entries.length; i++) {
-            if (entries[i].tag === tag) {
-                found.push(entries[i]);
-            }
-        }
-        return found;
+        return entriesByTag["$" + tag] || [];
     }
 
     /**
