@@ -24,6 +24,7 @@
         skewed: ja ? "\u89aa\u30ec\u30a4\u30e4\u30fc\u306b\u3088\u308b\u6b6a\u307f" : "skew by the layers it is parented to",
         beyond: ja ? "\u7d20\u6750\u306e\u7bc4\u56f2\u5916\u306e\u30bf\u30a4\u30e0\u30ea\u30de\u30c3\u30d7" : "time remapping beyond its pictures",
         movie: ja ? "\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306f\u30e0\u30fc\u30d3\u30fc\u3067\u3059\u3002\u30a2\u30eb\u30d5\u30a1\u4ed8\u304d\u306e\u9023\u756a\u753b\u50cf\u306b\u3057\u3066\u304b\u3089\u9078\u629e\u3057\u3066\u304f\u3060\u3055\u3044:\n" : "These layers show movies. Render them as numbered pictures with alpha, and select those:\n",
+        psd: ja ? "\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306f PSD \u30d5\u30a1\u30a4\u30eb\u5185\u306e 1 \u30ec\u30a4\u30e4\u30fc\u3067\u3059\u3002Kagezou \u3067 PSD \u30d5\u30a1\u30a4\u30eb\u3092\u76f4\u63a5\u958b\u304f\u304b\u3001\u9023\u756a\u753b\u50cf\u306b\u3057\u3066\u304f\u3060\u3055\u3044:\n" : "These show single layers of a PSD file. Open that file in Kagezou itself, or render them as numbered pictures:\n",
         within: ja ? "\u30d5\u30a1\u30a4\u30eb\u306e\u306a\u3044\u3082\u306e: " : "without a file: ",
         cropped: ja ? "\u30d7\u30ea\u30b3\u30f3\u30dd\u30fc\u30ba\u306e\u7aef\u3067\u5207\u308c\u308b\u90e8\u5206" : "what the edge of its precomposition cuts off",
         busy: ja ? "\u524d\u306e\u51e6\u7406\u304c\u307e\u3060\u7d42\u308f\u3063\u3066\u3044\u307e\u305b\u3093\u3002" : "Kagezou is still at work.",
@@ -310,7 +311,7 @@
     /** @param {any} layer */
     function isSeen(layer) {
         var isOfPictures = layer.source || layer.matchName === "ADBE Text Layer" || layer.matchName === "ADBE Vector Layer";
-        return Boolean(isOfPictures) && layer.enabled && !layer.nullLayer && !layer.guideLayer && !layer.adjustmentLayer;
+        return Boolean(isOfPictures) && layer.hasVideo !== false && layer.enabled && !layer.nullLayer && !layer.guideLayer && !layer.adjustmentLayer;
     }
 
     function leafOf(way) {
@@ -322,6 +323,11 @@
         var source = layer.source.mainSource;
         var isFilm = /\.(mov|mp4|m4v|avi|mxf|mpe?g|m2ts?|mts|wmv|webm|mkv|gif|flv|3gp|dv|r3d|braw|ari|crm)$/i;
         return !source.isStill && (isFilm.test(nameOf(source.file)) || numbered(source.file) === null);
+    }
+
+    /* After Effects calls such an item by the layer, a stroke and the file. */
+    function isLayerOfPsd(layer) {
+        return /\.ps[db]$/i.test(nameOf(layer.source.mainSource.file)) && layer.source.name.indexOf("/") > 0;
     }
 
     function sourceOf(layer) {
@@ -382,7 +388,10 @@
     function isShownAt(way, times) {
         for (var i = 0; i < way.length; i++) {
             var opacity = way[i].property("ADBE Transform Group").property("ADBE Opacity");
-            if (times[i] < way[i].inPoint || times[i] >= way[i].outPoint || (opacity.numKeys > 0 && opacity.valueAtTime(times[i], false) === 0)) {
+            /* One that runs backward ends before it begins. */
+            var first = Math.min(way[i].inPoint, way[i].outPoint);
+            var last = Math.max(way[i].inPoint, way[i].outPoint);
+            if (times[i] < first || times[i] >= last || (opacity.numKeys > 0 && opacity.valueAtTime(times[i], false) === 0)) {
                 return false;
             }
         }
@@ -756,6 +765,7 @@
         var taken = {};
         var cels = [];
         var movies = [];
+        var parts = [];
         var empty = [];
         var without = [];
         for (var i = 0; i < layers.length; i++) {
@@ -770,6 +780,8 @@
             for (var j = 0; j < ways.length; j++) {
                 if (isMovie(leafOf(ways[j]))) {
                     noteOnce(movies, wayName(ways[j]));
+                } else if (isLayerOfPsd(leafOf(ways[j]))) {
+                    noteOnce(parts, wayName(ways[j]));
                 }
                 var name = j === 0 ? figure : freeName(figure + " " + leafOf(ways[j]).name, taken);
                 cels.push({ name: name, way: ways[j], figure: j === 0 ? null : figure });
@@ -780,6 +792,9 @@
         }
         if (movies.length > 0) {
             throw new Error(WORDS.movie + movies.join("\n"));
+        }
+        if (parts.length > 0) {
+            throw new Error(WORDS.psd + parts.join("\n"));
         }
         return { cels: cels, without: without };
     }
