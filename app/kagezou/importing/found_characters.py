@@ -13,6 +13,7 @@ from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.parts import exr_layer_names, is_exr
 from kagezou.io.images.sequences import Found, find_sequences, sequences_among
 from kagezou.io.images.sequences import Sequence as FileSequence
+from kagezou.io.oca.reading import oca_file, read_oca
 from kagezou.io.pixels.signatures import is_picture, is_psd
 from kagezou.io.project.paths import absolute
 from kagezou.message import Message
@@ -80,7 +81,7 @@ class FoundCharacters:
 
 
 def found_characters(sources: Iterable[CharacterSource], pictures: Sequence[Path] = ()) -> FoundCharacters:
-    """Return the characters of folders, patterns, stills and PSD files, and those among chosen pictures.
+    """Return the characters of folders, patterns, stills and files of layers, and those among chosen pictures.
 
     Raises
     ------
@@ -94,6 +95,9 @@ def found_characters(sources: Iterable[CharacterSource], pictures: Sequence[Path
         if is_psd(path) and path.is_file():
             name = shown(Path(path.name))
             found.append(FoundCharacter(replace(source, path=path), 0, "", name, name, path))
+            continue
+        if (document := oca_file(path)) is not None:
+            found.append(_of_oca(document, replace(source, path=path)))
             continue
         held = find_sequences(path)
         own = path.name if path.is_dir() and len(held.sequences) == 1 else ""
@@ -121,6 +125,13 @@ def whole_of(picture: Path) -> FoundCharacters:
             if any(file.path.name == picture.name for file in sequence.files) and len(sequence.files) > 1:
                 return FoundCharacters((_of_sequence(sequence, CharacterSource(None, picture.parent), ""),))
     return found_characters([CharacterSource(None, picture)])
+
+
+def _of_oca(document: Path, source: CharacterSource) -> FoundCharacter:
+    """Return the layers of a document of Open Cel Animation as one find, as those of a PSD file are."""
+    files = [frame.file for layer in read_oca(document).layers for frame in layer.frames if frame.file is not None]
+    name = shown(Path(document.name))
+    return FoundCharacter(source, 0, "", name, name, files[0] if files else document)
 
 
 def _beside(picture: Path) -> list[Path]:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QFileDialog, QInputDialog, QMes
 from kagezou.importing.found_characters import FoundCharacters
 from kagezou.importing.new_cels import CharacterSource
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
+from kagezou.io.oca.reading import SUFFIX as OCA_SUFFIX
 from kagezou.io.pixels.signatures import FORMATS, PSD_SUFFIXES
 from kagezou.io.sets.mesh_cache import MESH_SUFFIXES
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
@@ -48,10 +49,11 @@ class Dialogs:
         self._settings = settings
 
     def project_to_open(self) -> Path | None:
-        """Ask for a project file, or for what a project begins with: a timesheet or a PSD file."""
+        """Ask for a project file, or for what a project begins with: a timesheet or a file of layers."""
         title = QCoreApplication.translate("Dialogs", "Open Project")
-        patterns = " ".join(f"*{each}" for each in (PROJECT_SUFFIX, *TIMESHEET_SUFFIXES, *PSD_SUFFIXES))
-        every = QCoreApplication.translate("Dialogs", "Projects, timesheets and PSD files") + f" ({patterns})"
+        suffixes = (PROJECT_SUFFIX, *TIMESHEET_SUFFIXES, *PSD_SUFFIXES, OCA_SUFFIX)
+        words = QCoreApplication.translate("Dialogs", "Projects, timesheets, PSD and OCA files")
+        every = f"{words} ({' '.join(f'*{each}' for each in suffixes)})"
         filters = ";;".join([every, self._project_filter()])
         chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("project"), filters)
         return self._remembered("project", chosen)
