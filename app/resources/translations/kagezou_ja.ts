@@ -6942,6 +6942,61 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
+    <name>RetakeResult</name>
+    <message>
+        <source>Replaced Drawings: %1</source>
+        <translation>差し替えたセル：%1</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>今</translation>
+    </message>
+    <message>
+        <source>Known again by</source>
+        <translation>見分け方</translation>
+    </message>
+    <message>
+        <source>Go to the First Frame to Look At</source>
+        <translation>確認する最初のフレームへ</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>name and picture</source>
+        <translation>名前と画像</translation>
+    </message>
+    <message>
+        <source>name; another picture</source>
+        <translation>名前（画像は別）</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>likeness</source>
+        <translation>似た画像</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>並び順</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新しい</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>なくなった</translation>
+    </message>
+</context>
+<context>
     <name>ReviewBar</name>
     <message>
         <source>Previous note or flag</source>

@@ -72,6 +72,11 @@ class Report:
     unseen: tuple[str, ...] = ()
 
     @property
+    def is_to_be_read(self) -> bool:
+        """Whether more changed than where the drawings lie."""
+        return any(row.how is not How.SAME for row in self.rows) or bool(self.contacts or self.pins_dropped)
+
+    @property
     def messages(self) -> tuple[Message, ...]:
         """The same in sentences, each once."""
         return (*_of_drawings(self), *_of_timing(self), *_of_feet(self))

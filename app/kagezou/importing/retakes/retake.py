@@ -60,10 +60,11 @@ class RetakeRead:
 
 @dataclass(frozen=True, slots=True)
 class Retaken:
-    """A document with a retake in it, and what came of it."""
+    """A document with a retake in it, what came of it, and what is odd about the files; both are in its notes."""
 
     imported: Imported
     report: Report
+    notes_of_files: tuple[Message, ...]
 
 
 def read_retake(
@@ -119,8 +120,8 @@ def retaken(document: Document, layer_id: str, read: RetakeRead) -> Retaken:
     )  # fmt: skip
     report = replace(report, frames=_to_look_at(after, layer_id, read.matches, report.contacts))
     marked = _marked(after, report)
-    notes = (*report.messages, *_notes_of_files(layer.name, read.brought))
-    return Retaken(Imported(marked, notes, (layer_id,)), report)
+    of_files = _notes_of_files(layer.name, read.brought)
+    return Retaken(Imported(marked, (*report.messages, *of_files), (layer_id,)), report, of_files)
 
 
 def _timed(document: Document, layer: Layer, cels: Cels, matches: Iterable[Match]) -> Retimed:
