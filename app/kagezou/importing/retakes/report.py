@@ -55,7 +55,7 @@ class Report:
     keys_dropped
         Those that came on the frame of another one, as ``property`` and frame of before.
     gone_frames
-        Frames of before on which a drawing began that is gone.
+        Frames on which a drawing began that is gone and the one before is held.
     unseen
         New drawings that no timing shows.
     """

@@ -49,7 +49,7 @@ class RetakeResult(QDialog):
         self.rows.setRootIsDecorated(False)
         self.rows.setHeaderLabels([self.tr("Before"), self.tr("Now"), self.tr("Known again by")])
         self.rows.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        self.rows.addTopLevelItems([_item(row) for row in sorted(report.rows, key=lambda row: row.how is How.SAME)])
+        self.rows.addTopLevelItems([_item(row) for row in sorted(report.rows, key=_weight)])
         self.look = QPushButton(self.tr("Go to the First Frame to Look At"))
         self.look.setEnabled(bool(report.frames))
         self.look.clicked.connect(lambda: self.frame_asked.emit(report.frames[0]))
@@ -77,6 +77,11 @@ def _item(row: Row) -> QTreeWidgetItem:
     for column in range(3):
         item.setForeground(column, color)
     return item
+
+
+def _weight(row: Row) -> int:
+    """Return where a row stands: what is new or gone first, then other pictures, then what only moved."""
+    return 0 if row.how is None else {How.PICTURE: 2, How.SAME: 3}.get(row.how, 1)
 
 
 def _how(row: Row) -> str:
