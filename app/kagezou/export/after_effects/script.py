@@ -36,7 +36,9 @@ _PARTS: Final = (
 """Names of files, each of which may use those before it while it is read, and all of them while it runs."""
 _HEAD: Final = """\
 /* Made by Kagezou. File > Scripts > Run Script File... builds the composition, or brings it up to date.
-   It needs After Effects CC 2018 or newer, in any language, and everything that lies beside it. */
+   It needs After Effects CC 2018 or newer, in any language, and everything that lies beside it.
+   Run again: what is as it was left follows Kagezou, in copies too. What you changed stays as it is, and what you
+   deleted stays deleted, unless Shift is held. A layer without its comment is yours. What was left and why is said. */
 (function () {
     var HAND_OFF = """
 
