@@ -20,6 +20,8 @@ FIRST: Final = "index"
 
 _LINK = re.compile(r"\]\(([a-z-]+)\.md\)")
 _PROPERTIES = re.compile(r"^<!-- properties: (.+) -->$", re.MULTILINE)
+MOST_TURNS_DEG: Final = 36_000.0
+"""A range of so many degrees only keeps numbers sane; it says nothing to people."""
 _OWNERS: Final = {Scope.DOCUMENT: "", Scope.LAYER: "layers.NAME.", Scope.PIECE: "set.NAME."}
 
 
@@ -85,6 +87,6 @@ def _line(prop: AnyProperty) -> str:
 def _range(prop: AnyProperty) -> list[str]:
     if prop.kind is Kind.CHOICE:
         return [" / ".join(choice_name(choice) for choice in prop.choices)]
-    if prop.kind is not Kind.NUMBER or prop.high >= MAX_COORDINATE_PX:
+    if prop.kind is not Kind.NUMBER or prop.high >= (MOST_TURNS_DEG if prop.unit == "°" else MAX_COORDINATE_PX):
         return [prop.unit] if prop.unit else []
     return [f"{prop.low:g} – {prop.high:g} {prop.unit}".rstrip()]
