@@ -31,6 +31,7 @@ VERBS: Final = {
     "feet": "find the characters' feet anew, and list how they stand",
     "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",
+    "apply": "take light, looks, ground or the set of one project into others",
     "render": "write the shadow layers as numbered frames",
     "video": "write the finished picture, or one shadow with alpha, as a video",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",
