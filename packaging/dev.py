@@ -29,8 +29,10 @@ from dev_venv import Environment
 
 ROOT = Path(__file__).resolve().parents[1]
 OLDEST, NEWEST = (3, 11), (3, 13)
-PROCESSES = min(os.cpu_count() or 1, 3)
-"""Of the tests: the windows among them share one screen and so one process, which takes about as long as all others."""
+PROCESSES = min(os.cpu_count() or 1, 4)
+IN_PARALLEL = ("--numprocesses", str(PROCESSES), "--dist", "loadscope")
+"""Tests side by side, each process with a screen of its own."""
+COVERED = ("tests/geometry", "tests/animation")
 VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate")
 PLAIN = ("lint", "setup", "hooks", "translate")
 """Verbs that take no arguments and read the sources alone, but for ``setup``."""
@@ -92,12 +94,16 @@ def run_checks(environment: Environment) -> list[str]:
 
 def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     """Run pytest on a screen of its own; the last line on stdout is pytest's summary."""
-    # A part of the tests cannot reach the coverage that all of them must, and is not worth several processes.
-    whole = ("--cov", "--cov-report=term-missing:skip-covered", "--numprocesses", str(PROCESSES), "--dist", "loadscope")
-    selection = arguments or whole
+    # Counting covered lines makes tests slower, and only these rooms must be covered whole, by their own tests.
+    covered = (*COVERED, "--cov", "--cov-report=term-missing:skip-covered", *IN_PARALLEL)
+    others = (*(f"--ignore={folder}" for folder in COVERED), *IN_PARALLEL)
+    failed = 0
     with private_display() as variables:
-        say("-- pytest")
-        return subprocess.call([str(environment.python), "-m", "pytest", *selection], cwd=ROOT, env=variables)
+        for selection in (tuple(arguments),) if arguments else (covered, others):
+            say("-- pytest")
+            command = [str(environment.python), "-m", "pytest", *selection]
+            failed = subprocess.call(command, cwd=ROOT, env=variables) or failed
+    return failed
 
 
 def translate(environment: Environment) -> None:

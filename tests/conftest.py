@@ -1,6 +1,10 @@
 """What every tier of tests shares."""
 
+import os
+import shutil
+import sys
 from collections.abc import Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,6 +13,8 @@ import numpy as np
 import pytest
 from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
+
+from dev_display import private_display
 
 if TYPE_CHECKING:
     from kagezou.render.renderer import Renderer
@@ -21,15 +27,27 @@ hypothesis.settings.register_profile("kagezou", deadline=None)
 hypothesis.settings.load_profile("kagezou")
 
 
+# Where there is a virtual screen, each process has one of its own: two windows never fight for the keyboard.
+HAS_SCREENS = sys.platform == "linux" and shutil.which("Xvfb") is not None
+
+
 class ByFile(LoadScopeScheduling):
     """Where tests run side by side, those of one file stay together, and all that share the one screen.
 
-    What a file sets up, such as the renderer, is then set up once; two windows never fight for the keyboard.
+    What a file sets up, such as the renderer, is then set up once.
     """
 
     def _split_scope(self, nodeid: str) -> str:
         file = nodeid.split("::", 1)[0]
-        return "screen" if file.startswith("tests/ui/") else file
+        return "screen" if file.startswith("tests/ui/") and not HAS_SCREENS else file
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Give a process that runs beside others its own screen, before anything is shown."""
+    if HAS_SCREENS and hasattr(config, "workerinput"):
+        stack = ExitStack()
+        os.environ.update(stack.enter_context(private_display()))
+        config.add_cleanup(stack.close)
 
 
 @pytest.hookimpl(optionalhook=True)

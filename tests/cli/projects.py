@@ -45,6 +45,11 @@ class Shell:
         assert [line for line in self.said.splitlines() if not _FOUND.search(line)] == []
         return self.out
 
+    def missing(self, *words: object) -> str:
+        """Run what tells of a missing file, and return its output."""
+        assert self(*words) == 3, self.said
+        return self.out
+
     def json(self, *words: object) -> Any:
         return json.loads(self.ok(*words))
 

@@ -60,7 +60,7 @@ def test_the_version(shell: Shell) -> None:
         (["render", "p.kage", "-o", "x", "--format", "tga", "--depth", "16"], "tga"),
         (["get", "p.kage"], "PATH"),
         (["info", ""], "empty"),
-        (["--quiet"], "neither a command nor a project"),
+        (["--louder"], "neither a command nor a project"),
     ],
 )
 def test_wrong_words_are_one_line(shell: Shell, words: list[str], sentence: str) -> None:

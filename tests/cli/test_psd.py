@@ -30,12 +30,14 @@ def test_layers_that_are_gone_are_told(shell: Shell, tmp_path: Path, psd: Path) 
     shell.ok("new", "--no-feet", tmp_path / "p.kage", "--psd", psd)
     assert shell.json("info", tmp_path / "p.kage", "--json")["missing"] == []
     write_psd(psd, [Leaf("BG", block(*SIZE)), Folder("A", [Leaf("1", block(12, 24))])])
-    missing = shell.json("info", tmp_path / "p.kage", "--json")["missing"]
-    assert missing == [f"{psd} (A/2)", f"{psd} (A/3)"]
-    assert "missing     " in shell.ok("info", tmp_path / "p.kage")
+    assert shell("info", tmp_path / "p.kage", "--json") == 3, "a script need not read the list to stop"
+    assert json.loads(shell.out)["missing"] == [f"{psd} (A/2)", f"{psd} (A/3)"]
+    assert shell("info", tmp_path / "p.kage") == 3
+    assert "missing     " in shell.out
     assert "2 drawings are missing" in shell.fails(3, "render", tmp_path / "p.kage", "-o", tmp_path / "out")
     psd.unlink()
-    assert shell.json("info", tmp_path / "p.kage", "--json")["missing"] == [str(psd)]
+    assert shell("info", tmp_path / "p.kage", "--json") == 3
+    assert json.loads(shell.out)["missing"] == [str(psd)]
 
 
 def test_a_whole_file_is_timed_by_the_sheet_of_its_name(shell: Shell, tmp_path: Path, psd: Path) -> None:

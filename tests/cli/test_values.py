@@ -128,10 +128,10 @@ def test_info_says_what_is_missing_and_keyed(shell: Shell, project: Path) -> Non
     shell.ok("set", project, "ground.roll=0", "--frame", 2)
     gone = project.parent / "hero" / "walk_0002.png"
     gone.unlink()
-    about = shell.json("info", project, "--json")
+    about = json.loads(shell.missing("info", project, "--json"))
     assert about["missing"] == [str(gone)]
     assert about["keyed"] == [{"path": "ground.roll", "frames": [2]}]
-    text = shell.ok("info", project)
+    text = shell.missing("info", project)
     assert f"missing     {gone}" in text
     assert "keys        ground.roll on 2" in text
     assert "Hero: 3 drawings" in text

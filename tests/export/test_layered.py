@@ -221,6 +221,18 @@ def alike(pair: Document) -> Document:
     return with_values(document, layers__主役__shadow__softness=9.0, layers__相棒__shadow__softness=14.0)
 
 
+def test_the_parts_of_a_group_are_laid_alike_where_one_is_empty(alike: Document, tmp_path: Path) -> None:
+    export(alike, tmp_path / "out", layered=True, format="exr", depth=16, frames=(3,))
+    source = opened(tmp_path / "out/layered/layered_0003.exr")
+    blends = []
+    for index in (1, 2):
+        assert source.seek_subimage(index, 0)
+        blends.append(source.spec().get_string_attribute("kagezou:blend"))
+    assert not source.read_image(2, 0, 0, 4, oiio.FLOAT).any(), "the second is hidden"
+    source.close()
+    assert blends == ["multiply", "multiply"]
+
+
 @pytest.mark.parametrize("depth", [8, 16])
 def test_shadows_of_one_look_are_a_group_that_is_laid_once(alike: Document, tmp_path: Path, depth: int) -> None:
     export(alike, tmp_path / "out", layered=True, format="psd", depth=depth)

@@ -15,6 +15,7 @@ from kagezou.geometry.light import (
     lamp,
     overhead_share,
     sun,
+    sun_angles,
     virtual_lights,
 )
 from kagezou.geometry.vectors import Vector3, dot, height_over
@@ -30,6 +31,20 @@ def test_the_sun_stands_over_the_ground_by_its_elevation() -> None:
         assert dot((x, y, z), GROUND.normal) == pytest.approx(0.5)
         assert dot((x, y, z), along) == pytest.approx(3**0.5 / 2)
         assert dot((x, y, z), (x, y, z)) == pytest.approx(1.0)
+
+
+@given(st.floats(-179.0, 179.0), st.floats(-89.0, 89.0), st.floats(0.01, 1000.0))
+def test_the_angles_of_a_sun_are_found_again(azimuth: float, elevation: float, length: float) -> None:
+    x, y, z, _ = sun(GROUND, azimuth, elevation)
+    found, up = sun_angles(GROUND, (length * x, length * y, length * z))
+    assert found == pytest.approx(azimuth, abs=1e-6)
+    assert up == pytest.approx(elevation, abs=1e-6)
+
+
+def test_straight_above_every_azimuth_is_the_same() -> None:
+    azimuth, elevation = sun_angles(GROUND, GROUND.normal)
+    assert azimuth is None
+    assert elevation == pytest.approx(90.0)
 
 
 def test_over_and_under_the_ground() -> None:

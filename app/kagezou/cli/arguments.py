@@ -31,6 +31,10 @@ class Parser(argparse.ArgumentParser):
         """Raise UsageProblem with the message and where help is."""
         raise UsageProblem(Message("{message} (see {prog} --help)", message=message, prog=self.prog))
 
+    def has(self, option: str) -> bool:
+        """Return whether there is an option."""
+        return any(option in action.option_strings for action in self._actions)
+
     def options_of(self, words: Sequence[str]) -> argparse.Namespace:
         """Parse, and name the option that was probably meant by one there is not."""
         found, unknown = self.parse_known_args(words)

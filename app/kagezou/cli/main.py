@@ -6,6 +6,7 @@ import os
 import sys
 from argparse import Namespace
 from collections.abc import Sequence
+from contextlib import nullcontext, redirect_stdout
 from dataclasses import replace
 from typing import Final, Protocol
 
@@ -13,9 +14,10 @@ from kagezou.cli import crash_log
 from kagezou.cli.arguments import Parser, did_you_mean
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import Interrupted, stopping_at_once
+from kagezou.cli.manner import Manner, failure, manner_of
 from kagezou.cli.progress_file import ProgressFile, taken_out
-from kagezou.cli.terminal import PROGRAM, give, tell
-from kagezou.errors import Problem, UsageProblem
+from kagezou.cli.terminal import PROGRAM, Voice, give, give_json, speaking, tell
+from kagezou.errors import OutputProblem, Problem, UsageProblem
 from kagezou.message import Message
 
 VERBS: Final = {
@@ -45,6 +47,7 @@ EXIT_BROKEN_PIPE: Final = 141
 _HELP: Final = """\
 usage: kagezou [PROJECT.kage | SHEET.xdts]     the window
        kagezou COMMAND ...                     the command line
+       kagezou help COMMAND                    what a command takes, with examples
        kagezou @FILE                           all words from a UTF-8 file: a JSON list, or one a line
 
 Cast-shadow layers for 2D animation, from the alpha of the character drawings.
@@ -55,6 +58,10 @@ commands:
 options:
   -h, --help     show this, or with a command its own help
   --version      show the version
+  --quiet        with a command: say problems only
+  --verbose      with a command: say how far it is in lines, where no one watches, too
+  --log FILE     with a command: add everything that is said to a file
+  --json         with a command: one JSON object, of a problem too: code, message, file and values
   --progress-file FILE    with a command: how far it is and how it ended, for a program that waits; it stops where
                  FILE.stop appears
 
@@ -89,20 +96,41 @@ def run(arguments: Sequence[str], entry_points: EntryPoints) -> int:
         tell(str(problem))
         return problem.exit_code
     if told is None:
-        return _run(words, entry_points)
+        return _spoken(words, entry_points)
     with told:
-        code = _run(words, replace(entry_points, progress=told))
+        code = _spoken(words, replace(entry_points, progress=told))
     told.end(code)
     return code
 
 
-def _run(arguments: Sequence[str], entry_points: EntryPoints) -> int:
+def _spoken(words: Sequence[str], entry_points: EntryPoints) -> int:
+    """Run in the manner that a command line asks for."""
+    heard: list[str] = []
+    given: list[str] = []
+    try:
+        manner = manner_of(words)
+        # Appended to, as several commands of a script write to one; it ends with the command.
+        log = None if manner.log is None else manner.log.open("a", encoding="utf-8")
+    except Problem as problem:
+        tell(str(problem))
+        return problem.exit_code
+    except OSError as error:
+        tell(f"the log cannot be written: {error.strerror}")
+        return OutputProblem.exit_code
+    with log or nullcontext(), speaking(Voice(manner.is_quiet, manner.is_verbose, log, heard, given)):
+        return _run(manner, entry_points, heard, given)
+
+
+def _run(manner: Manner, entry_points: EntryPoints, heard: Sequence[str], given: Sequence[str]) -> int:
+    arguments = manner.words
     try:
         with stopping_at_once():
-            code = _dispatched(arguments, entry_points)
+            code = _dispatched(manner, entry_points, heard)
             sys.stdout.flush()
     except Problem as problem:
         tell(str(problem))
+        if manner.wants_json and not given:
+            give_json(failure(problem))
         return problem.exit_code
     except Interrupted as stop:
         return stop.exit_code
@@ -118,8 +146,10 @@ def _run(arguments: Sequence[str], entry_points: EntryPoints) -> int:
     return code
 
 
-def _dispatched(arguments: Sequence[str], entry_points: EntryPoints) -> int:
-    verb, *rest = arguments or ["--help"]
+def _dispatched(manner: Manner, entry_points: EntryPoints, heard: Sequence[str]) -> int:
+    verb, *rest = manner.words or ("--help",)
+    if verb == "help" and rest:
+        verb, rest = rest[0], ["--help"]
     if verb in ("-h", "--help", "help"):
         give(_HELP.format(verbs="\n".join(f"  {name:<9} {words}" for name, words in VERBS.items())).rstrip())
         return 0
@@ -136,11 +166,17 @@ def _dispatched(arguments: Sequence[str], entry_points: EntryPoints) -> int:
     module: _Verb = importlib.import_module(f"kagezou.cli.verbs.{verb.replace('-', '_')}")
     parser = Parser(verb, module.DESCRIPTION, module.EXAMPLES)
     module.add_arguments(parser)
+    has_json = not manner.wants_json or parser.has("--json")
     try:
-        options = parser.options_of(rest)
+        options = parser.options_of(rest if has_json else [word for word in rest if word != "--json"])
     except SystemExit as done:  # --help has printed itself
         return int(done.code or 0)
-    return module.run(options, entry_points)
+    if has_json:
+        return module.run(options, entry_points)
+    with redirect_stdout(io.StringIO()) as said:
+        code = module.run(options, entry_points)
+    give_json({"code": code, "lines": said.getvalue().splitlines(), "notes": list(heard)})
+    return code
 
 
 def _broken_pipe() -> int:

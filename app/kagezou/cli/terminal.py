@@ -6,13 +6,18 @@ import shutil
 import sys
 import time
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
 from typing import Final, TextIO
 
 from kagezou.message import Message
 
 PROGRAM: Final = "kagezou"
 _REDRAW_S: Final = 0.1
+_LINE_EACH_S: Final = 1.0
+"""Where no one watches, progress is a line so often."""
 _PACE_STEPS: Final = 24
 """The rate is that of so many steps: what was there before, and is only looked through, costs almost no time."""
 _BAR: Final = 24
@@ -28,15 +33,64 @@ def speak_plainly() -> None:
             reconfigure(errors="backslashreplace")
 
 
+@dataclass(frozen=True, slots=True)
+class Voice:
+    """How what is said reaches people.
+
+    Parameters
+    ----------
+    is_quiet
+        Notes and progress are left out.
+    is_verbose
+        Progress is said in lines where no one watches.
+    log
+        Where everything is written as well.
+    heard
+        Where notes are kept for a program.
+    given
+        Where JSON is kept that was given: a program gets one object, whatever happens later.
+    """
+
+    is_quiet: bool = False
+    is_verbose: bool = False
+    log: TextIO | None = None
+    heard: list[str] | None = None
+    given: list[str] | None = None
+
+
+_voice: Final[ContextVar[Voice]] = ContextVar("voice", default=Voice())  # noqa: B039 - a frozen value
+
+
+@contextmanager
+def speaking(voice: Voice) -> Iterator[None]:
+    """Speak in another way for a while."""
+    before = _voice.set(voice)
+    try:
+        yield
+    finally:
+        _voice.reset(before)
+
+
 def tell(sentence: str) -> None:
     """Say one line to the person, on stderr."""
-    sys.stderr.write(f"{PROGRAM}: {one_line(sentence)}\n")
+    line = f"{PROGRAM}: {one_line(sentence)}\n"
+    log = _voice.get().log
+    if log is not None:
+        log.write(line)
+        log.flush()
+    sys.stderr.write(line)
     sys.stderr.flush()
 
 
 def note(sentence: Message) -> None:
     """Say one line that is no error, on stderr."""
-    tell(f"note: {sentence}")
+    voice = _voice.get()
+    if voice.heard is not None:
+        voice.heard.append(str(sentence))
+    if not voice.is_quiet:
+        tell(f"note: {sentence}")
+    elif voice.log is not None:
+        voice.log.write(f"{PROGRAM}: note: {one_line(str(sentence))}\n")
 
 
 def give(line: str) -> None:
@@ -51,6 +105,9 @@ def give_json(value: Json, *, indent: int | None = None) -> None:
         text.encode(sys.stdout.encoding or "ascii")
     except (UnicodeEncodeError, LookupError):
         text = json.dumps(value, allow_nan=False, indent=indent)
+    given = _voice.get().given
+    if given is not None:
+        given.append(text)
     give(text)
 
 
@@ -86,7 +143,8 @@ class ProgressLine:
         self._also = also
         self._doing = doing
         self._stream = stream or sys.stderr
-        self._is_shown = is_watched(self._stream)
+        self._is_shown = is_watched(self._stream) and not _voice.get().is_quiet
+        self._lines_each_s = _LINE_EACH_S if _voice.get().is_verbose and not self._is_shown else None
         self._started = time.monotonic()
         self._pace: deque[tuple[float, int]] = deque(maxlen=_PACE_STEPS)
         self._drawn_at = 0.0
@@ -109,10 +167,16 @@ class ProgressLine:
             self._pace.append((self._started, done - 1))
         began, before = self._pace[0]
         self._pace.append((now, done))
-        if not self._is_shown or (now - self._drawn_at < _REDRAW_S and done < total):
+        pause = _REDRAW_S if self._lines_each_s is None else self._lines_each_s
+        is_due = now - self._drawn_at >= pause or done >= total
+        if not is_due or (not self._is_shown and self._lines_each_s is None):
             return
         self._drawn_at = now
         text = progress_text(self._doing, done, total, done - before, now - began)
+        if self._lines_each_s is not None:
+            self._stream.write(f"{text}\n")
+            self._stream.flush()
+            return
         text = text[: max(shutil.get_terminal_size().columns - 1, 1)]
         self._stream.write("\r" + text.ljust(self._length))
         self._stream.flush()

@@ -1,12 +1,16 @@
 """Values of properties as people and programs read them."""
 
 import json
-from typing import NoReturn
+import re
+from typing import Final, NoReturn
 
 from kagezou.animation.track import Interpolation, Track, Value
 from kagezou.cli.terminal import Json
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
+
+_COORDINATES: Final = re.compile(r"[-+]?[0-9]+(?:\.[0-9]+)?(?:\s*,\s*[-+]?[0-9]+(?:\.[0-9]+)?){1,2}")
+"""Two or three numbers without brackets, which many shells keep for themselves."""
 
 
 def json_of_value(value: Value) -> Json:
@@ -46,7 +50,7 @@ class NotJson(UsageProblem):
 
 
 def value_of_text(path: str, text: str) -> object:
-    """Return the JSON value that was typed for a property, or the text itself where it is one bare word or colour.
+    """Return the JSON value that was typed for a property; one bare word or colour is itself, and ``x,y`` a list.
 
     Raises
     ------
@@ -56,10 +60,12 @@ def value_of_text(path: str, text: str) -> object:
     try:
         value: object = json.loads(text, parse_constant=_no_constant)
     except (ValueError, RecursionError):
+        if (coordinates := _COORDINATES.fullmatch(text.strip())) is not None:
+            return [float(number) for number in coordinates[0].split(",")]
         bare = text.removeprefix("#")
         if text and bare.isascii() and bare.replace("_", "").isalnum():
             return text
-        words = '{path}: {text!r} is not JSON: a number, true, "word", [x, y] or [[x, y], ...]'
+        words = '{path}: {text!r} is not JSON: a number, true, "word", x,y or [x, y] or [[x, y], ...]'
         raise NotJson(Message(words, path=path, text=text[:60])) from None
     return value
 

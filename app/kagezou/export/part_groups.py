@@ -28,7 +28,8 @@ def as_group(name: str, parts: Sequence[LayerPart], look: ShadowLook, *, keeps_o
     """
     if not keeps_opacity:
         group = PartGroup(name)
-        return [replace(part, group=group) for part in parts]
+        # Those without a pixel, too: whoever lays the group asks any of them.
+        return [replace(part, multiply=look.multiply, group=group) for part in parts]
     found = _mask([part for part in parts if not part.box.is_empty])
     mask, box = found or (None, None)
     group = PartGroup(name, look.opacity, look.multiply, mask, box)

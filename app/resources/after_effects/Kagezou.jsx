@@ -24,6 +24,7 @@
         skewed: ja ? "\u89aa\u30ec\u30a4\u30e4\u30fc\u306b\u3088\u308b\u6b6a\u307f" : "skew by the layers it is parented to",
         beyond: ja ? "\u7d20\u6750\u306e\u7bc4\u56f2\u5916\u306e\u30bf\u30a4\u30e0\u30ea\u30de\u30c3\u30d7" : "time remapping beyond its pictures",
         movie: ja ? "\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306f\u30e0\u30fc\u30d3\u30fc\u3067\u3059\u3002\u30a2\u30eb\u30d5\u30a1\u4ed8\u304d\u306e\u9023\u756a\u753b\u50cf\u306b\u3057\u3066\u304b\u3089\u9078\u629e\u3057\u3066\u304f\u3060\u3055\u3044:\n" : "These layers show movies. Render them as numbered pictures with alpha, and select those:\n",
+        psd: ja ? "\u6b21\u306e\u30ec\u30a4\u30e4\u30fc\u306f PSD \u30d5\u30a1\u30a4\u30eb\u5185\u306e 1 \u30ec\u30a4\u30e4\u30fc\u3067\u3059\u3002Kagezou \u3067 PSD \u30d5\u30a1\u30a4\u30eb\u3092\u76f4\u63a5\u958b\u304f\u304b\u3001\u9023\u756a\u753b\u50cf\u306b\u3057\u3066\u304f\u3060\u3055\u3044:\n" : "These show single layers of a PSD file. Open that file in Kagezou itself, or render them as numbered pictures:\n",
         within: ja ? "\u30d5\u30a1\u30a4\u30eb\u306e\u306a\u3044\u3082\u306e: " : "without a file: ",
         cropped: ja ? "\u30d7\u30ea\u30b3\u30f3\u30dd\u30fc\u30ba\u306e\u7aef\u3067\u5207\u308c\u308b\u90e8\u5206" : "what the edge of its precomposition cuts off",
         busy: ja ? "\u524d\u306e\u51e6\u7406\u304c\u307e\u3060\u7d42\u308f\u3063\u3066\u3044\u307e\u305b\u3093\u3002" : "Kagezou is still at work.",
@@ -32,7 +33,8 @@
         reading: ja ? "\u5f71\u3092\u8aad\u307f\u8fbc\u307f\u4e2d..." : "Importing shadows...",
         cancel: ja ? "\u30ad\u30e3\u30f3\u30bb\u30eb" : "Cancel",
         stopping: ja ? "\u505c\u6b62\u3057\u3066\u3044\u307e\u3059..." : "Stopping...",
-        stopped: ja ? "\u505c\u6b62\u3057\u307e\u3057\u305f\u3002\u6b21\u56de\u306f\u7d9a\u304d\u304b\u3089\u59cb\u307e\u308a\u307e\u3059\u3002" : "Stopped. The next time goes on from there.",
+        stopped: ja ? "\u505c\u6b62\u3057\u307e\u3057\u305f\u3002" : "Stopped.",
+        resumable: ja ? "\u505c\u6b62\u3057\u307e\u3057\u305f\u3002\u6b21\u56de\u306f\u7d9a\u304d\u304b\u3089\u59cb\u307e\u308a\u307e\u3059\u3002" : "Stopped. The next time goes on from there.",
         ready: ja ? "\u5b8c\u4e86" : "Done",
         notFound: ja ? "kagezou \u304c\u898b\u3064\u304b\u308a\u307e\u305b\u3093\u3002\u300c\u30d7\u30ed\u30b0\u30e9\u30e0...\u300d\u3067\u6307\u5b9a\u3057\u3066\u304f\u3060\u3055\u3044: " : "Kagezou is not found. Choose it with Program...: ",
         silent: ja ? "kagezou \u304b\u3089\u5fdc\u7b54\u304c\u3042\u308a\u307e\u305b\u3093\u3002\u30bf\u30fc\u30df\u30ca\u30eb\u3067\u300ckagezou doctor\u300d\u3092\u5b9f\u884c\u3057\u3066\u78ba\u8a8d\u3057\u3066\u304f\u3060\u3055\u3044\u3002" : "Kagezou does not answer. Run \u201ckagezou doctor\u201d in a terminal.",
@@ -102,7 +104,7 @@
         var file = writeText("json", listText(words));
         var program = isHidden ? setting("program", "kagezou") : windowProgram();
         var line = "P=" + shellWord(program) + "; A=" + shellWord("@" + file.fsName)
-            + "; if command -v \"$P\" >/dev/null 2>&1; then nohup \"$P\" \"$A\" >/dev/null 2>&1 </dev/null & else printf kagezou-failed; fi";
+            + "; if command -v \"$P\" >/dev/null 2>&1; then (\"$P\" \"$A\" >/dev/null 2>&1 </dev/null &) else printf kagezou-failed; fi";
         if (isWindows) {
             var script = "try { Start-Process -FilePath " + powerWord(program) + " -ArgumentList " + powerWord("\"@" + file.fsName + "\"")
                 + (isHidden ? " -WindowStyle Hidden" : "") + " -ErrorAction Stop } catch { [Console]::Out.Write('kagezou-failed') }";
@@ -199,7 +201,7 @@
             return;
         }
         var over = job;
-        endJob(told.state === "done" ? WORDS.ready : told.state === "stopped" ? WORDS.stopped : "");
+        endJob(told.state === "done" ? WORDS.ready : (told.state === "stopped" ? (over.doing === WORDS.rendering ? WORDS.resumable : WORDS.stopped) : ""));
         if (told.state === "done") {
             trying(function () {
                 over.then(told.said);
@@ -309,7 +311,7 @@
     /** @param {any} layer */
     function isSeen(layer) {
         var isOfPictures = layer.source || layer.matchName === "ADBE Text Layer" || layer.matchName === "ADBE Vector Layer";
-        return Boolean(isOfPictures) && layer.enabled && !layer.nullLayer && !layer.guideLayer && !layer.adjustmentLayer;
+        return Boolean(isOfPictures) && layer.hasVideo !== false && layer.enabled && !layer.nullLayer && !layer.guideLayer && !layer.adjustmentLayer;
     }
 
     function leafOf(way) {
@@ -321,6 +323,11 @@
         var source = layer.source.mainSource;
         var isFilm = /\.(mov|mp4|m4v|avi|mxf|mpe?g|m2ts?|mts|wmv|webm|mkv|gif|flv|3gp|dv|r3d|braw|ari|crm)$/i;
         return !source.isStill && (isFilm.test(nameOf(source.file)) || numbered(source.file) === null);
+    }
+
+    /* After Effects calls such an item by the layer, a stroke and the file. */
+    function isLayerOfPsd(layer) {
+        return /\.ps[db]$/i.test(nameOf(layer.source.mainSource.file)) && layer.source.name.indexOf("/") > 0;
     }
 
     function sourceOf(layer) {
@@ -381,7 +388,10 @@
     function isShownAt(way, times) {
         for (var i = 0; i < way.length; i++) {
             var opacity = way[i].property("ADBE Transform Group").property("ADBE Opacity");
-            if (times[i] < way[i].inPoint || times[i] >= way[i].outPoint || (opacity.numKeys > 0 && opacity.valueAtTime(times[i], false) === 0)) {
+            /* One that runs backward ends before it begins. */
+            var first = Math.min(way[i].inPoint, way[i].outPoint);
+            var last = Math.max(way[i].inPoint, way[i].outPoint);
+            if (times[i] < first || times[i] >= last || (opacity.numKeys > 0 && opacity.valueAtTime(times[i], false) === 0)) {
                 return false;
             }
         }
@@ -755,6 +765,7 @@
         var taken = {};
         var cels = [];
         var movies = [];
+        var parts = [];
         var empty = [];
         var without = [];
         for (var i = 0; i < layers.length; i++) {
@@ -769,6 +780,8 @@
             for (var j = 0; j < ways.length; j++) {
                 if (isMovie(leafOf(ways[j]))) {
                     noteOnce(movies, wayName(ways[j]));
+                } else if (isLayerOfPsd(leafOf(ways[j]))) {
+                    noteOnce(parts, wayName(ways[j]));
                 }
                 var name = j === 0 ? figure : freeName(figure + " " + leafOf(ways[j]).name, taken);
                 cels.push({ name: name, way: ways[j], figure: j === 0 ? null : figure });
@@ -779,6 +792,9 @@
         }
         if (movies.length > 0) {
             throw new Error(WORDS.movie + movies.join("\n"));
+        }
+        if (parts.length > 0) {
+            throw new Error(WORDS.psd + parts.join("\n"));
         }
         return { cels: cels, without: without };
     }
@@ -902,10 +918,11 @@
         }
     }
 
-    /* Whether shadows of this project lie in the composition already, so that nobody has to say where. */
+    /* Whether shadows of this project lie in the composition already, precomposed or not, so that nobody has to say where. */
     function hasShadows(comp, path) {
         for (var i = 1; i <= comp.numLayers; i++) {
-            if (comp.layer(i).comment.indexOf("kagezou:" + path + ":shadow:") === 0) {
+            var source = comp.layer(i).source;
+            if (comp.layer(i).comment.indexOf("kagezou:" + path + ":shadow:") >= 0 || (source instanceof CompItem && hasShadows(source, path))) {
                 return true;
             }
         }

@@ -4643,10 +4643,6 @@ Drop a folder of cels here.</source>
         <translation>立ち方</translation>
     </message>
     <message>
-        <source>The blend mode of each stands in its attribute kagezou:blend; shadows are usually Multiply.</source>
-        <translation>各レイヤーの描画モードは属性 kagezou:blend にあります。影は通常「乗算」です。</translation>
-    </message>
-    <message>
         <source>The colour of the layer&apos;s label in the window.</source>
         <translation>画面でのレイヤーのラベルの色。</translation>
     </message>
@@ -5066,6 +5062,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>OpenToonz</source>
         <translation>OpenToonz</translation>
+    </message>
+    <message>
+        <source>The blend mode of each is its attribute kagezou:blend; laid in sRGB, not in linear light, they make the picture.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a frame may take 1 to {most_minutes} minutes, not {minutes}</source>
@@ -6176,6 +6176,10 @@ Drop a folder of cels here.</source>
         <translation>{path}：すべてのレイヤーが非表示か空です</translation>
     </message>
     <message>
+        <source>{path}: it is open in a window on {host}, which will ask before it saves over this</source>
+        <translation>{path}：{host} のウィンドウで開かれています。そこで保存するときに、上書きするか確認が出ます</translation>
+    </message>
+    <message>
         <source>{path}: its {count} pages are its drawings, a frame each</source>
         <translation>{path}：{count} ページを 1 コマずつのセルとして読み込みました</translation>
     </message>
@@ -6226,6 +6230,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: one figure with one shadow: {names}</source>
         <translation>{path}：一つの影を持つ一体のキャラクター：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: somebody else has been changing it for a while; please try again</source>
+        <translation>{path}：ほかのプログラムがしばらく変更を続けています。もう一度お試しください</translation>
     </message>
     <message>
         <source>{path}: the background is {taken}; left out: {names}</source>
@@ -6366,6 +6374,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{word!r} cannot stand on a slate: at most {most} printable characters</source>
         <translation>{word!r} は使えません。表示できる文字で {most} 文字までです</translation>
+    </message>
+    <message>
+        <source>{word!r} is written as {which!r} of the timesheet, where some programs take digits alone, four at most</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{words}</source>

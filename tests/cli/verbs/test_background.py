@@ -1,5 +1,6 @@
 """Backgrounds of several pictures on the command line: made, described, and missed when they are gone."""
 
+import json
 from pathlib import Path
 
 from tests.cli.projects import Shell, make_drawings
@@ -14,9 +15,9 @@ def test_a_project_with_a_background_of_several_pictures(shell: Shell, tmp_path:
     assert (about["width_px"], about["last_frame"], about["background_pictures"]) == (80, 5, 5)
     assert about["missing"] == []
     (street / "walk_0003.png").unlink()
-    about = shell.json("info", project, "--json")
+    about = json.loads(shell.missing("info", project, "--json"))
     assert [Path(each).name for each in about["missing"]] == ["walk_0003.png"]
-    lines = shell.ok("info", project).splitlines()
+    lines = shell.missing("info", project).splitlines()
     (line,) = (each for each in lines if each.startswith("background"))
     assert line.endswith("walk_0001.png and 4 more pictures")
     assert shell(*words, street / "walk_0001.png", "--force") == 0

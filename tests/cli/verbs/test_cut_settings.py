@@ -79,5 +79,8 @@ def test_the_sheet_that_is_written_bears_scene_and_cut(shell: Shell, project: Pa
     shell.ok("timesheet", project, "-o", sheet)
     assert json.loads(sheet.read_text(encoding="utf-8").split("\n", 1)[1])["header"] == {"cut": "1", "scene": "1"}
     shell.ok("set", project, "canvas.cut=12A")
-    shell.ok("timesheet", project, "-o", sheet, "--force")
+    assert shell("timesheet", project, "-o", sheet, "--force") == 0
+    assert "'12A' is written as 'cut' of the timesheet" in shell.said
     assert json.loads(sheet.read_text(encoding="utf-8").split("\n", 1)[1])["header"] == {"cut": "12A", "scene": "1"}
+    shell.ok("set", project, "canvas.cut=0012")
+    shell.ok("timesheet", project, "-o", sheet, "--force")

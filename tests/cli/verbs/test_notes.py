@@ -31,6 +31,11 @@ def test_they_are_listed(shell: Shell, project: Path) -> None:
     assert shell.ok("notes", project, "--open") == "[ ] 9 (0+09)  A · Opacity\n    長く\n"
 
 
+def test_what_is_in_a_project_names_them(shell: Shell, project: Path) -> None:
+    assert "remarks     2, 1 of them open (kagezou notes)\n" in shell.ok("info", project)
+    assert shell.json("info", project, "--json")["remarks"] == {"all": 2, "open": 1}
+
+
 def test_they_become_a_table(shell: Shell, project: Path, tmp_path: Path) -> None:
     printed = shell.ok("notes", project, "--csv")
     assert printed.splitlines()[0] == "Frame,Time,Layer,Property,Note,Author,Answers,Done"
@@ -53,7 +58,7 @@ def test_programs_get_one_object(shell: Shell, project: Path) -> None:
         "done": True,
     }
     assert (second["text"], second["answers"], second["done"]) == ("長く", [], False)
-    shell.fails(2, "notes", project, "--json", "--csv")
+    assert shell("notes", project, "--json", "--csv") == 2
 
 
 def test_a_cut_without_notes_prints_nothing(shell: Shell, tmp_path: Path) -> None:

@@ -1,6 +1,10 @@
 """``kagezou set`` where a value means more than itself: a figure that is made to travel leaves its lamp."""
 
+import subprocess
+import sys
 from pathlib import Path
+
+import pytest
 
 from tests.cli.projects import Shell, make_drawings
 
@@ -71,3 +75,53 @@ class TestLoopingWaves:
         assert "there is nothing to set" in shell.said
         assert shell("set", project, "--loop-waves", "--frame", 3) == 2
         assert "goes without --frame" in shell.said
+
+
+def test_parallel_writers_never_lose_an_edit(shell: Shell, project: Path) -> None:
+    """Each in a process of its own, all at once."""
+    names = [f"shadow.{name}" for name in ("simplify", "distance", "grow", "softness", "fade", "tip_distance")]
+    writers = [
+        subprocess.Popen([sys.executable, "-m", "kagezou", "set", str(project), f"layers.Hero.{name}={number}"])
+        for number, name in enumerate(names, start=11)
+    ]
+    assert [writer.wait() for writer in writers] == [0] * len(names)
+    for number, name in enumerate(names, start=11):
+        assert shell.ok("get", project, f"layers.Hero.{name}").strip() == str(number)
+
+
+def test_a_project_that_a_window_has_open_is_changed_and_that_is_said(shell: Shell, project: Path) -> None:
+    project.with_name(f".{project.name}.lock").write_text("1\nkagezou\nstudio-7\n", encoding="utf-8")
+    assert shell("set", project, "layers.Hero.shadow.opacity=0.5") == 0
+    assert "open in a window on studio-7" in shell.said
+    assert shell.ok("get", project, "layers.Hero.shadow.opacity").strip() == "0.5"
+
+
+def test_places_need_no_brackets(shell: Shell, project: Path) -> None:
+    shell.ok("set", project, "light.position=10,-20.5,+30", "ground.position=1, 2")
+    assert shell.json("get", project, "light.position") == [10, -20.5, 30]
+    assert shell.json("get", project, "ground.position") == [1, 2]
+    assert "is not a point [x, y, z]" in shell.fails(2, "set", project, "light.position=1,2")
+
+
+def test_an_ease_is_the_whole_way_to_a_key(shell: Shell, project: Path) -> None:
+    path = "layers.Hero.shadow.opacity"
+    assert "no key before frame 1" in shell.fails(2, "set", project, f"{path}=0.1", "--frame", 1, "--ease")
+    shell.ok("set", project, f"{path}=0.0", "--frame", 1)
+    shell.ok("set", project, f"{path}=1.0", "--frame", 5, "--ease")
+    early, late = (shell.json("get", project, path, "--frame", frame) for frame in (2, 4))
+    assert early < 0.25, "slowly off"
+    assert late > 0.75, "slowly on"
+    assert early == pytest.approx(1 - late)
+    assert "goes without --interp" in shell.fails(
+        2, "set", project, f"{path}=1", "--frame", 5, "--ease", "--interp", "hold"
+    )
+    shell.ok("set", project, "layers.Hero.visible=true", "--frame", 1)
+    assert "are held" in shell.fails(2, "set", project, "layers.Hero.visible=false", "--frame", 3, "--ease")
+
+
+def test_a_property_that_does_nothing_for_a_piece_is_refused(shell: Shell, project: Path) -> None:
+    assert shell("piece", project, "add", "back", "wall") == 0
+    before = project.read_bytes()
+    assert "it means nothing for the kind wall" in shell.fails(2, "set", project, "set.back.display=clay")
+    assert project.read_bytes() == before
+    shell.ok("set", project, "set.back.lean=10")

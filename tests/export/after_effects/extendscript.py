@@ -21,7 +21,10 @@ NODE = Path(node_wheel.ROOT_DIR) / ("node.exe" if SUFFIX else "bin/node")
 
 CHANGED, NEW = "Changed:", "New:"
 LEFT, FOREIGN = "Changed by you in After Effects, so left as it is:", "Shows other footage, so left alone:"
-DELETED = "Deleted by you in After Effects, so not added again (hold Shift as the script starts to have it back):"
+DELETED = (
+    "Deleted by you in After Effects, or its comment was, so not added again "
+    "(hold Shift as the script starts to have it back):"
+)
 GONE, BACK = "No longer in the Kagezou project, so switched off:", "In the Kagezou project again, so switched on:"
 NOTES = "Note:"
 """What stands over the parts of a summary."""

@@ -270,6 +270,7 @@ class Layer {
         return this._groups[name];
     }
     _move(other, by) {
+        this._unlocked();
         if (!(other instanceof Layer) || other === this || other.comp !== this.comp) fail("a layer is moved to no other of its comp");
         this.comp.all.splice(this.comp.all.indexOf(this), 1);
         this.comp.all.splice(this.comp.all.indexOf(other) + by, 0, this);

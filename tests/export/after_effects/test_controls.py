@@ -180,7 +180,7 @@ def test_without_the_null_all_is_as_without_controls(document: Document, tmp_pat
         ("main.layers.precompose([at('C shadow').index, at('Kagezou').index], 'pre', true);", []),
         ("delete effectsOf('C shadow')['Kagezou Softness'];", ["C shadow: expressions"]),
         ("at('C shadow').transform['ADBE Opacity'].expression = '12';", ["C shadow: expressions"]),
-        ("at('C shadow').duplicate().name = 'mine';", []),
+        ("at('C shadow').duplicate().name = 'mine';", ["mine: name"]),
     ],
 )
 def test_driven_layers_are_the_users_too(document: Document, tmp_path: Path, edit: str, left: list[str]) -> None:

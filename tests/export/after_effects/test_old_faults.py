@@ -26,10 +26,12 @@ TOP = (
 )
 STATES = {
     "as it was": "",
+    "locked": "main.all.forEach((each) => { each.locked = true; });",
     "precomposed with all attributes": "together();",
     "precomposed without": "alone();",
     "precomposed both ways": "alone(); together();",
-    "all precomposed": "main.layers.precompose(main.all.map((each) => each.index), 'all', true);",
+    "all precomposed": "main.layers.precompose(main.all.map((each) => each.index), 'all', true);"
+    "main.all[0].locked = true;",
 }
 
 
@@ -216,3 +218,61 @@ def test_what_was_deleted_stays_so_without_the_folders(document: Document, tmp_p
     run = rerun(document, document, edit, tmp_path)
     assert run.left() == ["A shadow"]
     assert "A shadow" not in [layer["name"] for layer in run.item("cut", "CompItem")["layers"]]
+
+
+UNITED = {
+    "as it was": "",
+    "precomposed with all attributes": "main.layers.precompose(["
+    "at('A').index, at('A, B shadows').index, at('Background').index], 'pre', true);",
+    "precomposed without": "main.layers.precompose([at('A, B shadows').index], 'pre', false);",
+    "copied deep": "var deep = comp('A, B shadows').duplicate(); main.duplicate().all.forEach((each) => {"
+    " if (each.source.name === 'A, B shadows') each.replaceSource(deep); });",
+}
+
+
+@pytest.mark.parametrize("keeps", ["corner", "middle"])
+@pytest.mark.parametrize("edit", UNITED.values(), ids=UNITED)
+def test_united_shadows_follow_too(document: Document, edit: str, keeps: str, tmp_path: Path) -> None:
+    united = with_values(document, layers__B__shadow__opacity=0.6)
+    canvas = replace(united.canvas, width_px=WIDTH + 22, height_px=HEIGHT + 9)
+    canvas = replace(canvas, frame_rate=Fraction(25), length_frames=5)
+    red = {f"layers__{name}__shadow__color": "#801010" for name in "AB"}
+    changed = with_values(set_canvas(united, canvas), **red)
+    run = rerun(united, changed, edit + f"settings.resizeKeeps = '{keeps}';", tmp_path)
+    assert run.left() == []
+    names = {each["name"] for each in run.tree["items"] if each["layers"]}
+    assert furthest(run, changed, tmp_path) <= 1
+    if "cut 2" in names:
+        for frame in (1, 5):
+            assert np.array_equal(composed(run, "cut 2", frame), composed(run, "cut", frame))
+
+
+def test_a_missing_file_changes_nothing(document: Document, tmp_path: Path) -> None:
+    first, second = (script_of(handed_off(document, tmp_path / name)) for name in "12")
+    (tmp_path / "2" / "characters" / "B" / "B_0001.png").unlink()
+    once = run_edited(first, tmp_path / "1.json", ("", first))
+    run = run_edited(first, tmp_path / "2.json", ("", first), ("", second))
+    assert "B_0001.png" in run.tree["alerts"][-1]
+    assert run.tree["items"] == once.tree["items"]
+    fresh = run_edited(second, tmp_path / "3.json", ("", second))
+    assert fresh.tree["items"] == []
+
+
+def test_another_order_arrives_unless_the_user_has_one(document: Document, tmp_path: Path) -> None:
+    turned = replace(document, layers=document.layers[::-1])
+    own = "main.layers.addSolid([1, 0, 0], 'own', 8, 8, 1, 1).moveBefore(at('A shadow')); at('own').enabled = false;"
+    run = rerun(document, turned, own + "at('B').locked = true; at('A').locked = true;", tmp_path)
+    names = [layer["name"] for layer in reversed(run.item("cut", "CompItem")["layers"])]
+    assert names[:6] == ["Background", "own", "B shadow", "A shadow", "B", "A"]
+    assert run.summary()[CHANGED] == ["cut: stacking order"]
+    assert furthest(run, turned, tmp_path) <= 1
+    run = rerun(document, turned, "at('A').moveToEnd();", tmp_path)
+    assert run.left() == ["cut: stacking order"]
+    assert run.item("cut", "CompItem")["layers"][-1]["name"] == "A"
+
+
+def test_a_layer_that_was_off_is_off_when_it_comes_back(document: Document, tmp_path: Path) -> None:
+    alone = replace(document, layers=document.layers[:1])
+    first, second = (script_of(handed_off(each, tmp_path / name)) for each, name in ((document, "1"), (alone, "2")))
+    run = run_edited(first, tmp_path / "ae.json", (TOP + "at('B').enabled = false;", second), ("", first))
+    assert [run.layer("cut", name)["enabled"] for name in ("B", "B shadow")] == [False, True]

@@ -300,3 +300,29 @@ def test_shadows_of_moved_layers_come_back_where_they_are(panel: Panel, saved: P
     position = property_of(shadow, "ADBE Transform Group", "ADBE Position")
     assert (position["value"], position["keys"]) == ([160, 120], []), "rendered where it is, so never moved"
     assert saved.exists()
+
+
+def test_all_that_is_seen_comes_back(panel: Panel, saved: Path, tmp_path: Path) -> None:
+    """Sets drawn as clay, patches, reflections, and what falls on characters in both blend modes."""
+    corners = [(x, y, z) for x in (-40, 40) for y in (0, 80) for z in (-40, 40)]
+    faces = ("1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4")
+    text = "".join(f"v {x} {y} {z}\\n" for x, y, z in corners) + "".join(f"f {each}\\n" for each in faces)
+    crate = f"'--file', {str(tmp_path / 'crate.obj')!r}"
+    run = panel(f"""
+        var cut = newComp('cut', 2);
+        ['street', 'A', 'B', 'C'].forEach((name) => {{ cut.put(file, name).selected = name.length < 2; }});
+        press(make);
+        disk.writeFileSync({str(tmp_path / "crate.obj")!r}, '{text}');
+        callProgram('piece', settings.saveTo, 'add', 'crate', 'mesh', 'display="clay"', 'position=[200,200]', {crate});
+        callProgram('piece', settings.saveTo, 'add', 'far', 'mesh', 'display="clay"', 'under=true', {crate});
+        callProgram('set', settings.saveTo, 'layers.A.receives=true', 'layers.C.shadow.blend="normal"',
+            'layers.A.contact.strength=0.8', 'layers.A.reflection.opacity=0.5');
+        press(bring);
+    """)
+    assert run.tree["alerts"] == []
+    names = [layer["name"] for layer in run.item("cut", "CompItem")["layers"]]
+    assert names[2:] == [
+        "C", "B", "A received normal", "A received", "A", "A reflection", "A contact", "C shadow", "A, B shadows",
+        "Set clay", "street", "Set clay under background",
+    ]  # fmt: skip
+    assert saved.exists()

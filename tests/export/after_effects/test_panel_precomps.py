@@ -144,3 +144,31 @@ def test_one_without_any_file_is_refused_by_name(panel: Panel, saved: Path) -> N
     """)
     assert run.tree["alerts"] == ["ファイルのないレイヤーです: Nobody"]
     assert not saved.exists()
+
+
+def test_layers_of_a_photoshop_document_are_refused_by_name(panel: Panel, saved: Path, tmp_path: Path) -> None:
+    (tmp_path / "cut.psd").write_bytes(b"")
+    run = panel(f"""
+        {NESTED}
+        var imported = room('cut.psd'), item = new FootageItem(new File({str(tmp_path / "cut.psd")!r}), false);
+        item.name = 'A_0001/cut.psd'; lay(imported, item, 'A_0001');
+        lay(cut, imported, 'A').selected = true;
+        press(make);
+    """)
+    (said,) = run.tree["alerts"]
+    assert said.splitlines()[1:] == ["A > A_0001"]
+    assert not saved.exists()
+
+
+def test_one_that_runs_backward_and_one_that_only_sounds(panel: Panel, saved: Path) -> None:
+    run = panel(f"""
+        {NESTED}
+        var hero = room('hero'), cel = into(hero, 'cel'); into(hero, 'sound').hasVideo = false;
+        cel.stretch = -100; cel.startTime = 4 / 24; cel.inPoint = 4 / 24; cel.outPoint = 0;
+        lay(cut, hero, 'Hero').selected = true;
+        press(make);
+    """)
+    assert run.tree["alerts"] == []
+    document = load(saved)
+    assert [layer.name for layer in document.layers] == ["Hero"]
+    assert [cel for _, cel in shown(document)] == ["4", "3", "2", "1", None]

@@ -124,8 +124,9 @@ def test_a_renamed_layer_takes_its_new_files_and_keeps_its_place(tmp_path: Path)
     run = run_edited(
         kept, tmp_path / "ae.json", ("layerOf('cut', 'A').name = 'mine';", script_in(renamed, tmp_path / "ae"))
     )
-    assert run.left() == []
-    assert run.layer("cut", "mine")["source"] == "A"
+    assert run.left() == ["mine: name"]
+    assert run.layer("cut", "mine")["source"] == "Hero 50%41 = 日本"
+    assert run.layer("cut", "Hero 50%41 = 日本 shadow")["source"] == "Hero 50%41 = 日本 shadow"
     files = [Path(each["file"]).parent.name for each in run.tree["items"] if each["file"]]
     assert sorted(files) == ["Hero 50%41 = 日本", "Hero 50%41 = 日本_shadow"]
 

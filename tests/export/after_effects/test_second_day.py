@@ -62,9 +62,9 @@ def left(*lines: str, changed: list[str] | None = None) -> dict[str, list[str]]:
 
 DAYS = {
     "nothing": Day(""),
-    "rename layer": Day("shadow.name = 'mine';", said={CHANGED: ["mine: opacity"]}),
-    "rename everything": Day(
-        "app.project.all.forEach((each) => { each.name = 'my ' + each.name; });",
+    "rename layer": Day("shadow.name = 'mine';", said=left("mine: name", changed=["mine: opacity"])),
+    "rename compositions and folders": Day(
+        "app.project.all.filter((each) => !each.mainSource).forEach((each) => { each.name = 'my ' + each.name; });",
         [("my cut", 90)],
         sees=lambda run: [each["kind"] for each in run.tree["items"]].count("FootageItem") == 3,
     ),
@@ -104,6 +104,23 @@ DAYS = {
         said=left("A shadow: in point, out point"),
         sees=lambda run: run.layer("cut", "A shadow")["inPoint"] == 1 / 24,
     ),
+    "switch off": Day("shadow.enabled = false;", sees=lambda run: not run.layer("cut", "A shadow")["enabled"]),
+    "add effects and masks": Day(
+        "shadow._groups['ADBE Effect Parade'].addProperty('ADBE Tint'); var name = 'one';"
+        "shadow._groups['ADBE Mask Parade'].put(shadow._groups['ADBE Marker']);",
+        sees=lambda run: (
+            list(run.layer("cut", "A shadow")["groups"]["ADBE Effect Parade"]["children"]) == ["ADBE Tint"]
+        ),
+    ),
+    "move items to other folders": Day(
+        "app.project.all.forEach((each) => { each.parentFolder = app.project.rootFolder; });",
+        sees=lambda run: {each["folder"] for each in run.tree["items"]} == {"root"},
+    ),
+    "copy and paste into another composition": Day(
+        "var own = app.project.items.addComp('own', 64, 48, 1, 1, 24); shadow.duplicate().moveToComp(own);",
+        [("cut", 90), ("own", 90)],
+        {CHANGED: [*FOLLOWED, "own / A shadow: opacity"]},
+    ),
     "lock": Day("shadow.locked = true; layerOf('cut', 'Light').locked = true; layerOf('cut', 'A').locked = true;"),
     "lay into space": Day("shadow.threeDLayer = true;", said=left("A shadow: transform")),
     "track matte": Day(
@@ -123,6 +140,9 @@ DAYS = {
         {DELETED: ["A shadow"]},
         sees=lambda run: "A shadow" not in [each["name"] for each in run.tree["items"]],
     ),
+    "delete a folder and hold Shift": Day(
+        "item('Shadows').remove(); keyboard.shiftKey = true;", [("cut", 90)], {NEW: ["A shadow"]}
+    ),
     "delete guide": Day("layerOf('cut', 'Light').remove();", said={CHANGED: FOLLOWED, DELETED: ["Light"]}),
     "delete marker": Day(
         "main.markerProperty.keys = [];",
@@ -130,7 +150,10 @@ DAYS = {
         sees=lambda run: not run.item("cut", "CompItem")["markers"],
     ),
     "delete composition": Day(
-        "main.remove();", [("cut", 90)], {}, sees=lambda run: len(run.item("cut", "CompItem")["layers"]) == 5
+        "main.remove();",
+        [("cut", 90)],
+        {NOTES: ["Nothing was left of the composition cut, so it was built anew."]},
+        sees=lambda run: len(run.item("cut", "CompItem")["layers"]) == 5,
     ),
     "take the comment away": Day("shadow.comment = '';", [("cut", 60)], {DELETED: ["A shadow"]}),
     "precompose, moving all attributes": Day(

@@ -25,6 +25,7 @@ EXAMPLES = """\
   kagezou export-ae walk.kage -o to_ae
   kagezou export-ae walk.kage -o to_ae --per-drawing --mattes core,distance
   kagezou export-ae walk.kage -o to_ae --footage reference --skip-existing
+  kagezou export-ae walk.kage -o to_ae --controls
   kagezou export-ae --panel        where the panel Kagezou.jsx lies
 """
 

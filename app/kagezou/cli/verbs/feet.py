@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import Json, give, give_json, note, one_line
 
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
+@holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Look through the drawings, write what was found, and list it."""
     from kagezou.importing.feet import document_with_feet

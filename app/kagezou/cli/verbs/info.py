@@ -16,12 +16,18 @@ if TYPE_CHECKING:
     from kagezou.document.whole_cut import SaidOf
     from kagezou.message import Message, Translate
 
-DESCRIPTION = "Say what is in a project: canvas, layers, drawings, missing files, and which properties have keys."
+DESCRIPTION = """\
+Say what is in a project: canvas, layers, drawings, missing files, which properties have keys, and what people noted.
+The exit code is 3 while a file is missing."""
 EXAMPLES = """\
   kagezou info walk.kage
   kagezou info walk.kage --properties        every property: value, unit, range and what it does
   kagezou info walk.kage --json
 """
+
+
+FILES_MISSING = 3
+"""The exit code where a file that is needed is missing."""
 
 
 def add_arguments(parser: Parser) -> None:
@@ -39,11 +45,10 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if options.json:
         table = {"properties": _property_table(document)} if options.properties else {}
         give_json({**_about(document), **table}, indent=2)
-        return 0
-    lines = _property_lines(document) if options.properties else _lines(document)
-    for line in lines:
-        give(one_line(line))
-    return 0
+    else:
+        for line in _property_lines(document) if options.properties else _lines(document):
+            give(one_line(line))
+    return FILES_MISSING if any(True for _ in _missing(document)) else 0
 
 
 def _about(document: "Document") -> dict[str, Json]:
@@ -69,6 +74,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": list(_missing(document)),
         "notes": [str(note) for note in _notes(document)],
+        "remarks": {"all": len(document.notes), "open": sum(not each.is_done for each in document.notes)},
     }
 
 
@@ -176,6 +182,14 @@ def _lines(document: "Document") -> Iterator[str]:
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"
+    yield from _doubtful_lines(document)
+
+
+def _doubtful_lines(document: "Document") -> Iterator[str]:
+    """Yield what people noted, what is missing, and what of the files is not used."""
+    if document.notes:
+        left = sum(not each.is_done for each in document.notes)
+        yield f"remarks     {len(document.notes)}, {left} of them open (kagezou notes)"
     for name in _missing(document):
         yield f"missing     {name}"
     for note in _notes(document):

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, did_you_mean, point, positive, project_path
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import give, note
 from kagezou.errors import UsageProblem
 from kagezou.geometry.sets.measures import PieceKind
@@ -62,6 +63,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--up", choices=("y", "z"), help="the axis of the file that points up (what the file says)")
 
 
+@holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
     from kagezou.document.set_pieces import stood_up_notes

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import give, give_json, note, one_line
 
 DESCRIPTION = """\
@@ -29,6 +30,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one JSON object")
 
 
+@holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Search, and write the project if anything was found."""
     from kagezou.document.layer_named import layer_named

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from kagezou.cli.arguments import Parser, named_source, project_path
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import give, give_json, note
 from kagezou.message import Message
 
@@ -35,6 +36,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--json", action="store_true", help="print one JSON object")
 
 
+@holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Read, match, and write the project."""
     from kagezou.io.project.file import load, save

@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import note
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.animation.track import Interpolation
+    from kagezou.document.address import Address
     from kagezou.document.cut_words import CutWord
     from kagezou.document.model import Document
 
@@ -20,10 +22,10 @@ Set properties. Without --frame a value holds for the whole cut and its keys go;
 What is said of the canvas comes first; properties are then meant on the new one.
 Everything is checked before anything is written."""
 EXAMPLES = """\
-  kagezou set walk.kage light.position=[1400,-300,900]
-  kagezou set walk.kage layers.Hero.shadow.color=#1A2340 layers.Hero.shadow.opacity=0.5 light.kind=sun
+  kagezou set walk.kage light.position=1400,-300,900
+  kagezou set walk.kage 'layers.Hero.shadow.color=#1A2340' layers.Hero.shadow.opacity=0.5 light.kind=sun
   kagezou set walk.kage light.azimuth=-40 --frame 1
-  kagezou set walk.kage light.azimuth=40 --frame 48 --interp bezier
+  kagezou set walk.kage light.azimuth=40 --frame 48 --ease      slowly off and slowly on between the two
   kagezou set water.kage --loop-waves        the last frame leads into the first
   kagezou set walk.kage 'layers.Hero.grounding=[[420,900],[510,900]]'
   kagezou set walk.kage layers.arm.joins=Hero      one more cel of Hero; "" makes it a character of its own
@@ -41,7 +43,7 @@ def add_arguments(parser: Parser) -> None:
         "assignments",
         nargs="*",
         metavar="PATH=JSON",
-        help="a property and its value as JSON; words such as sun, #20203A and true need no quotes",
+        help="a property and its value as JSON; words such as sun, #20203A and true need no quotes, nor 1400,-300,900",
     )
     parser.add_argument(
         "--loop-waves",
@@ -57,8 +59,12 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "--interp", choices=("hold", "linear", "bezier"), help="how the value goes on from the key (as its neighbours)"
     )
+    parser.add_argument(
+        "--ease", action="store_true", help="ease the way to the key from the one before it, at both of its ends"
+    )
 
 
+@holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
     from kagezou.animation.track import Interpolation
@@ -72,7 +78,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     on_canvas, others = _canvas_first(options.assignments)
     canvas_set = document = _cut_set(before, on_canvas, options)
     for text in others:
-        document = _assigned(document, text, options.frame, interpolation)
+        document, address = _assigned(document, text, options.frame, interpolation)
+        if options.ease and address is not None:
+            document = _eased(document, address, options.frame)
     if options.loop_waves:
         document = _looping(document)
     if document is before:
@@ -97,8 +105,27 @@ def _check(options: Namespace) -> None:
         raise UsageProblem(Message("there is nothing to set; PATH=JSON or --loop-waves is needed"))
     if options.loop_waves and options.frame is not None:
         raise UsageProblem(Message("--loop-waves is for the whole cut and goes without --frame"))
+    if options.ease and (options.frame is None or options.interp is not None):
+        raise UsageProblem(Message("--ease is for the way to a key: it needs --frame, and goes without --interp"))
     if options.interp is not None and options.frame is None:
         raise UsageProblem(Message("--interp says how a key goes on and needs --frame"))
+
+
+def _eased(document: "Document", address: "Address", frame: int) -> "Document":
+    """Return the document with an ease from the key before to the one that was just set."""
+    from kagezou.animation.ease import EASY
+    from kagezou.document.address import path_of, track_of
+    from kagezou.document.ease_edits import set_ease
+    from kagezou.document.key_edits import KeyRef
+
+    path = path_of(document, address)
+    before = [key.frame for key in track_of(document, address).keys if key.frame < frame]
+    if not before:
+        raise UsageProblem(Message("{path}: there is no key before frame {frame} to ease from", path=path, frame=frame))
+    if address.property.holds_only:
+        raise UsageProblem(Message("{path}: its values are held, and none lies between two of them", path=path))
+    document = set_ease(document, frozenset({KeyRef(address, before[-1])}), None, (EASY,))
+    return set_ease(document, frozenset({KeyRef(address, frame)}), (EASY,), None)
 
 
 def _canvas_first(assignments: list[str]) -> tuple[list[tuple["CutWord", str]], list[str]]:
@@ -159,8 +186,10 @@ def _are_moved(before: "Document", after: "Document") -> bool:
     return any(old.tracks.get(prop.name) != new.tracks.get(prop.name) for old, new in pairs for prop in PLACEMENT_LINES)
 
 
-def _assigned(document: "Document", text: str, frame: int | None, interpolation: "Interpolation | None") -> "Document":
-    """Return the document after ``PATH=JSON``; a layer's name may hold an equals sign."""
+def _assigned(
+    document: "Document", text: str, frame: int | None, interpolation: "Interpolation | None"
+) -> "tuple[Document, Address | None]":
+    """Return the document after ``PATH=JSON``, and the property; a layer's name may hold an equals sign."""
     from kagezou.cli.values import NotJson, value_of_text
     from kagezou.document.address import resolve
     from kagezou.document.edits import set_constant, set_key
@@ -170,7 +199,7 @@ def _assigned(document: "Document", text: str, frame: int | None, interpolation:
     for path, value in _halves(text):
         said = saying_at(document, path)
         if said is not None:
-            return said.changed(value_of_text(path, value), frame)
+            return said.changed(value_of_text(path, value), frame), None
         try:
             address, raw = resolve(document, path), value_of_text(path, value)
         except NotJson:
@@ -178,12 +207,22 @@ def _assigned(document: "Document", text: str, frame: int | None, interpolation:
         except UsageProblem as unknown:
             problem = problem or unknown
             continue
+        _check_meaning(document, address, path, frame)
         if frame is None:
-            return set_constant(document, address, raw)
-        return set_key(document, address, frame, raw, interpolation)
-    raise problem or UsageProblem(
-        Message("{text!r} is not PATH=JSON, such as light.position=[1400,-300,900]", text=text)
-    )
+            return set_constant(document, address, raw), address
+        return set_key(document, address, frame, raw, interpolation), address
+    raise problem or UsageProblem(Message("{text!r} is not PATH=JSON, such as light.position=1400,-300,900", text=text))
+
+
+def _check_meaning(document: "Document", address: "Address", path: str, frame: int | None) -> None:
+    """Refuse a property that does nothing for the kind of set piece."""
+    from kagezou.document.piece_kinds import kind_of, matters
+
+    if address.piece_id is None:
+        return
+    kind = kind_of(document.piece(address.piece_id), frame or 1)
+    if not matters(address.property, kind):
+        raise UsageProblem(Message("{path}: it means nothing for the kind {kind}", path=path, kind=kind.value))
 
 
 def _halves(text: str) -> Iterator[tuple[str, str]]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, did_you_mean, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import give, note, tell
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
@@ -45,6 +46,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--dry-run", action="store_true", help="print what would change, and write nothing")
 
 
+@holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """List the styles; or keep one; or load, change and write the project."""
     from kagezou.io.project.file import load, save

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.terminal import give
+from kagezou.cli.terminal import give, note
 from kagezou.message import Message
 
 DESCRIPTION = """\
@@ -30,7 +30,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     from kagezou.importing.timesheet_on_document import sheet_of
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
-    from kagezou.io.sheets.xdts_writing import write_xdts
+    from kagezou.io.sheets.xdts_writing import notes_on_head, write_xdts
 
     project: Path = options.project
     output: Path = options.output
@@ -38,6 +38,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
         raise UsageProblem(Message("{output}: a timesheet is written as .xdts", output=shown(output)))
     if output.exists() and not options.force:
         raise OutputProblem(Message("{output}: it is there already; --force replaces it", output=shown(output)))
-    write_xdts(output, sheet_of(load(project), project.stem))
+    sheet = sheet_of(load(project), project.stem)
+    write_xdts(output, sheet)
+    for sentence in notes_on_head(sheet):
+        note(sentence)
     give(shown(output))
     return 0

@@ -30,6 +30,7 @@ _PARTS: Final = (
     "summary",
     "plan",
     "parts",
+    "order",
     "run",
 )
 """Names of files, each of which may use those before it while it is read, and all of them while it runs."""

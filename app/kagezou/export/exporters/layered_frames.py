@@ -47,7 +47,10 @@ class LayeredFrames(NumberedFrames):
             return (
                 Message("Each file is one frame with a part for each layer, linear and with premultiplied alpha."),
                 Message("Nuke, Natron and Blender read the parts as layers."),
-                Message("The blend mode of each stands in its attribute kagezou:blend; shadows are usually Multiply."),
+                Message(
+                    "The blend mode of each is its attribute kagezou:blend; laid in sRGB, not in linear light, "
+                    "they make the picture."
+                ),
             )
         return (
             Message("Each file is one frame; Photoshop and Clip Studio Paint open it with its layers."),

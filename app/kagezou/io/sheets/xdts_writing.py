@@ -1,6 +1,7 @@
 """Timesheets written as XDTS, as OpenToonz writes them."""
 
 import json
+import re
 from pathlib import Path
 from typing import Any, Final
 
@@ -11,9 +12,11 @@ from kagezou.io.names.runs import number_in
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.io.sheets.xdts import CELS, CELS_OF_TDTS, EMPTY_CEL, FIRST_LINE, TABLES, numbers_of
 from kagezou.io.sheets.xdts_values import MAX_COLUMNS, NO_NUMBERS, SYMBOL
+from kagezou.message import Message
 
 _VERSION: Final = 5
 _ALIKE: Final = (3, 5)
+_NUMBER: Final = re.compile(r"[0-9]{1,4}")
 Tree = dict[str, Any]
 """An object of JSON."""
 _Kept = tuple[str, dict[int, Tree] | None]
@@ -41,6 +44,19 @@ def xdts_text(sheet: Timesheet) -> str:
     whole = {**tree, **_header(sheet, tree), TABLES: [made]}
     whole["version"] = tree.get("version", _VERSION)
     return f"{FIRST_LINE}\n{json.dumps(whole, ensure_ascii=False, indent=1)}\n"
+
+
+def notes_on_head(sheet: Timesheet) -> tuple[Message, ...]:
+    """Return what is to be said of the numbers that a written sheet has in its head."""
+    return tuple(
+        Message(
+            "{word!r} is written as {which!r} of the timesheet, where some programs take digits alone, four at most",
+            word=word,
+            which=which,
+        )
+        for which, word in (("scene", sheet.scene), ("cut", sheet.cut))
+        if word and not _NUMBER.fullmatch(word)
+    )
 
 
 def _header(sheet: Timesheet, tree: Tree) -> Tree:

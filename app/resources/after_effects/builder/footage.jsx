@@ -122,6 +122,7 @@
         } else {
             tellLeft(item.name, "q");
         }
+        followItemName(item, footage.name, memory);
         if (before.S !== sizeOf(item)) {
             tellChanged(item.name, "S");
         }
@@ -149,10 +150,27 @@
         }
         interpret(item, footage);
         keepItem(item, coded(footage.tag));
-        var memory = { q: stateOfFootage(item) };
+        var memory = { q: stateOfFootage(item), h: checksum(footage.name) };
         rememberFile(item, footage, memory);
         remember(item, coded(footage.tag), memory);
         return item;
+    }
+
+    /**
+     * @param {AVItem} item
+     * @param {string} name
+     * @param {any} memory
+     */
+    function followItemName(item, name, memory) {
+        if (memory.h !== undefined && memory.h !== checksum(item.name)) {
+            tellLeft(item.name, "h");
+            return;
+        }
+        if (item.name !== name) {
+            tellChanged(item.name, "h");
+            item.name = name;
+        }
+        memory.h = checksum(name);
     }
 
     /**

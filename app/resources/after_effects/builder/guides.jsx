@@ -30,6 +30,7 @@
         follow(entry, "k", function () {
             setSliders(layer, wanted.sliders, entry.isNew);
         });
+        followName(entry, wanted.name);
         followBounds(entry);
         remember(layer, entry.tag, entry.memory);
     }

@@ -60,6 +60,16 @@
         }
     }
 
+    /* A lock is against a slip of the hand, so it is no reason to leave a layer alone. */
+    function unlocked(layer, work) {
+        var isLocked = layer.locked;
+        layer.locked = false;
+        work();
+        if (isLocked) {
+            layer.locked = true;
+        }
+    }
+
     function hasId(items, item) {
         for (var i = 0; i < items.length; i++) {
             if (items[i].id === item.id) {

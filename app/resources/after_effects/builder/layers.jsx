@@ -56,6 +56,7 @@
                 setColors(layer, wanted.colors);
             });
         }
+        followName(entry, wanted.name);
         if (wanted.label > 0) {
             follow(entry, "l", function () {
                 layer.label = wanted.label;
@@ -68,6 +69,14 @@
         }
         remember(layer, entry.tag, entry.memory);
         step();
+    }
+
+    function followName(entry, name) {
+        follow(entry, "h", function () {
+            if (entry.layer.name !== name) {
+                entry.layer.name = name;
+            }
+        });
     }
 
     function followTime(entry, held) {
@@ -112,11 +121,11 @@
     /** @param {Entry} entry */
     function switchOn(entry) {
         if (entry.memory.g) {
-            entry.memory.g = "";
-            if (!entry.layer.nullLayer) {
+            if (entry.memory.g === "on") {
                 entry.layer.enabled = true;
             }
-            if (entry.tag.indexOf("in:") !== 0) {
+            entry.memory.g = "";
+            if (entry.tag.indexOf("in:united:") !== 0) {
                 backNames.push(nameOfEntry(entry));
             }
         }
@@ -126,11 +135,12 @@
     /** @param {Entry} entry */
     function switchOff(entry) {
         if (!entry.memory.g) {
+            /* What was off before is off when it comes back. */
+            entry.memory.g = entry.layer.enabled ? "on" : "off";
             entry.layer.enabled = false;
-            entry.memory.g = "1";
             remember(entry.layer, entry.tag, entry.memory);
             /* What lies within a composition that is switched off itself is not said. */
-            if (entry.tag.indexOf("in:") !== 0) {
+            if (entry.tag.indexOf("in:united:") !== 0) {
                 goneNames.push(nameOfEntry(entry));
             }
         }

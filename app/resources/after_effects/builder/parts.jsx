@@ -1,6 +1,6 @@
     /* The character of what others cast on it, by its name, for its layer is the user's own. */
     function characterOf(target, received) {
-        var name = received.name.replace(/ received$/, "");
+        var name = received.name.replace(/ received( normal)?$/, "");
         for (var i = 1; i <= target.comp.numLayers; i++) {
             if (target.comp.layer(i).name === name) {
                 return target.comp.layer(i);
@@ -24,7 +24,7 @@
             var isGuide = part.kind === "null" || part.kind === "controls";
             var there = isGuide ? null : carrierIn(comp, part.tag);
             if (there !== null) {
-                lower = there;
+                lower = plan.isTarget && /^(received:|background:set_under$)/.test(part.tag) ? lower : there;
             } else if (plan.added["$" + part.tag]) {
                 var entry = addOne(part, comp, root);
                 if (entry === null) {
@@ -34,7 +34,7 @@
                     addedNames.push(nameOfEntry(entry));
                 }
                 if (part.kind === "layer" && plan.isTarget) {
-                    putBeside(entry.layer, part.wanted, target);
+                    lower = putBeside(entry.layer, part.wanted, target, lower);
                 } else if (!isGuide) {
                     putOver(entry.layer, lower);
                     lower = entry.layer;
@@ -69,7 +69,6 @@
         }
     }
 
-    /* Right under the character, so over those before it; what is cast on a character right over it. */
     /**
      * Until After Effects 23 a track matte is the layer right above, and nothing may come between.
      * @param {any} layer
@@ -80,17 +79,32 @@
     }
 
     /**
+     * What is cast on a character right over it; the lowest shadow under the character, and each over the one before.
      * @param {AVLayer} layer
      * @param {any} wanted
      * @param {any} target
+     * @param {Layer} lower
+     * @returns {Layer} the one that the next goes over
      */
-    function putBeside(layer, wanted, target) {
+    function putBeside(layer, wanted, target, lower) {
         if (wanted.tag.indexOf("received:") === 0) {
-            var character = characterOf(target, wanted);
+            /* What lies over another of the same goes over that. */
+            var other = /:over$/.test(wanted.tag) ? carrierIn(target.comp, coded(wanted.tag.replace(/:over$/, ""))) : null;
+            var character = other || characterOf(target, wanted);
             if (character) {
                 layer.moveBefore(character);
             }
+            return lower;
+        }
+        if (wanted.tag === "background:set_under") {
+            /* Under the background, which is the user's own. */
+            layer.moveToEnd();
+            return lower;
+        }
+        if (lower !== null) {
+            putOver(layer, lower);
         } else if (target.below) {
             layer.moveAfter(target.below);
         }
+        return layer;
     }

@@ -115,18 +115,24 @@
             followNumber(followers[i], main, "D");
         }
         for (i = 0; i < carriers.length; i++) {
-            var each = carriers[i];
-            var source = each.layer.source;
-            if (each.isInMiddle && each.size !== sizeOf(each.comp) + sizeOf(source)) {
-                putInMiddle(each.layer, [
-                    Math.floor((each.comp.width - source.width) / 2) + source.width / 2,
-                    Math.floor((each.comp.height - source.height) / 2) + source.height / 2
+            followCarrier(carriers[i]);
+        }
+    }
+
+    function followCarrier(carrier) {
+        var comp = carrier.comp;
+        var layer = carrier.layer;
+        unlocked(layer, function () {
+            if (carrier.isInMiddle && carrier.size !== sizeOf(comp) + sizeOf(layer.source)) {
+                putInMiddle(layer, [
+                    Math.floor((comp.width - layer.source.width) / 2) + layer.source.width / 2,
+                    Math.floor((comp.height - layer.source.height) / 2) + layer.source.height / 2
                 ]);
             }
-            if (each.isWhole && roundedTime(each.layer.outPoint) !== roundedTime(each.comp.duration)) {
-                each.layer.outPoint = each.comp.duration;
+            if (carrier.isWhole && roundedTime(layer.outPoint) !== roundedTime(comp.duration)) {
+                layer.outPoint = comp.duration;
             }
-        }
+        });
     }
 
     /**

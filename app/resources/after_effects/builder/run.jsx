@@ -1,3 +1,18 @@
+    /* Before anything is changed: a file that is missing leaves the project as it is. */
+    function checkFiles(plans, target) {
+        for (var i = 0; i < HAND_OFF.footage.length; i++) {
+            var footage = HAND_OFF.footage[i];
+            if (isNeeded(footage.tag, target) && (itemsOfFootage(footage.tag).length > 0 || isToImport(footage.tag, plans))) {
+                fileOf(footage);
+            }
+        }
+    }
+
+    function isToImport(tag, plans) {
+        var wasThere = wasMade(coded("footage:" + tag), null) && !isReturning();
+        return itemsOfFootage(tag).length === 0 && isWanted(tag, plans, wasThere);
+    }
+
     function bringFootage(plans, root, target) {
         for (var i = 0; i < HAND_OFF.footage.length; i++) {
             var footage = HAND_OFF.footage[i];
@@ -6,14 +21,13 @@
                 continue;
             }
             var items = itemsOfFootage(footage.tag);
-            var tag = coded("footage:" + footage.tag);
-            if (items.length === 0 && isWanted(footage.tag, plans, wasMade(tag, null) && !isReturning())) {
+            if (isToImport(footage.tag, plans)) {
                 importFootage(footage, root);
-                noteMade(tag);
+                noteMade(coded("footage:" + footage.tag));
             }
             for (var j = 0; j < items.length; j++) {
                 updateFootage(/** @type {FootageItem} */ (items[j]), footage);
-                noteMade(tag);
+                noteMade(coded("footage:" + footage.tag));
             }
         }
     }
@@ -54,20 +68,16 @@
         }
     }
 
-    /* A lock is against a slip of the hand, so it is no reason to leave a layer alone. */
     function updatePart(entry, part) {
-        var isLocked = entry.layer.locked;
-        entry.layer.locked = false;
-        if (!part) {
-            switchOff(entry);
-        } else if (part.kind === "layer") {
-            updateLayer(entry, part.wanted);
-        } else if (part.kind === "null") {
-            updateNull(entry, part.wanted);
-        }
-        if (isLocked) {
-            entry.layer.locked = true;
-        }
+        unlocked(entry.layer, function () {
+            if (!part) {
+                switchOff(entry);
+            } else if (part.kind === "layer") {
+                updateLayer(entry, part.wanted);
+            } else if (part.kind === "null") {
+                updateNull(entry, part.wanted);
+            }
+        });
     }
 
     /* Two cuts may be called alike. Where a hand-off of this name came from a folder that is still there, the user says
@@ -132,13 +142,16 @@
         return whole;
     }
 
-    function tellOfMain(main, target) {
+    function tellOfMain(main, target, wasBuiltBefore) {
         var names = [];
         for (var i = 1; i < main.instances.length; i++) {
             names.push(main.instances[i].name);
         }
         if (names.length > 0) {
             tellNote(said(WORDS.copies, [names.join(", ")]));
+        }
+        if (wasBuiltBefore && main.isBuilt) {
+            tellNote(said(WORDS.compAnew, [main.wanted.name]));
         }
         if (main.instances.length === 0 && !target) {
             tellNote(said(WORDS.compGone, [main.wanted.name]));
@@ -154,12 +167,14 @@
         var main = plans[plans.length - 1];
         isFirstTime = main.isFresh;
         mainName = main.instances.length > 0 ? main.instances[0].name : main.wanted.name;
+        var wasBuiltBefore = made["$" + signsOf("comp:main")] === true;
         var instances = measure(plans);
         if (!target) {
             askAbout(instances);
         }
-        var root = folderOf(null, app.project.rootFolder);
         showProgress(stepsOf());
+        checkFiles(plans, target);
+        var root = folderOf(null, app.project.rootFolder);
         bringFootage(plans, root, target);
         for (var i = 0; i < plans.length; i++) {
             bringComp(plans[i], root, target);
@@ -167,7 +182,7 @@
         if (main.instances.length > 0) {
             updateFollowers(main.instances[0]);
         }
-        tellOfMain(main, target);
+        tellOfMain(main, target, wasBuiltBefore);
         updateParts(plans);
         checkProject();
         writeLedger();
@@ -187,6 +202,9 @@
             origins["$" + target.comp.id] = [Math.floor((target.comp.width - HAND_OFF.width) / 2), Math.floor((target.comp.height - HAND_OFF.height) / 2)];
         }
         for (i = 0; i < plan.instances.length; i++) {
+            if (!plan.isTarget) {
+                followOrder(plan, plan.instances[i]);
+            }
             addParts(plan, plan.instances[i], root, target, i > 0);
             markComp(plan, plan.instances[i]);
         }

@@ -148,5 +148,8 @@
         l: function (layer) {
             return String(layer.label);
         },
-        k: stateOfSliders
+        k: stateOfSliders,
+        h: function (layer) {
+            return checksum(layer.name);
+        }
     };

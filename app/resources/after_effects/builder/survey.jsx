@@ -15,7 +15,8 @@
         for (var i = 0; i < comps.length; i++) {
             for (var j = comps[i].numLayers; j >= 1; j--) {
                 var layer = /** @type {AVLayer} */ (comps[i].layer(j));
-                var read = layer.comment.indexOf("kagezou:") < 0 ? null : readComment(layer.comment);
+                /* Cameras, lights and texts are the user's, whatever is written on them. */
+                var read = layer.source && layer.comment.indexOf("kagezou:") >= 0 ? readComment(layer.comment) : null;
                 if (read !== null) {
                     noteEntry({ comp: comps[i], layer: layer, tag: read.tag, memory: read.memory, before: {}, isNew: false });
                 }
