@@ -68,7 +68,7 @@ options:
 examples:
   kagezou demo
   kagezou new walk.kage --character Hero=drawings/hero
-  kagezou set walk.kage light.position=[1400,-300,900]
+  kagezou set walk.kage light.position=1400,-300,900
   kagezou render walk.kage -o shadows --composite
 
 exit codes: 0 everything done, 1 defect, 2 usage, 3 input file, 4 cannot write, 5 disk full, 6 no OpenGL,

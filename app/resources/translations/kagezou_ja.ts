@@ -1059,10 +1059,6 @@
         <translation>プロジェクトを開く</translation>
     </message>
     <message>
-        <source>Projects, timesheets and PSD files</source>
-        <translation>プロジェクト・タイムシート・PSD</translation>
-    </message>
-    <message>
         <source>Save Project As</source>
         <translation>プロジェクトを名前を付けて保存</translation>
     </message>
@@ -1149,6 +1145,10 @@
     <message>
         <source>Replace</source>
         <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Projects, timesheets, PSD and OCA files</source>
+        <translation>プロジェクト、タイムシート、PSD、OCA</translation>
     </message>
     <message>
         <source>Whoever saves last wins. The other window is on this computer.</source>
@@ -5065,7 +5065,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>The blend mode of each is its attribute kagezou:blend; laid in sRGB, not in linear light, they make the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>各パートの合成モードは属性 kagezou:blend にあります。リニアではなく sRGB で重ねると、元の画になります。</translation>
     </message>
     <message>
         <source>a frame may take 1 to {most_minutes} minutes, not {minutes}</source>
@@ -6377,7 +6377,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{word!r} is written as {which!r} of the timesheet, where some programs take digits alone, four at most</source>
-        <translation type="unfinished"></translation>
+        <translation>{word!r} をタイムシートの {which!r} に書きますが、最大 4 桁の数字しか受け付けないプログラムもあります</translation>
     </message>
     <message>
         <source>{words}</source>
@@ -6939,6 +6939,61 @@ Drop a folder of cels here.</source>
     <message>
         <source>Another window has recovered this work already.</source>
         <translation>この作業は、すでに別のウィンドウで復元されています。</translation>
+    </message>
+</context>
+<context>
+    <name>RetakeResult</name>
+    <message>
+        <source>Replaced Drawings: %1</source>
+        <translation>差し替えたセル：%1</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>今</translation>
+    </message>
+    <message>
+        <source>Known again by</source>
+        <translation>見分け方</translation>
+    </message>
+    <message>
+        <source>Go to the First Frame to Look At</source>
+        <translation>確認する最初のフレームへ</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>name and picture</source>
+        <translation>名前と画像</translation>
+    </message>
+    <message>
+        <source>name; another picture</source>
+        <translation>名前（画像は別）</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>likeness</source>
+        <translation>似た画像</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>並び順</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新しい</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>なくなった</translation>
     </message>
 </context>
 <context>

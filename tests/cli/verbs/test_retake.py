@@ -41,7 +41,7 @@ def test_json_tells_everything_and_a_dry_run_changes_nothing(shell: Shell, walk:
     (layer,) = told["layers"]
     assert layer["layer"] == "Hero"
     assert {"before": "3", "after": None, "how": "gone"} in layer["drawings"]
-    assert layer["gone_frames"] == [3]
+    assert layer["gone_frames"] == [], "the drawings behind it come forward"
     assert set(layer) == {
         "layer", "drawings", "contacts_moved", "look_at", "pins_kept", "pins_dropped", "keys_moved", "keys_dropped",
         "gone_frames", "unseen",

@@ -227,3 +227,12 @@ def test_a_value_of_the_layer_is_the_same_on_the_frames_of_its_drawings(walk: Do
     done = retake(document, poses(tmp_path / "new", [1, 2, 0, 3, 4, 5, 6], list(range(1, 8))))
     assert value_of(done.imported.document, opacity, 7) == 0.6
     assert replace(done.report, name="x").name == "x"
+
+
+def test_where_a_sheet_shows_a_drawing_that_is_gone_the_one_before_is_held_and_that_is_said(
+    walk: Document, tmp_path: Path
+) -> None:
+    document = set_exposures(walk, A, (Exposure(1, 0), Exposure(3, 2), Exposure(5, 1)))
+    done = retake(document, poses(tmp_path / "new", [1, 2, 4, 5, 6], [1, 2, 4, 5, 6]))
+    assert names(done.imported.document) == ["new_0001", "new_0002"]
+    assert "where a drawing is gone the one before is held (frames 3)" in words(done)

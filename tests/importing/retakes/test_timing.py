@@ -42,6 +42,7 @@ def test_drawings_that_are_gone_close_the_gap() -> None:
     retake = retimed(ON_TWOS, cels(count=2), {0: 0, 3: 1}, 8)
     assert shown(retake) == [(1, 0), (3, 1)]
     assert retake.gone == (3, 5)
+    assert retake.closes_up
     assert [retake.moved(frame) for frame in (1, 2, 3, 5, 7, 8)] == [1, 2, 3, 3, 3, 4]
 
 
@@ -71,6 +72,7 @@ def test_where_a_drawing_of_a_sheet_is_gone_the_one_before_is_held() -> None:
     retake = retimed(looped, cels(count=2), {0: 0, 2: 1}, 24)
     assert shown(retake) == [(1, 0), (5, 1)]
     assert retake.gone == (3, 7)
+    assert not retake.closes_up
     first_gone = retimed(looped, cels(count=2), {1: 0, 2: 1}, 24)
     assert shown(first_gone) == [(1, None), (3, 0), (5, 1), (7, 0)]
 

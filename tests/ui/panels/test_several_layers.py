@@ -338,11 +338,11 @@ def test_a_changed_row_says_so_in_words_too(inspector: Inspector) -> None:
     row = inspector.row("shadow.fade")
     assert "default" not in row.label.toolTip()
     row.enter(120.0)
-    assert row.label.toolTip().endswith("layers.Third.shadow.fade\nChanged; double-click for the default, 0.0")
+    assert "layers.Third.shadow.fade<br>Changed; double-click for the default, 0.0</p>" in row.label.toolTip()
     row.enter(1e9)
     assert "1000000000.0 is not a number from 0 to 10000 px" in row.label.toolTip()
     row.edited.reset()
-    assert row.label.toolTip().endswith("layers.Third.shadow.fade")
+    assert "layers.Third.shadow.fade</p>" in row.label.toolTip(), "beside a picture of what it does"
 
 
 def test_folded_sections_stay_folded_on_the_next_layer(qtbot: QtBot, inspector: Inspector, trio: OpenProject) -> None:

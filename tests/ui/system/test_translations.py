@@ -148,7 +148,7 @@ def test_what_really_happens_is_said_in_japanese(english: Language, tmp_path: Pa
 
 def test_a_missing_drawing_is_said_without_english(english: Language) -> None:
     english.speak("ja")
-    assert translated(Message("{path}: the drawing is missing", path="a.png")) == "a.png：絵が見つかりません"
+    assert translated(Message("{path}: the drawing is missing", path="a.png")) == "a.png：セルが見つかりません"
     broken = Message("the file is damaged at the layer {layer!r} or of an unknown kind ({cause})", layer="A", cause="x")
     assert translated(broken) == "レイヤー 'A' のところでファイルが壊れているか、未知の種類です（x）"
 

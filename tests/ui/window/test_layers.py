@@ -4,6 +4,7 @@ import shutil
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt, QUrl
 from PySide6.QtWidgets import QAbstractItemView, QDialog, QFileDialog, QMenu
@@ -19,6 +20,7 @@ from kagezou.tools.handle import Handle
 from kagezou.ui.panels.layer_model import Role
 from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.open_project import OpenProject
+from kagezou.ui.project.retake_result import RetakeResult
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.timeline.rows import RowKind
 from kagezou.ui.window.main_window import MainWindow
@@ -151,6 +153,33 @@ def test_other_drawings_take_the_place_and_keys_stay(
     assert (after.id, after.name) == (layer.id, layer.name)
     assert after.tracks == keyed.layers[0].tracks
     assert bridge.session.undo_name == "Replace drawings"
+    assert not plain.findChildren(RetakeResult), "the same pictures under the same numbers: nothing to read"
+
+
+def test_what_became_of_each_drawing_is_shown_and_leads_to_where_to_look(
+    qtbot: QtBot, plain: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parts, bridge = plain.parts, plain.parts.bridge
+    folder = tmp_path / "retake"
+    folder.mkdir()
+    for number, of in enumerate((1, 2, None, 3, 4, 5, 6), start=1):
+        rgba = np.zeros((200, 240, 4), np.uint8) if of is None else figure_rgba(of)
+        rgba[20:40, 20:200] = (255, 0, 0, 255) if of is None else rgba[20:40, 20:200]
+        write_rgba(folder / f"retake_{number:04d}.png", rgba)
+    monkeypatch.setattr(Dialogs, "pictures", lambda _dialogs: [folder / "retake_0001.png"])
+    parts.actions["layer_replace"].trigger()
+    (shown,) = plain.findChildren(RetakeResult)
+    texts = [[item.text(column) for column in range(3)] for item in map(shown.rows.topLevelItem, range(7)) if item]
+    assert texts[0] == ["–", "3", "new"], "what changed comes first"
+    assert texts[-1] == ["2", "2", "name and picture"]
+    assert "please look at frames 3" in shown.words.text().lower()
+    bridge.session.go_to(1)
+    qtbot.mouseClick(shown.look, Qt.MouseButton.LeftButton)
+    assert bridge.frame == 3
+    assert [marker.frame for marker in bridge.document.markers] == [3]
+    bridge.session.undo()
+    assert len(bridge.document.layers[0].cels.drawings) == 6, "one step"
+    assert bridge.document.markers == ()
 
 
 def test_the_folder_of_the_drawings_is_shown(plain: MainWindow, cels: Path, monkeypatch: pytest.MonkeyPatch) -> None:

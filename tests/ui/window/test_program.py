@@ -63,7 +63,7 @@ def test_picking_is_right_on_screens_with_small_pixels(scale: str, window: MainW
         env={**os.environ, "QT_SCALE_FACTOR": scale},
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=900,
         check=False,
     )
     assert result.returncode == 0, result.stdout[-3000:]

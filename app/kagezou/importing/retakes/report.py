@@ -55,7 +55,7 @@ class Report:
     keys_dropped
         Those that came on the frame of another one, as ``property`` and frame of before.
     gone_frames
-        Frames of before on which a drawing began that is gone.
+        Frames on which a drawing began that is gone and the one before is held.
     unseen
         New drawings that no timing shows.
     """
@@ -70,6 +70,11 @@ class Report:
     keys_dropped: tuple[tuple[str, int], ...] = ()
     gone_frames: tuple[int, ...] = ()
     unseen: tuple[str, ...] = ()
+
+    @property
+    def is_to_be_read(self) -> bool:
+        """Whether more changed than where the drawings lie."""
+        return any(row.how is not How.SAME for row in self.rows) or bool(self.contacts or self.pins_dropped)
 
     @property
     def messages(self) -> tuple[Message, ...]:

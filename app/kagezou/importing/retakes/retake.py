@@ -60,10 +60,11 @@ class RetakeRead:
 
 @dataclass(frozen=True, slots=True)
 class Retaken:
-    """A document with a retake in it, and what came of it."""
+    """A document with a retake in it, what came of it, and what is odd about the files; both are in its notes."""
 
     imported: Imported
     report: Report
+    notes_of_files: tuple[Message, ...]
 
 
 def read_retake(
@@ -113,14 +114,20 @@ def retaken(document: Document, layer_id: str, read: RetakeRead) -> Retaken:
     longer = max(document.canvas.length_frames, timing.length_frames)
     after = set_canvas(after, replace(after.canvas, length_frames=longer))
     report = Report(
-        layer.name, _rows(layer.cels, read.cels, read.matches), _moved_contacts(document, after, layer_id, timing),
-        pins_kept=kept, pins_dropped=dropped, keys_moved=moved, keys_dropped=lost, gone_frames=timing.gone,
+        layer.name,
+        _rows(layer.cels, read.cels, read.matches),
+        _moved_contacts(document, after, layer_id, timing),
+        pins_kept=kept,
+        pins_dropped=dropped,
+        keys_moved=moved,
+        keys_dropped=lost,
+        gone_frames=() if timing.closes_up else timing.gone,
         unseen=tuple(read.cels.drawings[number].name for number in timing.unseen),
-    )  # fmt: skip
+    )
     report = replace(report, frames=_to_look_at(after, layer_id, read.matches, report.contacts))
     marked = _marked(after, report)
-    notes = (*report.messages, *_notes_of_files(layer.name, read.brought))
-    return Retaken(Imported(marked, notes, (layer_id,)), report)
+    of_files = _notes_of_files(layer.name, read.brought)
+    return Retaken(Imported(marked, (*report.messages, *of_files), (layer_id,)), report, of_files)
 
 
 def _timed(document: Document, layer: Layer, cels: Cels, matches: Iterable[Match]) -> Retimed:

@@ -29,6 +29,8 @@ class Retimed:
         Frames of before on which a drawing began that is gone.
     unseen
         New drawings that are exposed nowhere.
+    closes_up
+        Whether what is behind a drawing that is gone comes forward; else the one before is held.
     """
 
     exposures: tuple[Exposure, ...]
@@ -36,6 +38,7 @@ class Retimed:
     moves: tuple[tuple[int, int], ...] = ()
     gone: tuple[int, ...] = ()
     unseen: tuple[int, ...] = ()
+    closes_up: bool = False
 
     def stays(self, frame: int) -> bool:
         """Return whether what was seen on a frame of before is still there."""
@@ -137,7 +140,7 @@ def _one_after_the_other(before: Cels, count: int, became: Mapping[int, int], le
         frame += lasting
     moves = _moves(before.exposures, exposures, became)
     gone = tuple(each.frame for each in before.exposures if each.drawing is not None and each.drawing not in became)
-    return Retimed(tuple(exposures), frame - 1, moves, gone)
+    return Retimed(tuple(exposures), frame - 1, moves, gone, closes_up=True)
 
 
 def _moves(

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QListWidget,
+    QListWidgetItem,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -68,6 +69,9 @@ class ExportDialog(QDialog):
         self.preview = QListWidget()
         self.preview.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self.preview.setAccessibleName(self.tr("What will be written"))
+        # A scroll bar that comes and goes would move what stands above it.
+        self.preview.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.preview.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.says = QLabel()
         self.says.setWordWrap(True)
         self.says.setObjectName("problem")
@@ -111,7 +115,9 @@ class ExportDialog(QDialog):
         exporter = exporter_of(self.choices)
         problem = ""
         try:
-            self.preview.addItems(list(exporter.preview(self._document, self.choices, self._place_now())))
+            for line in exporter.preview(self._document, self.choices, self._place_now()):
+                item = QListWidgetItem(line, self.preview)
+                item.setToolTip(line)
         except UsageProblem as refused:
             problem = translated(refused)
         if not problem and not self.folder.text().strip():

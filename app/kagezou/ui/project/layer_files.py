@@ -37,6 +37,8 @@ class LayerFiles(QObject):
     noted = Signal(Message)
     changed = Signal(tuple)
     """The ids of layers that have other drawings now."""
+    retaken = Signal(object)
+    """The Report of a retake in which more than the place of the drawings changed."""
 
     def __init__(
         self,
@@ -83,8 +85,11 @@ class LayerFiles(QObject):
 
         def put(read: RetakeRead) -> None:
             if any(layer.id == layer_id for layer in self._bridge.document.layers):
-                done = retaken(self._bridge.document, layer_id, read).imported
-                self._edit(self.tr("Replace drawings"), done.document, done.notes, (layer_id,))
+                done = retaken(self._bridge.document, layer_id, read)
+                notes = done.notes_of_files if done.report.is_to_be_read else done.imported.notes
+                self._edit(self.tr("Replace drawings"), done.imported.document, notes, (layer_id,))
+                if done.report.is_to_be_read:
+                    self.retaken.emit(done.report)
 
         return Load(sources[0].path.name, read, put)
 

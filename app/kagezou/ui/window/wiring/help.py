@@ -26,6 +26,7 @@ from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.style_list import StyleList
 from kagezou.ui.project.cut_settings_dialog import CutSettingsDialog
 from kagezou.ui.project.found_dialog import FoundDialog
+from kagezou.ui.project.retake_result import RetakeResult
 from kagezou.ui.project.welcome import Welcome
 from kagezou.ui.sets.import_bar import SetBar
 from kagezou.ui.sets.list import SetList
@@ -45,6 +46,7 @@ _WIDGETS: Final[Mapping[type[QWidget], str]] = MappingProxyType(
         Welcome: "first-cut",
         FirstCutBar: "first-cut",
         FoundDialog: "drawings",
+        RetakeResult: "drawings",
         LayerList: "layers",
         SetList: "sets",
         SetBar: "sets",

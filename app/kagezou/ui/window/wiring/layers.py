@@ -10,13 +10,15 @@ from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPixmap
 from kagezou.document.edits import duplicate_layers
 from kagezou.document.layer_marks import LABELS, LayerMarks
 from kagezou.document.marking import set_marks
+from kagezou.importing.retakes.report import Report
 from kagezou.message import first_names
+from kagezou.ui.project.retake_result import RetakeResult
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.parts import Parts
 
 translate = QCoreApplication.translate
-_LOCKED, _FILES = "locked-layer", "layer-files"
+_LOCKED = "locked-layer"
 
 
 def connect_layers(parts: Parts) -> None:
@@ -34,7 +36,8 @@ def connect_layers(parts: Parts) -> None:
     parts.menus.add_labels(_label_choices(parts))
     parts.panels.layers.menu_opening.connect(parts.menus.fill_layers)
     parts.panels.layers.model.refused.connect(lambda said: parts.bar.say("layer-name", said, Severity.NOTE))
-    files.noted.connect(lambda note: parts.bar.say(_FILES, translated(note), Severity.NOTE))
+    files.noted.connect(lambda note: parts.bar.say(str(note), translated(note), Severity.NOTE))
+    files.retaken.connect(lambda report: _show_retake(parts, report))
     files.changed.connect(parts.feet.search)
     parts.bridge.layer_refused.connect(lambda names: _say_locked(parts, names))
     for signal in (parts.bridge.document_changed, parts.bridge.selection_changed):
@@ -55,6 +58,17 @@ def _connect_missing(parts: Parts) -> None:
     if isinstance(application, QGuiApplication):
         # Who comes back from another program may have moved files there.
         application.applicationStateChanged.connect(missing.come_back)
+
+
+def _show_retake(parts: Parts, report: Report) -> None:
+    """Show what came of a retake, in the place of what came of the one before."""
+    window = parts.viewport.window()
+    for before in window.findChildren(RetakeResult):
+        before.close()
+    result = RetakeResult(report, window)
+    result.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    result.frame_asked.connect(parts.bridge.session.go_to)
+    result.show()
 
 
 def _chosen_marks(parts: Parts) -> list[LayerMarks]:
