@@ -1,6 +1,7 @@
 """Every scene against the picture, over what may come together in a cut: sets, received shadows, looks, blends."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -8,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from kagezou.document.model import Document
+from kagezou.document.model import Document, Exposure
 from kagezou.export.exchange.blender import BLENDER
 from kagezou.export.exchange.export import SceneMade
 from kagezou.export.exchange.fusion import FUSION
@@ -22,7 +23,7 @@ from tests.export.exchange.cuts import composites, levels_apart, made, on_white
 from tests.export.exchange.nuke_script import nodes_of, shown
 from tests.export.exchange.test_fusion import opened
 from tests.export.hand_over_cuts import EVERY, FRAMES, Combination, combined
-from tests.export.small_cuts import HEIGHT, WIDTH
+from tests.export.small_cuts import HEIGHT, WIDTH, with_key
 from tests.export.test_hand_overs import covering
 
 Pixels = NDArray[np.float64]
@@ -87,6 +88,27 @@ SCENES = {False: (in_blender, in_oca), True: (in_nuke, in_natron, in_fusion)}
 @pytest.mark.parametrize("wanted", covering(EVERY), ids=str)
 def test_what_is_seen_goes_over(wanted: Combination, tmp_path: Path) -> None:
     document = combined(wanted, tmp_path)
+    pictures = composites(document, tmp_path / "picture")
+    for every_frame, scenes in SCENES.items():
+        folder = tmp_path / f"every frame {every_frame}"
+        stack = drawn(document, folder, every_frame=every_frame)
+        for make in scenes:
+            seen = make(stack, folder)
+            for frame in range(1, FRAMES + 1):
+                assert_alike(seen(frame), pictures[frame - 1], make.__name__)
+
+
+def test_what_moves_goes_over(tmp_path: Path) -> None:
+    document = combined(Combination("clay", "received", "joined", "unlike", "multiply"), tmp_path)
+    for path, first, last in (
+        ("layers.A.position", [32, 24], [40, 20]),
+        ("layers.B.scale", [100, 100], [60, 140]),
+        ("layers.C.rotation", 0, 25),
+        ("background.position", [32, 24], [20, 30]),
+    ):
+        document = with_key(with_key(document, path, 1, first), path, FRAMES, last)
+    behind = replace(document.behind, exposures=(*document.behind.exposures, Exposure(3, None)))
+    document = replace(document, behind=behind)
     pictures = composites(document, tmp_path / "picture")
     for every_frame, scenes in SCENES.items():
         folder = tmp_path / f"every frame {every_frame}"

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from kagezou.export.exchange.oca import OCA
@@ -17,11 +18,12 @@ from tests.ui.viewing import OwnClipboard
 
 
 @pytest.fixture
-def plain(qtbot: QtBot, settings: Settings) -> Iterator[MainWindow]:
+def plain(qtbot: QtBot, settings: Settings) -> Iterator[MainWindow]:  # noqa: ARG001 - makes the application
     window = MainWindow(OpenProject(), settings, OwnClipboard())
-    qtbot.addWidget(window)
     yield window
     window.close_unasked()
+    window.deleteLater()
+    QApplication.processEvents()
 
 
 @pytest.fixture

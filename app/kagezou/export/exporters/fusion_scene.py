@@ -9,7 +9,9 @@ from kagezou.message import Message
 
 def _steps(file: str) -> tuple[Message, ...]:
     return (
-        Message("In Fusion: File > Open…, and choose {file}; in DaVinci Resolve: Import Composition.", file=file),
+        Message(
+            "In Fusion: File > Open…, and choose {file}; DaVinci Resolve imports it as a Fusion composition.", file=file
+        ),
         Message("Loaders read the pictures as they are stored: set no colour space for them."),
     )
 

@@ -9,7 +9,9 @@ from kagezou.message import Message
 
 def _steps(file: str) -> tuple[Message, ...]:
     return (
-        Message("OpenToonz imports {file} by File > Import > OCA File…; it has no blend modes there.", file=file),
+        Message(
+            "OpenToonz imports {file} by File > Import > Open Cel Animation (OCA), without blend modes.", file=file
+        ),
         Message("After Effects and Blender import it by RxLab's add-ons; holds, opacity and blend modes are in it."),
     )
 

@@ -54,7 +54,7 @@ class SceneFile(Exporter[SceneRequest, SceneMade]):
         plan = planned(document, request.frames_wanted)
         length = sum(len(job.targets) for job in plan.jobs)
         labels = reversed(labels_of(scene_layers(plan)).values())
-        return (request.file, *(f"{self.target.pictures}/{label}/  ≤ {length} × .png" for label in labels))
+        return (request.file, f"{self.target.pictures}/", *(f"    {label}/  ≤ {length} × .png" for label in labels))
 
     def request(self, document: Document, choices: ExportChoices, place: Place) -> SceneRequest:
         """Return what the scene is asked for with."""
