@@ -8,7 +8,6 @@ import pytest
 from kagezou.document.address import Address, track_of, value_of
 from kagezou.document.edits import add_layer, set_constant, set_key
 from kagezou.document.model import Canvas, Cels, Document, Drawing, Exposure
-from kagezou.document.piece_kinds import PieceKind
 from kagezou.document.properties import (
     FOV,
     GROUND_DECLINATION,
@@ -82,8 +81,8 @@ def test_a_look_has_no_keys_and_that_is_said() -> None:
 
 
 def test_a_set_takes_the_place_of_the_one_there_is() -> None:
-    source = add_piece(lit(cut(("A", 100))), PieceKind.WALL, "back")
-    target = add_piece(add_piece(cut(("A", 100)), PieceKind.BOX, "old"), PieceKind.BOX, "older")
+    source = add_piece(lit(cut(("A", 100))), "back", "wall")
+    target = add_piece(add_piece(cut(("A", 100)), "old", "box"), "older", "box")
     done = taken(target, source, [Part.SET]).document
     assert [piece.name for piece in done.pieces] == ["back"]
     assert not track_of(done, LIGHT).is_keyed

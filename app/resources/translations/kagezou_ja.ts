@@ -4439,10 +4439,6 @@ Drop a folder of cels here.</source>
         <translation>Blender 3.4 以降：「Scripting」で {file} を開き、「スクリプト実行」を押します。</translation>
     </message>
     <message>
-        <source>In Fusion: File &gt; Open…, and choose {file}; in DaVinci Resolve: Import Composition.</source>
-        <translation>Fusion：File &gt; Open… で {file} を選びます。DaVinci Resolve では Import Composition を使います。</translation>
-    </message>
-    <message>
         <source>In Nuke: File &gt; Open Comp…, and choose {file}.</source>
         <translation>Nuke：File &gt; Open Comp… で {file} を選びます。</translation>
     </message>
@@ -4525,10 +4521,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>Open Cel Animation</source>
         <translation>Open Cel Animation（OCA）</translation>
-    </message>
-    <message>
-        <source>OpenToonz imports {file} by File &gt; Import &gt; OCA File…; it has no blend modes there.</source>
-        <translation>OpenToonz は File &gt; Import &gt; OCA File… で {file} を読み込みます。描画モードは読まれません。</translation>
     </message>
     <message>
         <source>Other farms: openjd run {template} --step Render</source>
@@ -5051,6 +5043,10 @@ Drop a folder of cels here.</source>
         <translation>レイヤーごとに列ができます。描画モードと不透明度はスケマティックのエフェクトにあります。</translation>
     </message>
     <message>
+        <source>In Fusion: File &gt; Open…, and choose {file}; DaVinci Resolve imports it as a Fusion composition.</source>
+        <translation>Fusion：File &gt; Open… で {file} を選びます。DaVinci Resolve では Fusion コンポジションとして読み込みます。</translation>
+    </message>
+    <message>
         <source>In OpenToonz: File &gt; Load Scene…, and choose {file}.</source>
         <translation>OpenToonz：File &gt; Load Scene… で {file} を選びます。</translation>
     </message>
@@ -5058,6 +5054,10 @@ Drop a folder of cels here.</source>
         <source>Lamp</source>
         <comment>a kind of light</comment>
         <translation>ランプ</translation>
+    </message>
+    <message>
+        <source>OpenToonz imports {file} by File &gt; Import &gt; Open Cel Animation (OCA), without blend modes.</source>
+        <translation>OpenToonz は File &gt; Import &gt; Open Cel Animation (OCA) で {file} を読み込みます。描画モードは読まれません。</translation>
     </message>
     <message>
         <source>OpenToonz</source>
@@ -5270,6 +5270,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>its {kinds} are not used</source>
         <translation>{kinds} は使いません</translation>
+    </message>
+    <message>
+        <source>keys behind the end of the cut: {names}</source>
+        <translation>カットの終わりより後ろのキー：{names}</translation>
     </message>
     <message>
         <source>keys behind the new end, kept and not reached: {count}</source>
@@ -5668,6 +5672,10 @@ Drop a folder of cels here.</source>
         <translation>三角形がありません：{why}</translation>
     </message>
     <message>
+        <source>there is no character in it whose look could be taken</source>
+        <translation>見た目を取り込めるキャラクターがありません</translation>
+    </message>
+    <message>
         <source>there is no layer {address!r} in it, but there are: {names}</source>
         <translation>レイヤー {address!r} がありません。あるのは {names} です</translation>
     </message>
@@ -5960,8 +5968,16 @@ Drop a folder of cels here.</source>
         <translation>{names} は範囲の端の値にしました：キャラクターがとても小さいか、とても大きいためです</translation>
     </message>
     <message>
+        <source>{names}: not there, so they look as {first} does</source>
+        <translation>{names}：元にないため、{first} の見た目にしました</translation>
+    </message>
+    <message>
         <source>{names}: standing upright now, as the set does</source>
         <translation>{names}：セットと同じく、まっすぐに立つようになりました</translation>
+    </message>
+    <message>
+        <source>{names}: the look of frame {frame} was taken, without keys</source>
+        <translation>{names}：フレーム {frame} の見た目を、キーなしで取り込みました</translation>
     </message>
     <message>
         <source>{name} cannot be a part of its own figure</source>
