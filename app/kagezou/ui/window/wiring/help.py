@@ -156,11 +156,18 @@ class Help(QObject):
     def follow_window(self) -> None:
         """Let the dialog that came up open the manual by the same key: the window's own commands are out of reach."""
         dialog = QApplication.activeWindow()
-        if not isinstance(dialog, QDialog) or dialog.property("explained"):
+        if not isinstance(dialog, QDialog) or dialog.property("explained") or not self._owns(dialog):
             return
         dialog.setProperty("explained", True)
         for keys in self._parts.actions["manual"].shortcuts():
             QShortcut(keys, dialog).activated.connect(self.open)
+
+    def _owns(self, dialog: QWidget) -> bool:
+        """Return whether a dialog belongs to the window; another window may be about to go, or to come."""
+        owner = dialog.parentWidget()
+        while owner is not None and owner is not self._window:
+            owner = owner.parentWidget()
+        return owner is not None
 
     def _property_of(self, widget: QWidget) -> AnyProperty | None:
         rows = self._parts.panels.inspector.rows
