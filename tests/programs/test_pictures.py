@@ -32,14 +32,15 @@ def test_gimp_shows_a_layered_document(depth: int, tmp_path: Path) -> None:
 
 
 @needs("krita")
-def test_krita_shows_a_layered_document(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("depth", "levels"), [(8, 2), (16, 1)])
+def test_krita_shows_a_layered_document(depth: int, levels: int, tmp_path: Path) -> None:
     document = rich_cut(tmp_path / "in")
-    export(document, tmp_path / "out", layered=True, format="psd")
+    export(document, tmp_path / "out", layered=True, format="psd", depth=depth)
     source, target = tmp_path / "out" / "layered" / "layered_0006.psd", tmp_path / "seen.png"
     said = ran(tmp_path / "home", "krita", "--nosplash", "--export", "--export-filename", str(target), str(source))
     assert target.is_file(), said
-    # It rounds to 8 bit after each of six layers.
-    assert levels_apart(pixels_of(target)[..., :3], composites(document, tmp_path / "ref")[5][..., :3]) <= 2
+    # Of 8 bit it rounds after each of six layers.
+    assert levels_apart(pixels_of(target)[..., :3], composites(document, tmp_path / "ref")[5][..., :3]) <= levels
 
 
 _SYNFIG = """\

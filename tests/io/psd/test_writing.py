@@ -143,7 +143,9 @@ def test_a_document_is_laid_out_as_photoshop_lays_out_its_depth(depth: int) -> N
     data = packed_psd(image)
     channels, height, width, bits = struct.unpack(">HIIH", data[12:24])
     assert (channels, height, width, bits) == (4, 11, 13, depth)
-    section = data[34:]  # behind the header, no colour table and no resources
+    (resources,) = struct.unpack(">I", data[30:34])  # behind the header and no colour table
+    assert (b"acsp" in data[34 : 34 + resources]) == (depth == 16), "a profile, without which 16 bit count as linear"
+    section = data[34 + resources :]
     length, layers = struct.unpack(">II", section[:8])
     assert length % 2 == 0
     if depth == 8:

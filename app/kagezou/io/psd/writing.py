@@ -10,13 +10,12 @@ from itertools import groupby
 from typing import Any, Final, TypeAlias
 
 import numpy as np
-from isal import isal_zlib
 from numpy.typing import NDArray
-from psd_tools.compression import encode_prediction
-from psd_tools.constants import BlendMode, ChannelID, ColorMode, Compression, SectionDivider, Tag
+from psd_tools.constants import BlendMode, ChannelID, ColorMode, Compression, Resource, SectionDivider, Tag
 from psd_tools.psd import PSD
 from psd_tools.psd.header import FileHeader
 from psd_tools.psd.image_data import ImageData
+from psd_tools.psd.image_resources import ImageResource
 from psd_tools.psd.layer_and_mask import (
     ChannelData,
     ChannelDataList,
@@ -33,10 +32,9 @@ from psd_tools.psd.tagged_blocks import TaggedBlocks
 
 from kagezou.geometry.box import Box
 from kagezou.io.pixels.layers import LayeredImage, LayerPart, PartGroup, Pixels
+from kagezou.io.psd.srgb_profile import srgb_profile
 
 LARGEST_SIDE_PX: Final = 30000
-# As differences to the left, deflated fast, 16 bit are packed as fast as in run lengths, in about half the room.
-_LEVEL: Final = 1
 _Layer: TypeAlias = tuple[LayerRecord, ChannelDataList]
 """What a document says of a layer, and its planes."""
 _CHANNELS: Final = (ChannelID.CHANNEL_0, ChannelID.CHANNEL_1, ChannelID.CHANNEL_2, ChannelID.TRANSPARENCY_MASK)
@@ -64,6 +62,10 @@ def packed_psd(image: LayeredImage) -> bytes:
     merged = ImageData(compression=Compression.RLE)
     merged.set_data([_stored(plane) for plane in np.moveaxis(_on_white(image), 2, 0)], header)
     document = PSD(header=header, layer_and_mask_information=_layers(image), image_data=merged)
+    if image.depth == 16:
+        # Krita takes 16 bit without a profile for linear light.
+        profile = ImageResource(key=Resource.ICC_PROFILE, data=srgb_profile())
+        document.image_resources[Resource.ICC_PROFILE] = profile
     stream = io.BytesIO()
     document.write(stream)
     return stream.getvalue()
@@ -172,11 +174,12 @@ def _layer(part: LayerPart, depth: int) -> _Layer:
 
 
 def _plane(pixels: NDArray[Any]) -> ChannelData:
-    """Return one channel (h, w) of a layer, packed as Photoshop packs its depth."""
+    """Return one channel (h, w) of a layer.
+
+    In run lengths, which every reader unpacks: differences, as Photoshop writes them for 16 bit, Krita misreads, and
+    OpenImageIO what is deflated plainly.
+    """
     height, width = pixels.shape
-    if pixels.dtype == np.uint8:
-        plane = ChannelData(compression=Compression.RLE)
-        plane.set_data(_stored(pixels), width, height, 8)
-        return plane
-    differences = encode_prediction(_stored(pixels), width, height, 16)
-    return ChannelData(Compression.ZIP_WITH_PREDICTION, isal_zlib.compress(differences, _LEVEL))
+    plane = ChannelData(compression=Compression.RLE)
+    plane.set_data(_stored(pixels), width, height, pixels.dtype.itemsize * 8)
+    return plane
