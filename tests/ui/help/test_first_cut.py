@@ -24,7 +24,6 @@ from kagezou.io.project.file import save
 from kagezou.message import Message
 from kagezou.ui.help.first_cut import STEPS, FirstCut, sets_keys
 from kagezou.ui.help.first_cut_bar import FirstCutBar
-from kagezou.ui.project.demo import DemoOpener
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
@@ -113,7 +112,14 @@ def test_the_last_step_is_an_export(document: Document) -> None:
 
 
 @pytest.fixture
-def guided(qtbot: QtBot, open_project: OpenProject, settings: Settings, cels: Path, tmp_path: Path) -> MainWindow:
+def guided(
+    qtbot: QtBot,
+    open_project: OpenProject,
+    settings: Settings,
+    cels: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> MainWindow:
     """The whole window with the guide begun from the menu, on a demo that somebody makes."""
 
     def make(folder: Path, _progress: object) -> Path:
@@ -122,10 +128,8 @@ def guided(qtbot: QtBot, open_project: OpenProject, settings: Settings, cels: Pa
         save(new_document((CharacterSource("Child", cels),)).document, path)
         return path
 
+    monkeypatch.setattr("kagezou.ui.project.demo.demo_folder", lambda: tmp_path / "demo")
     made = MainWindow(open_project, settings, OwnClipboard(), make)
-    demo = made.parts.demo
-    assert isinstance(demo, DemoOpener)
-    demo.keep_in(tmp_path / "demo")
     qtbot.addWidget(made, before_close_func=MainWindow.close_unasked)
     made.resize(1100, 760)
     made.show()

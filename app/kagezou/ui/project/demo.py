@@ -61,10 +61,6 @@ class DemoOpener(QObject):
         elif not self._background.is_busy:
             self._background.ask(self._make_project)
 
-    def keep_in(self, folder: Path) -> None:
-        """Keep the demo in another folder from now on."""
-        self._folder = folder
-
     def finish(self) -> None:
         """Wait until nothing is made any more, before the window goes."""
         self._background.finish()

@@ -4,6 +4,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QSysInfo
 
+from kagezou.io.project.open_elsewhere import lock_of_window
+
 
 class ProjectLock:
     """Holds at most one project; the lock of a process that is gone counts for nothing."""
@@ -44,6 +46,6 @@ class ProjectLock:
 
 
 def _lock_beside(path: Path) -> QLockFile:
-    lock = QLockFile(str(path.with_name(f".{path.name}.lock")))
+    lock = QLockFile(str(lock_of_window(path)))
     lock.setStaleLockTime(0)
     return lock
