@@ -10,6 +10,7 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import frames_request, sequence_lines
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, write_bundle
+from kagezou.export.farm_program import USUAL, program_here
 from kagezou.export.file_kinds import JOB_FILES, FileCount
 from kagezou.export.request import LAYERED_SUFFIXES, SUFFIXES, Cancelled, Progress
 from kagezou.export.selection import chosen_frames
@@ -55,7 +56,7 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
             raise UsageProblem(Message("a farm renders a saved project; save this one first"))
         output = place.project.with_name(f"{place.project.stem}_shadows")
         export = frames_request(document, choices, output, is_layered=self.is_layered(choices))
-        return BundleRequest(FarmRequest(place.project, export, choices.chunk), place.folder)
+        return BundleRequest(FarmRequest(place.project, export, choices.chunk, program_here()), place.folder)
 
     def export(
         self,
@@ -77,7 +78,9 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
 
     def next_steps(self, document: Document, choices: ExportChoices, place: Place) -> tuple[Message, ...]:
         """Return how the job is sent, and where its frames go."""
-        output = shown(self.request(document, choices, place).job.export.folder)
+        job = self.request(document, choices, place).job
+        output = shown(job.export.folder)
+        called = Message("The workers call {program}; it must be there on each of them.", program=job.program)
         return (
             Message("AWS Deadline Cloud: deadline bundle submit {folder}", folder=shown(place.folder)),
             Message("Other farms: openjd run {template} --step Render", template=shown(place.folder / TEMPLATE)),
@@ -85,6 +88,7 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
                 "The farm renders the saved project, into {output}: save it before you send the job.",
                 output=output,
             ),
+            *(() if job.program == USUAL else (called,)),
         )
 
 

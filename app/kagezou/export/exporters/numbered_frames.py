@@ -82,6 +82,7 @@ def workers() -> int:
 
 
 def sequence_lines(document: Document, request: ExportRequest) -> tuple[str, ...]:
-    """Return a line for each sequence of a request: its folder, and how many files it gets of which suffix."""
-    length = len(chosen_frames(document, request))
-    return tuple(f"{each.label}/  {length} × {each.suffix}" for each in sequences_of(document, request))
+    """Return a line for each sequence of a request: its first file, and how many there are."""
+    frames = chosen_frames(document, request)
+    files = [each.file(frames[0]).relative_to(request.folder) for each in sequences_of(document, request)]
+    return tuple(f"{path.as_posix()}  × {len(frames)}" for path in files)
