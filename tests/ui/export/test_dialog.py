@@ -596,3 +596,20 @@ class TestPlaces:
         assert place_for(settings, tmp_path / f"{MOST}.kage", "n").folder == tmp_path / "x"
         settings.set_word("export_folders", "{")
         assert place_for(settings, tmp_path / f"{MOST}.kage", "n").folder == tmp_path / "n_export"
+
+
+def test_files_are_called_as_it_is_typed(filled: OpenProject, place: Place, tmp_path: Path) -> None:
+    made = ExportDialog(filled.bridge.document, ExportChoices(), place, tmp_path)
+    naming = made.options.naming
+    naming.pattern.setEditText("{layer}_{kind}.{frame:04d}")
+    naming.start.setValue(1001)
+    assert lines(made) == ["Walker_shadow.1001.png  × 6"]
+    assert (made.choices.names, made.choices.start) == ("{layer}_{kind}.{frame:04d}", 1001)
+    naming.pattern.setEditText("{layer}_{shot}")
+    assert "{shot}" in made.says.text()
+    assert not made.go.isEnabled()
+    assert naming.pattern.currentText() == "{layer}_{shot}"
+    naming.pattern.setEditText("")
+    naming.start.setValue(naming.start.minimum())
+    assert lines(made) == ["Walker_shadow/Walker_shadow_0001.png  × 6"]
+    assert made.go.isEnabled()

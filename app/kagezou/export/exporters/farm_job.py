@@ -10,7 +10,7 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import frames_request, sequence_lines
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, write_bundle
-from kagezou.export.farm_program import USUAL, program_here
+from kagezou.export.farm_program import program_here
 from kagezou.export.file_kinds import JOB_FILES, FileCount
 from kagezou.export.request import LAYERED_SUFFIXES, SUFFIXES, Cancelled, Progress
 from kagezou.export.selection import chosen_frames
@@ -80,15 +80,14 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
         """Return how the job is sent, and where its frames go."""
         job = self.request(document, choices, place).job
         output = shown(job.export.folder)
-        called = Message("The workers call {program}; it must be there on each of them.", program=job.program)
         return (
             Message("AWS Deadline Cloud: deadline bundle submit {folder}", folder=shown(place.folder)),
             Message("Other farms: openjd run {template} --step Render", template=shown(place.folder / TEMPLATE)),
             Message(
-                "The farm renders the saved project, into {output}: save it before you send the job.",
+                "The farm calls {program} and renders the saved project into {output}: save before you send the job.",
+                program=job.program,
                 output=output,
             ),
-            *(() if job.program == USUAL else (called,)),
         )
 
 
@@ -107,6 +106,7 @@ FARM_JOB: Final = FarmJob(
             Option.RECEIVERS,
             Option.ONLY_WORK_AREA,
             Option.CHUNK,
+            Option.NAMES,
         )
     ),
 )

@@ -4,8 +4,9 @@ import os
 from pathlib import Path
 
 from kagezou.document.model import Document
-from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.choices import AS_CUT, ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome
+from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.selection import chosen_frames
@@ -65,6 +66,7 @@ def frames_request(document: Document, choices: ExportChoices, folder: Path, *, 
         skip_existing=choices.skip_existing,
         workers=workers(),
         layered=is_layered,
+        names=FileNames(choices.names, None if choices.start == AS_CUT else choices.start),
     )
 
 
