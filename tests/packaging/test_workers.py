@@ -25,6 +25,7 @@ CONDA_NAMES = {
     "isal": "python-isal",
     "mapbox-earcut": "mapbox_earcut",
     "pyside6-essentials": "pyside6",
+    "zlib-ng": "python-zlib-ng",
 }
 
 
