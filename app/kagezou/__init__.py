@@ -4,6 +4,4 @@ The rooms of the program and what each may use are listed in ``app/README.md``.
 Nothing is imported here, so that the command line never pays for the window.
 """
 
-from importlib.metadata import version
-
-__version__ = version("kagezou")
+__version__ = "0.1.0"

@@ -82,8 +82,14 @@ def _add_running(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
-    from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
-    from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
+    from kagezou.render.gpu.context import loading_driver
+
+    with loading_driver():
+        return _render(options, entry_points)
+
+
+def _render(options: Namespace, entry_points: EntryPoints) -> int:
+    from kagezou.export.frames import export_frames
     from kagezou.io.project.file import load
     from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
     from kagezou.scene.heavy_sets import heavy_words
@@ -91,7 +97,6 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     form = options.format or ("psd" if options.layered else "png")
     depth, said = _depth(options, form)
     request = _request(options, form, depth)
-    exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
     lines = JobLines() if options.openjd else entry_points.line("rendering")
     with stopping_gently() as interruption, lines as line:
         if isinstance(lines, JobLines) and said is not None:
@@ -101,7 +106,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             document = with_mapped_paths(document, read_rules(options.path_mapping))
         if (words := heavy_words(document)) is not None:
             note(words)
-        summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
+        summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
         if isinstance(lines, JobLines) and summary.failures:
             lines.fail(summary.failures[0].message)
     if not options.openjd:
