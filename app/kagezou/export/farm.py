@@ -5,6 +5,7 @@ https://github.com/OpenJobDescription/openjd-specifications, revision 2023-09 wi
 """
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -35,7 +36,7 @@ _PROGRAM_MIB: Final = 1024
 _MIB_STEP: Final = 512
 _STARTING_S: Final = 600
 """So long a worker may take until the first frame is begun, with drawings on slow disks and OpenGL to be opened."""
-_NOTICE_S: Final = 60
+NOTICE_S: Final = 60
 """So long a task that is stopped has for the frames that it has begun."""
 
 Json = dict[str, Any]
@@ -96,6 +97,17 @@ def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tupl
         PARAMETERS: {"parameterValues": _values(document, request)},
         ASSETS: {"assetReferences": _assets(document, request)},
     }
+    return write_job(trees, folder)
+
+
+def write_job(trees: Mapping[str, Json], folder: Path) -> tuple[Path, ...]:
+    """Write the files of a bundle, JSON by name, into a folder, which is made if need be, and return them.
+
+    Raises
+    ------
+    DiskFullProblem, OutputProblem
+        A file cannot be written.
+    """
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -110,7 +122,7 @@ def template(document: Document, request: FarmRequest) -> Json:
     return {
         "specificationVersion": "jobtemplate-2023-09",
         "extensions": ["TASK_CHUNKING"],
-        "name": _job_name(request.project.stem),
+        "name": job_name(request.project.stem),
         "parameterDefinitions": _definitions(document, request),
         "steps": [
             {
@@ -138,7 +150,7 @@ def _action(request: FarmRequest) -> Json:
         "command": "{{Param.Program}}",
         "args": _words(request),
         "timeout": _STARTING_S + 60 * request.frame_minutes * request.chunk,
-        "cancelation": {"mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": _NOTICE_S},
+        "cancelation": {"mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": NOTICE_S},
     }
 
 
@@ -185,7 +197,7 @@ def _places() -> list[Json]:
             "type": "PATH",
             "objectType": "DIRECTORY",
             "dataFlow": "OUT",
-            "userInterface": _shown_as("CHOOSE_DIRECTORY", "Output folder", _PLACES),
+            "userInterface": shown_as("CHOOSE_DIRECTORY", "Output folder", _PLACES),
             "description": "Where the shadow layers go.",
         },
     ]
@@ -199,7 +211,7 @@ def _settings(document: Document, request: FarmRequest) -> list[Json]:
             "name": "Frames",
             "type": "STRING",
             "default": format_frames(export.frames or tuple(range(1, length + 1))),
-            "userInterface": _shown_as("LINE_EDIT", "Frames", _FRAMES),
+            "userInterface": shown_as("LINE_EDIT", "Frames", _FRAMES),
             "description": "Frames such as 1-48, 1-10,20 or 1-48:2.",
         },
         {
@@ -207,7 +219,7 @@ def _settings(document: Document, request: FarmRequest) -> list[Json]:
             "type": "STRING",
             "default": export.format,
             "allowedValues": list(LAYERED_SUFFIXES if export.layered else SUFFIXES),
-            "userInterface": _shown_as("DROPDOWN_LIST", "Format", _FRAMES),
+            "userInterface": shown_as("DROPDOWN_LIST", "Format", _FRAMES),
             "description": "The format of the frames.",
         },
         {
@@ -215,20 +227,20 @@ def _settings(document: Document, request: FarmRequest) -> list[Json]:
             "type": "STRING",
             "default": AUTO_DEPTH if own else str(export.depth),
             "allowedValues": [AUTO_DEPTH, *map(str, sorted({depth for each in DEPTHS.values() for depth in each}))],
-            "userInterface": _shown_as("DROPDOWN_LIST", "Bits a channel", _FRAMES),
+            "userInterface": shown_as("DROPDOWN_LIST", "Bits a channel", _FRAMES),
             "description": "Bits a channel; auto is what the format usually has. exr has 16, tga 8.",
         },
         {
             "name": "Program",
             "type": "STRING",
             "default": request.program,
-            "userInterface": _shown_as("LINE_EDIT", "Program", "Workers"),
+            "userInterface": shown_as("LINE_EDIT", "Program", "Workers"),
             "description": "How Kagezou is called on the workers: a name, or the path of the program.",
         },
     ]
 
 
-def _shown_as(control: str, label: str, group: str) -> Json:
+def shown_as(control: str, label: str, group: str) -> Json:
     """Return what a window for sending jobs shows a parameter as."""
     return {"control": control, "label": label, "groupLabel": group}
 
@@ -268,7 +280,7 @@ def _assets(document: Document, request: FarmRequest) -> Json:
     }
 
 
-def _job_name(stem: str) -> str:
-    """Return a name without what the specification forbids: braces, which would be filled in, and control signs."""
+def job_name(stem: str) -> str:
+    """Return a name for a job without what the specification forbids: braces, which are filled in, and controls."""
     name = "".join(sign if sign.isprintable() and sign not in "{}" else "_" for sign in stem)
     return f"Kagezou {name}"[:_NAME_CHARACTERS]
