@@ -7,10 +7,12 @@ from typing import Final
 from kagezou.animation.frames import spread_frames
 from kagezou.batch.record import Thumbnail
 from kagezou.document.model import Document
+from kagezou.document.scaling import scaled, usable_divisor
 from kagezou.errors import InputProblem
 from kagezou.export.shrinking import shrunk
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.pillow_guard import encode_jpeg
+from kagezou.io.images.smaller_cels import SmallerCels
 from kagezou.render.gpu.context import OpenContext
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.renderer import Renderer
@@ -20,6 +22,9 @@ from kagezou.scene.stances import stances_of
 _SPREAD: Final = 6
 _MOST_DOUBTFUL: Final = 6
 _SIDE_PX: Final = 320
+_DRAWN_PX: Final = 640
+"""About so large they are drawn, and then made small: lines stay fine."""
+
 _QUALITY: Final = 82
 
 
@@ -41,11 +46,14 @@ def thumbnails(
     """
     doubts = sorted({frame for _, frames in doubtful for frame in frames})[:_MOST_DOUBTFUL]
     frames = sorted({*spread_frames(document.canvas.length_frames, _SPREAD), *doubts})
-    cels = CelCache()
+    divisor = usable_divisor(
+        document.canvas, max(max(document.canvas.box.width, document.canvas.box.height) // _DRAWN_PX, 1)
+    )
+    cels = CelCache() if divisor == 1 else SmallerCels(CelCache(), document.canvas.box, divisor)
     with open_context():
-        renderer = Renderer(cels)
+        renderer = Renderer(cels, divisor=divisor)
         try:
-            return tuple(_drawn(renderer, document, frames, doubts))
+            return tuple(_drawn(renderer, scaled(document, divisor), frames, doubts))
         finally:
             renderer.close()
 

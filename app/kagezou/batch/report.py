@@ -21,6 +21,7 @@ from kagezou.message import Message, Translate
 
 REPORT_NAME: Final = "report.html"
 _REFRESH_S: Final = 10
+_WORTH_TELLING_S: Final = 0.5
 _STATES: Final = {
     State.FAILED: Message("failed", "a cut"),
     State.STOPPED: Message("stopped", "a cut"),
@@ -175,8 +176,8 @@ class _Page:
             yield f"{width} × {height}"
         for kind, there, whole in record.counts:
             number = str(whole) if there == whole else f"{there} / {whole}"
-            yield f"{number} {escape(kind.formatted(self._translate))}"
-        if record.seconds:
+            yield self._said(Message("{count} {kind}", count=number, kind=kind))
+        if record.seconds >= _WORTH_TELLING_S:
             yield _clock(record.seconds)
 
     def _links(self, record: CutRecord) -> Iterator[str]:
