@@ -68,6 +68,8 @@ class ExportRequest:
         Whether the shadows of each look are written as one as well.
     guides
         Whether the outlines of the set are drawn into the composites, for looking at them.
+    anew
+        Files whose pictures are made even where ``skip_existing`` would trust them.
     """
 
     folder: Path
@@ -85,6 +87,7 @@ class ExportRequest:
     receivers: bool = False
     united: bool = False
     guides: bool = False
+    anew: frozenset[Path] = frozenset()
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:
