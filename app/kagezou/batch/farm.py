@@ -18,9 +18,9 @@ from kagezou.export.farm import (
     TEMPLATE,
     Json,
     job_name,
-    shown_as,
     write_job,
 )
+from kagezou.export.farm_parameters import shown_as
 from kagezou.io.files.faults import shown
 from kagezou.message import Message
 
@@ -79,7 +79,7 @@ def write_batch_job(job: BatchJob, folder: Path) -> tuple[Path, ...]:
         raise UsageProblem(
             Message("a job has at most {most} cuts, not {cuts}; make several", most=_MOST_TASKS, cuts=len(job.cuts))
         )
-    if folder == job.output or job.output in folder.parents:
+    if job.output in folder.parents:
         raise UsageProblem(Message("{path}: a job is not written among the cuts that it makes", path=shown(folder)))
     for text in (*(each.name for each in job.cuts), *(str(each.path) for each in job.cuts), *job.words):
         if "{{" in text:
@@ -89,7 +89,7 @@ def write_batch_job(job: BatchJob, folder: Path) -> tuple[Path, ...]:
         PARAMETERS: {"parameterValues": _values(job)},
         ASSETS: {"assetReferences": _assets(job)},
     }
-    return write_job(trees, folder)
+    return write_job(trees, folder, job.output)
 
 
 def batch_template(job: BatchJob) -> Json:

@@ -19,6 +19,7 @@ from kagezou.cli.processors import processors
 from kagezou.cli.terminal import Json, ProgressLine, give, give_json, note, one_line, tell
 from kagezou.document.taking import Part
 from kagezou.errors import Problem, SomeFramesFailed
+from kagezou.export.farm_program import USUAL, program_here
 from kagezou.io.clips.catalogues import messages_in
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.project.paths import absolute
@@ -48,6 +49,9 @@ def report_alone(options: Namespace) -> int:
 
 def farm_job(options: Namespace, orders: Orders, cuts: Sequence[Cut]) -> int:
     """Write a job of the cuts for a render farm, and print its template."""
+    program = options.program or program_here()
+    if options.program is None and program != USUAL:
+        note(Message("the workers call {program}; --program names another", program=program))
     language = [] if options.language is None else [f"--language={options.language}"]
     job = BatchJob(
         tuple(cuts),
@@ -55,7 +59,7 @@ def farm_job(options: Namespace, orders: Orders, cuts: Sequence[Cut]) -> int:
         orders.template,
         tuple(asked_of_all(options, None)),
         tuple(language),
-        options.program,
+        program,
     )
     template, *_ = write_batch_job(job, absolute(options.farm))
     give(shown(template))

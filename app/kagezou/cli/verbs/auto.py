@@ -65,7 +65,11 @@ def _add_parts_of_the_work(parser: Parser) -> None:
     parser.add_argument(
         "--farm", type=Path, metavar="BUNDLE", help="write a job of these cuts for a render farm instead"
     )
-    parser.add_argument("--program", default="kagezou", metavar="NAME", help="how its workers call Kagezou (kagezou)")
+    parser.add_argument(
+        "--program",
+        metavar="NAME",
+        help="how its workers call Kagezou (kagezou where this machine finds it so, else where it lies here)",
+    )
     parser.add_argument(
         "--as", dest="name", metavar="NAME", help="make DIR itself, one cut, as OUT/NAME, and no report"
     )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
@@ -29,6 +30,7 @@ EXAMPLES = """\
   kagezou render walk.kage -o look --composite --guides --frames 1,13,25        where the set stands
   kagezou render walk.kage -o shadows --layer Hero --format exr
   kagezou render walk.kage -o frames --layered --depth 16
+  kagezou render walk.kage -o shadows --names '{layer}_{kind}.{frame:04d}' --start-frame 1001
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
   kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
   kagezou render walk.kage -o shadows --composite --watch        makes anew what changes, until Ctrl-C
@@ -52,7 +54,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "--guides",
         action="store_true",
-        help="with --composite: outlines and floor lines of the set over it, for looking, not for compositing",
+        help="with --composite: ground, walls, boxes and feet as lines over it, for looking, not for compositing",
     )
     parser.add_argument(
         "--receivers", action="store_true", help="also DIR/ground_matte/ and DIR/PIECE_matte/: where each is seen"
@@ -62,11 +64,11 @@ def add_arguments(parser: Parser) -> None:
         action="store_true",
         help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
     )
-    _add_manners(parser)
+    add_naming(parser)
+    _add_running(parser)
 
 
-def _add_manners(parser: Parser) -> None:
-    """Say how it goes about its work."""
+def _add_running(parser: Parser) -> None:
     parser.add_argument(
         "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
     )
@@ -193,4 +195,5 @@ def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
         keep_going=options.keep_going,
+        names=names_of(options),
     )
