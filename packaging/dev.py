@@ -100,8 +100,8 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     covered = (*COVERED, "--cov", "--cov-report=term-missing:skip-covered", *IN_PARALLEL)
     others = (*(f"--ignore={folder}" for folder in COVERED), *IN_PARALLEL)
     failed = 0
-    with private_display() as variables:
-        variables = {**SINGLE_THREADS, **variables}
+    with private_display() as screen:
+        variables = {**SINGLE_THREADS, **screen}
         for selection in (tuple(arguments),) if arguments else (covered, others):
             say("-- pytest")
             command = [str(environment.python), "-m", "pytest", *selection]

@@ -1,6 +1,7 @@
 """``kagezou render``: shadow layers and composites as numbered frames."""
 
 from argparse import Namespace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,11 +12,13 @@ from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
-from kagezou.cli.terminal import note
+from kagezou.cli.terminal import ProgressLine, note
+from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 if TYPE_CHECKING:
-    from kagezou.export.request import ExportRequest
+    from kagezou.document.model import Document
+    from kagezou.export.request import Cancelled, ExportRequest, Summary
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -29,6 +32,7 @@ EXAMPLES = """\
   kagezou render walk.kage -o shadows --names '{layer}_{kind}.{frame:04d}' --start-frame 1001
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
   kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
+  kagezou render walk.kage -o shadows --composite --watch        makes anew what changes, until Ctrl-C
 """
 
 
@@ -71,7 +75,17 @@ def _add_running(parser: Parser) -> None:
     parser.add_argument(
         "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
     )
-    parser.add_argument("--json", action="store_true", help="print one object about what was done")
+    parser.add_argument(
+        "--watch",
+        action="store_true",
+        help="go on until stopped, and make anew what changes on disk: drawings, project, sets, timesheet",
+    )
+    parser.add_argument(
+        "--timesheet", type=Path, metavar="SHEET.xdts", help="expose the drawings as it says; the project stays"
+    )
+    parser.add_argument(
+        "--json", action="store_true", help="print one object about what was done; with --watch one line for each round"
+    )
     parser.add_argument(
         "--openjd", action="store_true", help="print progress and failures as Open Job Description reads them"
     )
@@ -90,20 +104,18 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
 
 def _render(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.export.frames import export_frames
-    from kagezou.io.project.file import load
-    from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
     from kagezou.scene.heavy_sets import heavy_words
 
     form = options.format or ("psd" if options.layered else "png")
     depth, said = _depth(options, form)
     request = _request(options, form, depth)
+    if options.watch:
+        return _watched(options, request, entry_points)
     lines = JobLines() if options.openjd else entry_points.line("rendering")
     with stopping_gently() as interruption, lines as line:
         if isinstance(lines, JobLines) and said is not None:
             lines.say(said)
-        document = load(options.project)
-        if options.path_mapping is not None:
-            document = with_mapped_paths(document, read_rules(options.path_mapping))
+        document = _document(options)
         if (words := heavy_words(document)) is not None:
             note(words)
         summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
@@ -112,6 +124,40 @@ def _render(options: Namespace, entry_points: EntryPoints) -> int:
     if not options.openjd:
         report(summary, as_json=options.json)
     return verdict(summary, interruption)
+
+
+def _watched(options: Namespace, request: "ExportRequest", entry_points: EntryPoints) -> int:
+    """Render, and render anew what changes, until it is stopped."""
+    from kagezou.cli.watched_render import watched
+    from kagezou.export.frames import export_frames
+
+    if options.openjd:
+        raise UsageProblem(Message("a task of a farm ends: --watch and --openjd do not go together"))
+
+    def export(document: "Document", anew: frozenset[Path], line: ProgressLine, stops: "Cancelled") -> "Summary":
+        asked = replace(request, skip_existing=True, keep_going=True, anew=anew)
+        return export_frames(document, asked, entry_points.open_context, line.update, stops)
+
+    files = [options.project, options.timesheet, options.path_mapping]
+    read_from = tuple(each.absolute() for each in files if each is not None)
+    return watched(lambda: _document(options), read_from, export, entry_points, as_json=options.json)
+
+
+def _document(options: Namespace) -> "Document":
+    """Return what is rendered: the project, with its pictures where they lie here, exposed as a sheet says."""
+    from kagezou.importing.staging import with_timesheet
+    from kagezou.io.project.file import load
+    from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
+
+    document = load(options.project)
+    if options.path_mapping is not None:
+        document = with_mapped_paths(document, read_rules(options.path_mapping))
+    if options.timesheet is not None:
+        timed = with_timesheet(document, options.timesheet)
+        for sentence in timed.notes:
+            note(sentence)
+        document = timed.document
+    return document
 
 
 def _depth(options: Namespace, form: str) -> tuple[int, Message | None]:
