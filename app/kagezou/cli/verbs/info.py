@@ -205,10 +205,10 @@ def _notes(document: "Document") -> "tuple[Message, ...]":
 
 
 def _property_table(document: "Document") -> Json:
-    from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import addresses, path_of, track_of, usual_value
     from kagezou.document.cut_words import CUT_WORDS
     from kagezou.document.property import Kind
+    from kagezou.document.value_words import json_of_keys, json_of_value
     from kagezou.document.whole_cut import sayings
     from kagezou.io.clips.catalogues import messages_in
 
@@ -222,7 +222,7 @@ def _property_table(document: "Document") -> Json:
             "unit": prop.unit,
             "default": json_of_value(usual_value(document, address)),
             "value": None if track.is_keyed else json_of_value(track.constant),
-            "keys": json_of_keys(track),
+            "keys": json_of_keys(track.keys),
             "help": str(prop.help),
             "help_ja": prop.help.formatted(japanese),
         }
@@ -267,11 +267,11 @@ def _said_row(said: "SaidOf", japanese: "Translate") -> Json:
 def _property_lines(document: "Document") -> Iterator[str]:
     import json
 
-    from kagezou.cli.values import json_of_value
     from kagezou.document.address import addresses, path_of, track_of
     from kagezou.document.cut_settings import CutSettings
     from kagezou.document.cut_words import CUT_WORDS
     from kagezou.document.property import Kind
+    from kagezou.document.value_words import json_of_value
     from kagezou.document.whole_cut import sayings
 
     for word in CUT_WORDS:

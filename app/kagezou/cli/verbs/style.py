@@ -112,9 +112,9 @@ def _styled(document: "Document", style: "Style", options: Namespace) -> "Styled
 
 def _say(before: "Document", styled: "Styled") -> None:
     """Give a line for each property that is seen otherwise than before, and say what there is to know."""
-    from kagezou.cli.values import text_of_value
     from kagezou.document.address import path_of
     from kagezou.document.styling import notes_on
+    from kagezou.document.value_words import text_of_value
     from kagezou.scene.misfits import misfits_of, new_misfits
 
     for change in styled.changes:
