@@ -4,6 +4,6 @@ The rooms of the program and what each may use are listed in ``app/README.md``.
 Nothing is imported here, so that the command line never pays for the window.
 """
 
-from importlib.metadata import version
+from kagezou.version import __version__
 
-__version__ = version("kagezou")
+__all__ = ["__version__"]

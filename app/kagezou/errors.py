@@ -77,3 +77,21 @@ class SomeFramesFailed(Problem):
     """The work went on past failed frames, as asked, but is not whole."""
 
     exit_code = 8
+
+
+class AfterExportFailed(Problem):
+    """The export is whole, but what was to run after it could not be run, failed or was stopped.
+
+    Parameters
+    ----------
+    message
+        What went wrong first.
+    notes
+        What else is to be said.
+    """
+
+    exit_code = 9
+
+    def __init__(self, message: Message, notes: tuple[Message, ...] = ()) -> None:
+        super().__init__(message)
+        self.notes = notes

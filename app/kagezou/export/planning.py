@@ -8,6 +8,7 @@ from typing import Final
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.contents import Content
+from kagezou.export.made_files import MadeFile, word_of
 from kagezou.export.names import safe_names
 from kagezou.export.request import ExportRequest
 from kagezou.export.selection import chosen_frames
@@ -29,6 +30,11 @@ class OutputFile:
     sequence: OutputSequence
     frame: int
     path: Path
+
+    def made(self, sha256: str, *, is_new: bool) -> MadeFile:
+        """Return what is told of it when it is there."""
+        subject, label = self.sequence.subject, self.sequence.label
+        return MadeFile(self.path, word_of(subject), label, subject.owner, (self.frame,), sha256, is_new)
 
 
 @dataclass(frozen=True, slots=True)

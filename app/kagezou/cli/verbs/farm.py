@@ -3,8 +3,10 @@
 from argparse import Namespace
 from pathlib import Path
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.terminal import give
 
 DESCRIPTION = """\
@@ -41,18 +43,22 @@ def add_arguments(parser: Parser) -> None:
         metavar="N",
         help="how long a frame may take before a task is taken for stuck (10)",
     )
+    add_after(parser)
     parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the bundle."""
     from kagezou.animation.frames import parse_frames
+    from kagezou.export.after.hooks import check_command
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.exporters.farm_job import FARM_JOB, BundleRequest
     from kagezou.export.farm import TEMPLATE, FarmRequest
     from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
 
+    check_command(options.after)
     project: Path = options.project.absolute()
     output = options.output or project.with_name(f"{project.stem}_shadows")
     form = options.format or ("psd" if options.layered else "png")
@@ -70,6 +76,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     document = load(project)
     job = FarmRequest(project, export, options.chunk, options.program, options.frame_minutes)
     request = BundleRequest(job, options.bundle)
-    FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
+    made = FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
     give(shown(options.bundle / TEMPLATE))
+    over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
+    with stopping_gently() as interruption:
+        hand_on_export(over, options.after, interruption)
     return 0

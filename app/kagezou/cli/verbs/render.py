@@ -4,6 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
@@ -38,6 +39,26 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", choices=("auto", "8", "16"), default="auto", help="bits a channel (8; exr has 16)")
+    _add_contents(parser)
+    parser.add_argument(
+        "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
+    )
+    parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
+    parser.add_argument(
+        "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
+    )
+    add_after(parser)
+    parser.add_argument("--json", action="store_true", help="print one object about what was done")
+    parser.add_argument(
+        "--openjd", action="store_true", help="print progress and failures as Open Job Description reads them"
+    )
+    parser.add_argument(
+        "--path-mapping", type=Path, metavar="FILE", help="rules of Open Job Description: where pictures lie here"
+    )
+
+
+def _add_contents(parser: Parser) -> None:
+    """Say what else than shadows can be written."""
     parser.add_argument(
         "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
     )
@@ -57,48 +78,41 @@ def add_arguments(parser: Parser) -> None:
         action="store_true",
         help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
     )
-    parser.add_argument(
-        "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
-    )
-    parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
-    parser.add_argument(
-        "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
-    )
-    parser.add_argument("--json", action="store_true", help="print one object about what was done")
-    parser.add_argument(
-        "--openjd", action="store_true", help="print progress and failures as Open Job Description reads them"
-    )
-    parser.add_argument(
-        "--path-mapping", type=Path, metavar="FILE", help="rules of Open Job Description: where pictures lie here"
-    )
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
+    from kagezou.export.after.hooks import check_command
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
     from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
     from kagezou.io.project.file import load
     from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
     from kagezou.scene.heavy_sets import heavy_words
 
+    check_command(options.after)
     form = options.format or ("psd" if options.layered else "png")
     depth, said = _depth(options, form)
     request = _request(options, form, depth)
     exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
     lines = JobLines() if options.openjd else entry_points.line("rendering")
-    with stopping_gently() as interruption, lines as line:
-        if isinstance(lines, JobLines) and said is not None:
-            lines.say(said)
-        document = load(options.project)
-        if options.path_mapping is not None:
-            document = with_mapped_paths(document, read_rules(options.path_mapping))
-        if (words := heavy_words(document)) is not None:
-            note(words)
-        summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
-        if isinstance(lines, JobLines) and summary.failures:
-            lines.fail(summary.failures[0].message)
-    if not options.openjd:
-        report(summary, as_json=options.json)
+    with stopping_gently() as interruption:
+        with lines as line:
+            if isinstance(lines, JobLines) and said is not None:
+                lines.say(said)
+            document = load(options.project)
+            if options.path_mapping is not None:
+                document = with_mapped_paths(document, read_rules(options.path_mapping))
+            if (words := heavy_words(document)) is not None:
+                note(words)
+            summary = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
+            if isinstance(lines, JobLines) and summary.failures:
+                lines.fail(summary.failures[0].message)
+        if not options.openjd:
+            report(summary, as_json=options.json)
+        files, notes = exporter.made_files(summary), summary.notes
+        over = Handover(exporter.key, document, options.project, files, summary.is_whole, notes)
+        hand_on_export(over, options.after, interruption)
     return verdict(summary, interruption)
 
 

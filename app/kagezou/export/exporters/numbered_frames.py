@@ -7,6 +7,7 @@ from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome
 from kagezou.export.frames import export_frames
+from kagezou.export.made_files import MadeFile
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import sequences_of
@@ -42,6 +43,10 @@ class NumberedFrames(Exporter[ExportRequest, Summary]):
             where=place.folder,
             notes=made.notes,
         )
+
+    def made_files(self, made: Summary) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return made.made
 
 
 def frames_request(document: Document, choices: ExportChoices, folder: Path, *, is_layered: bool) -> ExportRequest:
