@@ -67,8 +67,13 @@ def value_of_text(path: str, text: str) -> object:
         bare = text.removeprefix("#")
         if text and bare.isascii() and bare.replace("_", "").isalnum():
             return text
-        words = '{path}: {text!r} is not JSON: a number, true, "word", x,y or [x, y] or [[x, y], ...]'
-        raise NotJson(Message(words, path=path, text=text[:60])) from None
+        raise NotJson(
+            Message(
+                '{path}: {text!r} is not JSON: a number, true, "word", x,y or [x, y] or [[x, y], ...]',
+                path=path,
+                text=text[:60],
+            )
+        ) from None
     return value
 
 
