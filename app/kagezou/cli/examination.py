@@ -13,10 +13,10 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
-from kagezou import __version__
 from kagezou.cli.processors import processors
 from kagezou.cli.terminal import Json
 from kagezou.errors import Problem
+from kagezou.version import __version__
 
 _PACKAGES: Final = (
     "numpy", "PyOpenGL", "OpenImageIO", "isal", "kornia-rs", "zlib-ng", "platformdirs", "PySide6-Essentials",

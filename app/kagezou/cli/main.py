@@ -74,7 +74,7 @@ examples:
   kagezou render walk.kage -o shadows --composite
 
 exit codes: 0 everything done, 1 defect, 2 usage, 3 input file, 4 cannot write, 5 disk full, 6 no OpenGL,
-            7 project file, 8 some frames failed, 130 Ctrl-C, 143 terminated
+            7 project file, 8 some frames failed, 9 what runs after an export failed, 130 Ctrl-C, 143 terminated
 """
 
 
@@ -156,7 +156,7 @@ def _dispatched(manner: Manner, entry_points: EntryPoints, heard: Sequence[str])
         give(_HELP.format(verbs="\n".join(f"  {name:<9} {words}" for name, words in VERBS.items())).rstrip())
         return 0
     if verb in ("-V", "--version"):
-        from kagezou import __version__
+        from kagezou.version import __version__
 
         give(f"{PROGRAM} {__version__}")
         return 0

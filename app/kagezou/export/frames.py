@@ -13,6 +13,7 @@ from kagezou.export.checks import check_sources, check_targets, prepare_folders
 from kagezou.export.contents import Content
 from kagezou.export.file_kinds import FileCount, added_up, kind_of
 from kagezou.export.ledger import Ledger, fingerprint
+from kagezou.export.made_files import MadeFile
 from kagezou.export.painter import Painter
 from kagezou.export.pipeline import Draw, Outcome, PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, OutputFile, Plan, planned
@@ -124,6 +125,7 @@ class _Run:
     written: int = 0
     drawn: int = 0
     failures: list[Failure] = field(default_factory=list)
+    made: list[MadeFile] = field(default_factory=list)
     fingerprints: dict[Content, str] = field(default_factory=dict)
     there: Counter[Message] = field(default_factory=Counter)
 
@@ -152,6 +154,7 @@ class _Run:
             return
         for target in job.targets:
             self.ledger.add(target.path, self.fingerprints[job.content], outcome.written or "")
+        self.made += (each.made(outcome.written or "", is_new=True) for each in outcome.job.targets)
         self.drawn += 1
         self.written += len(job.targets)
         self._count(job.targets)
@@ -159,6 +162,7 @@ class _Run:
     def _trust(self, targets: Sequence[OutputFile]) -> None:
         """Take in files that are whole already."""
         if targets:
+            self.made += (each.made(self.ledger.hash_of(each.path), is_new=False) for each in targets)
             self.trusted += len(targets)
             self._count(targets)
 
@@ -181,6 +185,7 @@ class _Run:
             seconds=seconds,
             notes=self.plan.notes,
             counts=self._counts(),
+            made=tuple(self.made),
         )
 
     def _counts(self) -> tuple[FileCount, ...]:

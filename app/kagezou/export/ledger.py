@@ -12,12 +12,12 @@ from functools import cache
 from pathlib import Path
 from typing import Final
 
-from kagezou import __version__
 from kagezou.export.planning import FrameJob
 from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
 from kagezou.locations import shader_folder
+from kagezou.version import __version__
 
 LEDGER_NAME: Final = ".kagezou-frames.jsonl"
 _MAX_BYTES: Final = 256 << 20
@@ -47,6 +47,10 @@ class Ledger:
             return content_hash(file.read_bytes()) == known[1]
         except OSError:
             return False
+
+    def hash_of(self, file: Path) -> str:
+        """Return the hash of the bytes that were written; empty for a file that is not known."""
+        return self._known.get(self._name(file), ("", ""))[1]
 
     def add(self, file: Path, fingerprint: str, content: str) -> None:
         """Note that a file is in its place; ``content`` is the `content_hash` of its bytes.

@@ -8,6 +8,7 @@ from typing import Final
 from kagezou.errors import UsageProblem
 from kagezou.export.file_kinds import FileCount
 from kagezou.export.file_names import FileNames
+from kagezou.export.made_files import MadeFile
 from kagezou.message import Message
 
 SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
@@ -178,6 +179,8 @@ class Summary:
         What the user should know, one sentence each.
     counts
         The files by what they are.
+    made
+        The files that are there, in the order in which they were made or found.
     """
 
     files: int
@@ -191,6 +194,7 @@ class Summary:
     seconds: float
     notes: tuple[Message, ...] = ()
     counts: tuple[FileCount, ...] = ()
+    made: tuple[MadeFile, ...] = ()
 
     @property
     def is_whole(self) -> bool:

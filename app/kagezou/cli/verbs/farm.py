@@ -3,8 +3,10 @@
 from argparse import Namespace
 from pathlib import Path
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.terminal import give, note
 from kagezou.message import Message
@@ -48,6 +50,7 @@ def add_arguments(parser: Parser) -> None:
         metavar="N",
         help="how long a frame may take before a task is taken for stuck (10)",
     )
+    add_after(parser)
     parser.add_argument(
         "--program",
         metavar="NAME",
@@ -58,6 +61,8 @@ def add_arguments(parser: Parser) -> None:
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the bundle."""
     from kagezou.animation.frames import parse_frames
+    from kagezou.export.after.hooks import check_command
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.exporters.farm_job import FARM_JOB, BundleRequest
     from kagezou.export.farm import TEMPLATE, FarmRequest
     from kagezou.export.farm_program import USUAL, program_here
@@ -65,6 +70,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
 
+    check_command(options.after)
     project: Path = options.project.absolute()
     output = options.output or project.with_name(f"{project.stem}_shadows")
     bundle: Path = options.bundle or project.with_name(f"{project.stem}_job")
@@ -87,6 +93,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     document = load(project)
     job = FarmRequest(project, export, options.chunk, program, options.frame_minutes)
     request = BundleRequest(job, bundle)
-    FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
+    made = FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
     give(shown(bundle / TEMPLATE))
+    over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
+    with stopping_gently() as interruption:
+        hand_on_export(over, options.after, interruption.is_set)
     return 0

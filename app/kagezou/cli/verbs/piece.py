@@ -165,7 +165,7 @@ def _kinds() -> str:
 
 
 def _values(words: list[str]) -> dict[str, object]:
-    from kagezou.cli.values import value_of_text
+    from kagezou.document.value_words import value_of_text
 
     values: dict[str, object] = {}
     for text in words:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
@@ -18,6 +19,7 @@ from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.document.model import Document
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.request import Cancelled, ExportRequest, Summary
 
 DESCRIPTION = """\
@@ -44,6 +46,14 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", choices=("auto", "8", "16"), default="auto", help="bits a channel (8; exr has 16)")
+    _add_contents(parser)
+    add_naming(parser)
+    _add_running(parser)
+    add_after(parser)
+
+
+def _add_contents(parser: Parser) -> None:
+    """Say what else than shadows can be written."""
     parser.add_argument(
         "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
     )
@@ -63,11 +73,10 @@ def add_arguments(parser: Parser) -> None:
         action="store_true",
         help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
     )
-    add_naming(parser)
-    _add_running(parser)
 
 
 def _add_running(parser: Parser) -> None:
+    """Say how it may be done."""
     parser.add_argument(
         "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
     )
@@ -96,8 +105,10 @@ def _add_running(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
+    from kagezou.export.after.hooks import check_command
     from kagezou.render.gpu.context import loading_driver
 
+    check_command(options.after)
     with loading_driver():
         return _render(options, entry_points)
 
@@ -112,17 +123,19 @@ def _render(options: Namespace, entry_points: EntryPoints) -> int:
     if options.watch:
         return _watched(options, request, entry_points)
     lines = JobLines() if options.openjd else entry_points.line("rendering")
-    with stopping_gently() as interruption, lines as line:
-        if isinstance(lines, JobLines) and said is not None:
-            lines.say(said)
-        document = _document(options)
-        if (words := heavy_words(document)) is not None:
-            note(words)
-        summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
-        if isinstance(lines, JobLines) and summary.failures:
-            lines.fail(summary.failures[0].message)
-    if not options.openjd:
-        report(summary, as_json=options.json)
+    with stopping_gently() as interruption:
+        with lines as line:
+            if isinstance(lines, JobLines) and said is not None:
+                lines.say(said)
+            document = _document(options)
+            if (words := heavy_words(document)) is not None:
+                note(words)
+            summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
+            if isinstance(lines, JobLines) and summary.failures:
+                lines.fail(summary.failures[0].message)
+        if not options.openjd:
+            report(summary, as_json=options.json)
+        hand_on_export(_handover(options, document, summary), options.after, interruption.is_set)
     return verdict(summary, interruption)
 
 
@@ -136,11 +149,25 @@ def _watched(options: Namespace, request: "ExportRequest", entry_points: EntryPo
 
     def export(document: "Document", anew: frozenset[Path], line: ProgressLine, stops: "Cancelled") -> "Summary":
         asked = replace(request, skip_existing=True, keep_going=True, anew=anew)
-        return export_frames(document, asked, entry_points.open_context, line.update, stops)
+        summary = export_frames(document, asked, entry_points.open_context, line.update, stops)
+        if summary.written:
+            hand_on_export(_handover(options, document, summary), options.after, stops)
+        return summary
 
     files = [options.project, options.timesheet, options.path_mapping]
     read_from = tuple(each.absolute() for each in files if each is not None)
     return watched(lambda: _document(options), read_from, export, entry_points, as_json=options.json)
+
+
+def _handover(options: Namespace, document: "Document", summary: "Summary") -> "Handover":
+    """Return what is told of the frames to whatever runs after."""
+    from kagezou.export.after.manifest import Handover
+    from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
+    from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
+
+    exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
+    files = exporter.made_files(summary)
+    return Handover(exporter.key, document, options.project, files, summary.is_whole, summary.notes)
 
 
 def _document(options: Namespace) -> "Document":

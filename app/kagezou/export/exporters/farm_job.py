@@ -12,6 +12,7 @@ from kagezou.export.exporters.numbered_frames import frames_request, sequence_li
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, write_bundle
 from kagezou.export.farm_program import program_here
 from kagezou.export.file_kinds import JOB_FILES, FileCount
+from kagezou.export.made_files import JOB, MadeFile
 from kagezou.export.request import LAYERED_SUFFIXES, SUFFIXES, Cancelled, Progress
 from kagezou.export.selection import chosen_frames
 from kagezou.io.files.faults import shown
@@ -75,6 +76,10 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
         """Return what came of it; the folder is the one to look in."""
         counts = (FileCount(JOB_FILES, len(made), len(made)),)
         return ExportOutcome(counts, len(made), cancelled=False, problem=None, where=place.folder)
+
+    def made_files(self, made: tuple[Path, ...]) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return tuple(MadeFile(path.absolute(), JOB) for path in made)
 
     def next_steps(self, document: Document, choices: ExportChoices, place: Place) -> tuple[Message, ...]:
         """Return how the job is sent, and where its frames go."""

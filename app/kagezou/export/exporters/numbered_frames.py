@@ -8,6 +8,7 @@ from kagezou.export.choices import AS_CUT, ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome
 from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
+from kagezou.export.made_files import MadeFile
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import sequences_of
@@ -43,6 +44,10 @@ class NumberedFrames(Exporter[ExportRequest, Summary]):
             where=place.folder,
             notes=made.notes,
         )
+
+    def made_files(self, made: Summary) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return made.made
 
 
 def frames_request(document: Document, choices: ExportChoices, folder: Path, *, is_layered: bool) -> ExportRequest:

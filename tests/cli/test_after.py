@@ -1,0 +1,82 @@
+"""What runs after an export of the command line."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kagezou.export.after.hooks import COMMAND_VARIABLE
+from kagezou.io.images.video import is_there
+from tests.cli.projects import Shell
+
+
+@pytest.fixture
+def keep(tmp_path: Path) -> Path:
+    """A program that keeps the manifest beside itself and says how many files it has."""
+    path = tmp_path / "keep.py"
+    path.write_text(
+        "import json, pathlib, sys\n"
+        "found = json.loads(pathlib.Path(sys.argv[-1]).read_text('utf-8'))\n"
+        "pathlib.Path(sys.argv[0]).with_suffix('.json').write_text(json.dumps(found))\n"
+        "print(len(found['files']), 'files')\n"
+    )
+    return path
+
+
+def kept(keep: Path) -> Any:
+    return json.loads(keep.with_suffix(".json").read_text())
+
+
+def test_frames_are_handed_on(shell: Shell, project: Path, keep: Path, tmp_path: Path) -> None:
+    assert shell("render", project, "-o", tmp_path / "out", "--after", f"'{keep}'") == 0
+    assert shell.said == "kagezou: note: handed on to keep.py: 3 files\n"
+    assert shell.out == f"{tmp_path / 'out' / 'Hero_shadow'}\n"
+    assert kept(keep)["project"]["file"] == str(project)
+    assert [each["frame"] for each in kept(keep)["files"]] == [1, 2, 3]
+
+
+@pytest.mark.parametrize(
+    ("words", "kind"),
+    [
+        (["render", "--layered"], "layered"),
+        (["export-ae"], "after effects"),
+        (["export-scene", "--for", "nuke"], "nuke"),
+        (["farm"], "farm"),
+    ],
+)
+def test_every_kind_is_handed_on(
+    shell: Shell, project: Path, keep: Path, tmp_path: Path, words: list[str], kind: str
+) -> None:
+    verb, *options = words
+    assert shell(verb, project, *options, "-o", tmp_path / "out", "--after", f"'{keep}'") == 0
+    assert "handed on to keep.py" in shell.said
+    assert kept(keep)["export"]["kind"] == kind
+
+
+@pytest.mark.skipif(not is_there(), reason="PyAV is not installed")
+def test_a_video_is_handed_on(
+    shell: Shell, project: Path, keep: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(COMMAND_VARIABLE, f"'{keep}'")
+    assert shell("video", project, "-o", tmp_path / "a.mp4") == 0
+    assert [each["kind"] for each in kept(keep)["files"]] == ["video"]
+
+
+def test_a_hook_that_fails_is_code_9_and_the_export_stays(shell: Shell, project: Path, tmp_path: Path) -> None:
+    failing = tmp_path / "fail.py"
+    failing.write_text("import sys; sys.exit('no task for this shot')")
+    assert shell("render", project, "-o", tmp_path / "out", "--json", "--after", f"'{failing}'") == 9
+    assert json.loads(shell.out)["written"] == 3
+    assert shell.said == ("kagezou: the export is whole, but fail.py failed with code 1: no task for this shot\n")
+    assert len(list((tmp_path / "out" / "Hero_shadow").glob("*.png"))) == 3
+
+
+def test_a_command_that_cannot_be_is_told_before_anything_is_made(
+    shell: Shell, project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "has no end" in shell.fails(2, "render", project, "-o", tmp_path / "out", "--after", "publish 'x")
+    assert not (tmp_path / "out").exists()
+    monkeypatch.setenv(COMMAND_VARIABLE, f"{sys.executable} -c 'raise SystemExit(1)'")
+    shell.ok("render", project, "-o", tmp_path / "out", "--after", "")
