@@ -122,7 +122,7 @@ def test_the_command_reads_a_project_and_takes_in_one_step(
     qtbot.waitUntil(lambda: bridge.document is not before)
     assert value_of(bridge.document, Address(GROUND_DECLINATION), 1) == 33
     assert bridge.session.undo_name == "Take from project"
-    assert "Taken from master: Light, Looks, Ground. Not taken: Set." in walking.parts.bar.text
+    assert "Taken from master: Light, Looks, Ground  ·  Not taken: Set" in walking.parts.bar.text
     bridge.session.undo()
     assert bridge.document is before
 

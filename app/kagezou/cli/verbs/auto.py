@@ -23,7 +23,7 @@ layers. A folder of a cut has a folder for each column of its timesheet, or numb
 is called BG is the background. Several cuts are made at a time, each in a process of its own, into OUT/NAME; a cut that
 fails leaves the others alone. OUT/report.html shows them all; it can be looked at while they are made."""
 EXAMPLES = """\
-  kagezou auto ep03/cuts --style "Soft day" -o ep03/shadows
+  kagezou auto ep03/cuts --style "Long evening" -o ep03/shadows
   kagezou auto ep03/cuts --template master.kage -o ep03/shadows --export ae --skip-existing
   kagezou auto c012 c013.psd c014/c014.xdts --style water -o out --export layered
   kagezou auto ep03/cuts --template master.kage --light --look -o out --language ja

@@ -93,7 +93,7 @@ def edit_commands() -> tuple[Command, ...]:
         Command("delete", translate("Commands", "&Delete"), ("Del", "Backspace")),
         Command("copy_look", translate("Commands", "&Copy Look"), ("Ctrl+Alt+C",)),
         Command("paste_look", translate("Commands", "&Paste Look"), ("Ctrl+Alt+V",)),
-        Command("take_from", translate("Commands", "&Take from Project…")),
+        Command("take_from", translate("Commands", "&Take From Project…")),
         Command("rename_layer", translate("Commands", "Re&name Layer"), ("F2",)),
         Command("transform_cel", translate("Commands", "&Transform Cel"), ("Ctrl+T",), checkable=True),
         Command("find_feet", translate("Commands", "Find &Feet")),

@@ -60,7 +60,7 @@ class Dialogs:
 
     def project_to_take_from(self) -> Path | None:
         """Ask for the project file that something is taken from."""
-        title = QCoreApplication.translate("Dialogs", "Take from Project")
+        title = QCoreApplication.translate("Dialogs", "Take From Project")
         chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("project"), self._project_filter())
         return self._remembered("project", chosen)
 

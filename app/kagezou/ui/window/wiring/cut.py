@@ -59,7 +59,7 @@ def ask_what_to_take(parts: Parts, source: Document, name: str) -> TakingDialog:
 
     def take(document: Document, notes: tuple[Message, ...]) -> None:
         session.edit(QCoreApplication.translate("TakingDialog", "Take from project"), document)
-        parts.bar.say("taken", " ".join(f"{translated(note)}." for note in notes), Severity.NOTE)
+        parts.bar.say("taken", "  ·  ".join(map(translated, notes)), Severity.NOTE)
 
     parts.time.player.stop()
     dialog.chosen.connect(take)
