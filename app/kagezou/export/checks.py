@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import Final
 
-from kagezou.errors import DiskFullProblem, InputProblem
+from kagezou.errors import DiskFullProblem, InputProblem, UsageProblem
 from kagezou.export.planning import FrameJob, Plan
 from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
@@ -57,6 +57,19 @@ def check_sources(jobs: Collection[FrameJob]) -> None:
     if len(missing) > LISTED:
         listed = Message("{names} and {count} more", names=listed, count=len(missing) - LISTED)
     raise InputProblem(Message("{count} drawings are missing: {names}", count=len(missing), names=listed))
+
+
+def check_targets(plan: Plan) -> None:
+    """Raise UsageProblem where a file of the export would lie in the place of one that it is made of.
+
+    Names are compared as file systems do that mind no case: a drawing lost is worse than a name refused.
+    """
+    needed = {str(path.absolute()).casefold() for job in plan.jobs for path in job.content.sources.files}
+    for target in (target for job in plan.jobs for target in job.targets):
+        if str(target.path.absolute()).casefold() in needed:
+            raise UsageProblem(
+                Message("{path}: it is a drawing of the project and is not written over", path=shown(target.path))
+            )
 
 
 def prepare_folders(request: ExportRequest, plan: Plan) -> None:

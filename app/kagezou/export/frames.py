@@ -9,7 +9,7 @@ from functools import partial
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.export.checks import check_sources, prepare_folders
+from kagezou.export.checks import check_sources, check_targets, prepare_folders
 from kagezou.export.contents import Content
 from kagezou.export.file_kinds import FileCount, added_up, kind_of
 from kagezou.export.ledger import Ledger, fingerprint
@@ -52,6 +52,7 @@ def export_frames(
     plan = planned(document, request)
     if not request.keep_going:
         check_sources(plan.jobs)
+    check_targets(plan)
     prepare_folders(request, plan)
     for folder in plan.folders:
         sweep_stale(folder)

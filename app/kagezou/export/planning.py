@@ -78,8 +78,8 @@ class Plan:
 
     @property
     def folders(self) -> tuple[Path, ...]:
-        """The folders of the sequences."""
-        return tuple(sequence.folder for sequence in self.sequences)
+        """The folders of the sequences, each once."""
+        return tuple(dict.fromkeys(sequence.folder for sequence in self.sequences))
 
     def pictures_of(self, sequence: OutputSequence) -> tuple[int, ...]:
         """Return which picture, from 0 in the order in which they appear, a sequence shows on each of its frames."""

@@ -1,12 +1,13 @@
 """What is asked for and what came of it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
 from kagezou.errors import UsageProblem
 from kagezou.export.file_kinds import FileCount
+from kagezou.export.file_names import FileNames
 from kagezou.export.made_files import MadeFile
 from kagezou.message import Message
 
@@ -68,7 +69,9 @@ class ExportRequest:
     united
         Whether the shadows of each look are written as one as well.
     guides
-        Whether the outlines of the set are drawn into the composites, for looking at them.
+        Whether ground, set and feet are drawn as lines into the composites, for looking at them.
+    names
+        How the files are called.
     """
 
     folder: Path
@@ -86,6 +89,7 @@ class ExportRequest:
     receivers: bool = False
     united: bool = False
     guides: bool = False
+    names: FileNames = field(default_factory=FileNames)
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:

@@ -277,3 +277,45 @@ def test_doctor_names_the_packages_of_missing_libraries(monkeypatch: pytest.Monk
     assert any(line.startswith("state: ") for line in said)
     release["VERSION_ID"] = "22.04"
     assert any("libglib2.0-0 " in line for line in examination.advice(report, can_render=True))
+
+
+def test_files_are_called_by_a_pattern(shell: Shell, project: Path) -> None:
+    out = project.parent / "out"
+    words = ["render", project, "-o", out, "--composite", "--names", "{layer}_{kind}.{frame:04d}"]
+    assert shell.ok(*words, "--frames", "1-2", "--start-frame", "1001") == f"{out}\n"
+    shell.ok(*words, "--frames", "1", "--start-frame", "0", "--skip-existing")
+    assert sorted(path.name for path in out.glob("*.png")) == [
+        "Hero_shadow.0000.png",
+        "Hero_shadow.1001.png",
+        "Hero_shadow.1002.png",
+        "composite.0000.png",
+        "composite.1001.png",
+        "composite.1002.png",
+    ]
+
+
+def test_files_bear_the_numbers_of_the_cut(shell: Shell, project: Path) -> None:
+    out = project.parent / "out"
+    assert shell("set", project, "canvas.first_frame=101") == 0
+    shell.ok("render", project, "-o", out, "--frames", "2", "--padding", "3")
+    assert [path.name for path in out.glob("*/*.png")] == ["Hero_shadow_102.png"]
+
+
+def test_drawings_are_never_written_over(shell: Shell, project: Path) -> None:
+    drawings = project.parent / "hero"
+    before = {path: path.read_bytes() for path in drawings.iterdir()}
+    said = shell.fails(2, "render", project, "-o", drawings, "--names", "WALK_{frame}")
+    assert "is a drawing of the project and is not written over" in said
+    assert {path: path.read_bytes() for path in drawings.iterdir()} == before
+
+
+def test_a_bundle_lies_beside_the_project_unless_it_is_told_where(shell: Shell, project: Path) -> None:
+    drawings = project.parent / "hero"
+    job = project.with_name(f"{project.stem}_job") / "template.json"
+    assert shell.ok("farm", project, "--program", "kz") == f"{job}\n"
+    assert project.with_name(f"{project.stem}_shadows").as_posix() in job.with_name("parameter_values.json").read_text()
+    other = project.parent / "other"
+    words = ["--bundle", other, "-o", project.parent / "frames", "--start-frame", "1001", "--program", "kagezou"]
+    shell.ok("farm", project, *words)
+    assert '"1001"' in (other / "template.json").read_text()
+    assert "no part of a bundle" in shell.fails(2, "farm", project, "--program", "kz", "--bundle", drawings)

@@ -8,6 +8,7 @@ from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
@@ -26,6 +27,7 @@ EXAMPLES = """\
   kagezou render walk.kage -o look --composite --guides --frames 1,13,25        where the set stands
   kagezou render walk.kage -o shadows --layer Hero --format exr
   kagezou render walk.kage -o frames --layered --depth 16
+  kagezou render walk.kage -o shadows --names '{layer}_{kind}.{frame:04d}' --start-frame 1001
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
   kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
 """
@@ -40,6 +42,35 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", choices=("auto", "8", "16"), default="auto", help="bits a channel (8; exr has 16)")
     _add_contents(parser)
+    add_naming(parser)
+    _add_running(parser)
+
+
+def _add_contents(parser: Parser) -> None:
+    """Say what else than shadows can be written."""
+    parser.add_argument(
+        "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
+    )
+    parser.add_argument(
+        "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
+    )
+    parser.add_argument(
+        "--guides",
+        action="store_true",
+        help="with --composite: ground, walls, boxes and feet as lines over it, for looking, not for compositing",
+    )
+    parser.add_argument(
+        "--receivers", action="store_true", help="also DIR/ground_matte/ and DIR/PIECE_matte/: where each is seen"
+    )
+    parser.add_argument(
+        "--layered",
+        action="store_true",
+        help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
+    )
+
+
+def _add_running(parser: Parser) -> None:
+    """Say how it is done, and who is told."""
     parser.add_argument(
         "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
     )
@@ -54,29 +85,6 @@ def add_arguments(parser: Parser) -> None:
     )
     parser.add_argument(
         "--path-mapping", type=Path, metavar="FILE", help="rules of Open Job Description: where pictures lie here"
-    )
-
-
-def _add_contents(parser: Parser) -> None:
-    """Say what else than shadows can be written."""
-    parser.add_argument(
-        "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
-    )
-    parser.add_argument(
-        "--composite", action="store_true", help="also DIR/composite/: background, shadows and characters"
-    )
-    parser.add_argument(
-        "--guides",
-        action="store_true",
-        help="with --composite: outlines and floor lines of the set over it, for looking, not for compositing",
-    )
-    parser.add_argument(
-        "--receivers", action="store_true", help="also DIR/ground_matte/ and DIR/PIECE_matte/: where each is seen"
-    )
-    parser.add_argument(
-        "--layered",
-        action="store_true",
-        help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
     )
 
 
@@ -154,4 +162,5 @@ def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
         keep_going=options.keep_going,
+        names=names_of(options),
     )

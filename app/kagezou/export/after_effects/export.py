@@ -21,6 +21,7 @@ from kagezou.export.after_effects.shown_drawings import BACKGROUND, Shown, notes
 from kagezou.export.after_effects.transforms import notes_on_transforms
 from kagezou.export.checks import check_sources
 from kagezou.export.file_kinds import BACKGROUNDS, DRAWINGS, MATTE_FRAMES, SCRIPT, FileCount, added_up
+from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
 from kagezou.export.made_files import BACKGROUND as BACKGROUND_FILE
 from kagezou.export.made_files import DRAWING, MATTE, MadeFile, numbered_from
@@ -272,6 +273,7 @@ class _ScriptRun:
             workers=request.workers,
             once=request.per_drawing,
             only=rendering.only,
+            names=FileNames(first=1),
         )
 
     def _note_footage(self, rendering: Rendering) -> None:
@@ -281,7 +283,7 @@ class _ScriptRun:
         for sequence in filter(rendering.takes, sequences_of(document, request)):
             pictures = None if plan is None else plan.pictures_of(sequence)
             count = document.canvas.length_frames if pictures is None else max(pictures) + 1
-            remove_beyond(sequence.folder, sequence.label, sequence.digits, count)
+            remove_beyond(sequence.name, count)
             self.footage[rendering, sequence.subject.owner] = RenderedFootage(sequence.file(1), count, pictures)
 
 

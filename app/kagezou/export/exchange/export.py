@@ -204,7 +204,7 @@ class _SceneRun:
     def _prepare(self) -> None:
         """See whether there is room and whether the folder can be written to."""
         folder = self.gathered.folder / self.gathered.pictures
-        sequences = tuple(replace(each, folder=folder) for each in self.plan.sequences)
+        sequences = tuple(replace(each, name=replace(each.name, folder=folder)) for each in self.plan.sequences)
         prepare_folders(self.request.frames_wanted, Plan(self.plan.jobs, sequences, {}))
 
     def _step(self, count: int) -> None:

@@ -32,6 +32,7 @@ class Option(StrEnum):
     MATTES = "mattes"
     CONTROLS = "controls"
     CHUNK = "chunk"
+    NAMES = "names"
     VIDEO_LAYER = "video_layer"
 
 

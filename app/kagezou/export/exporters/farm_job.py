@@ -10,6 +10,7 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import frames_request, sequence_lines
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, write_bundle
+from kagezou.export.farm_program import program_here
 from kagezou.export.file_kinds import JOB_FILES, FileCount
 from kagezou.export.made_files import JOB, MadeFile
 from kagezou.export.request import LAYERED_SUFFIXES, SUFFIXES, Cancelled, Progress
@@ -56,7 +57,7 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
             raise UsageProblem(Message("a farm renders a saved project; save this one first"))
         output = place.project.with_name(f"{place.project.stem}_shadows")
         export = frames_request(document, choices, output, is_layered=self.is_layered(choices))
-        return BundleRequest(FarmRequest(place.project, export, choices.chunk), place.folder)
+        return BundleRequest(FarmRequest(place.project, export, choices.chunk, program_here()), place.folder)
 
     def export(
         self,
@@ -82,12 +83,14 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
 
     def next_steps(self, document: Document, choices: ExportChoices, place: Place) -> tuple[Message, ...]:
         """Return how the job is sent, and where its frames go."""
-        output = shown(self.request(document, choices, place).job.export.folder)
+        job = self.request(document, choices, place).job
+        output = shown(job.export.folder)
         return (
             Message("AWS Deadline Cloud: deadline bundle submit {folder}", folder=shown(place.folder)),
             Message("Other farms: openjd run {template} --step Render", template=shown(place.folder / TEMPLATE)),
             Message(
-                "The farm renders the saved project, into {output}: save it before you send the job.",
+                "The farm calls {program} and renders the saved project into {output}: save before you send the job.",
+                program=job.program,
                 output=output,
             ),
         )
@@ -108,6 +111,7 @@ FARM_JOB: Final = FarmJob(
             Option.RECEIVERS,
             Option.ONLY_WORK_AREA,
             Option.CHUNK,
+            Option.NAMES,
         )
     ),
 )

@@ -115,7 +115,7 @@ def _rendered(document: Document, choices: ExportChoices, place: Place) -> Itera
         if choices.per_drawing and not rendering.is_matte:
             plan = planned(version, request)
             counts = ((each, f"{max(plan.pictures_of(each)) + 1} × ") for each in plan.sequences)
-        yield from (f"{rendering.folder}/{each.label}/  {count}{each.suffix}" for each, count in counts)
+        yield from (f"{rendering.folder}/{each.label}/  {count}{request.suffix}" for each, count in counts)
 
 
 def _copied(document: Document, choices: ExportChoices) -> Iterator[str]:
