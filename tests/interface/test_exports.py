@@ -29,6 +29,15 @@ def test_frames(cut: Cut, tmp_path: Path) -> None:
     assert not any(each.is_new for each in cut.export(wish).files)
 
 
+def test_names_of_files(cut: Cut, tmp_path: Path) -> None:
+    came = cut.export(
+        kagezou.Frames(tmp_path / "out", "2", names="{kind}/{layer}.{frame}", start_frame=1001, padding=5)
+    )
+    assert [(each.path, each.frame) for each in came.files] == [(tmp_path / "out" / "shadow" / "Hero.01002.png", 2)]
+    with pytest.raises(kagezou.UsageProblem):
+        cut.export(kagezou.Frames(tmp_path / "out", names="{mood}"))
+
+
 def test_every_other_kind(cut: Cut, tmp_path: Path) -> None:
     layered = cut.export(kagezou.Frames(tmp_path / "l", layered=True, depth=16))
     assert {each.path.suffix for each in layered.files} == {".psd"}

@@ -14,6 +14,7 @@ from kagezou.export.exporters.numbered_frames import workers
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.table import SCENES, AnyExporter
 from kagezou.export.exporters.video_file import VIDEO_FILE
+from kagezou.export.file_names import USUAL, FileNames
 from kagezou.export.request import DEPTHS, ExportRequest
 from kagezou.export.video import VideoRequest
 from kagezou.interface.values import AnyPath, FrameChoice, frames_of, path_of
@@ -36,6 +37,8 @@ class Frames:
         ``png``, ``tga``, ``tiff``, ``exr``; layered ``psd`` or ``exr``; and bits a channel. None for the usual ones.
     composite, united, receivers, guides
         What is written besides, as ``kagezou render`` has it.
+    names, start_frame, padding
+        How files are called, such as ``"{layer}_{kind}.{frame}"``, the number of the first, and digits; None as usual.
     skip_existing
         Whether whole frames are left alone that would come out the same.
     keep_going
@@ -52,6 +55,9 @@ class Frames:
     united: bool = False
     receivers: bool = False
     guides: bool = False
+    names: str | None = None
+    start_frame: int | None = None
+    padding: int | None = None
     skip_existing: bool = False
     keep_going: bool = False
 
@@ -135,6 +141,7 @@ def _frames(wish: Frames) -> ExportRequest:
         receivers=wish.receivers,
         united=wish.united,
         guides=wish.guides,
+        names=FileNames(wish.names or USUAL, wish.start_frame, wish.padding),
     )
 
 
