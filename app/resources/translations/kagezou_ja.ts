@@ -224,6 +224,10 @@
         <translation>削除(&amp;D)</translation>
     </message>
     <message>
+        <source>&amp;Take From Project…</source>
+        <translation>プロジェクトから取り込む(&amp;T)…</translation>
+    </message>
+    <message>
         <source>Re&amp;name Layer</source>
         <translation>レイヤー名を変更(&amp;N)</translation>
     </message>
@@ -374,10 +378,6 @@
     <message>
         <source>&amp;Paste Look</source>
         <translation>見た目を貼り付け(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Take from Project…</source>
-        <translation>プロジェクトから取り込む(&amp;T)…</translation>
     </message>
     <message>
         <source>&amp;Transform Cel</source>
@@ -1063,10 +1063,6 @@
         <translation>プロジェクトを開く</translation>
     </message>
     <message>
-        <source>Take from Project</source>
-        <translation>プロジェクトから取り込む</translation>
-    </message>
-    <message>
         <source>Save Project As</source>
         <translation>プロジェクトを名前を付けて保存</translation>
     </message>
@@ -1157,6 +1153,10 @@
     <message>
         <source>Projects, timesheets, PSD and OCA files</source>
         <translation>プロジェクト、タイムシート、PSD、OCA</translation>
+    </message>
+    <message>
+        <source>Take From Project</source>
+        <translation>プロジェクトから取り込む</translation>
     </message>
     <message>
         <source>Whoever saves last wins. The other window is on this computer.</source>
