@@ -60,7 +60,9 @@ class Batch:
         """Take in that a cut is being made."""
         self._began[cut.name] = (time.monotonic(), _written_at(self._output / cut.name))
         self._records[cut.name] = CutRecord(name=cut.name, state=State.RUNNING)
-        self._telling.report(self.records)
+        # Later ones are told of with the next cut that is over: the report of many cuts is large.
+        if not self._over:
+            self._telling.report(self.records)
 
     def ended(self, how: Ended) -> None:
         """Take in how the process of a cut ended; where it left no word, one is left for it."""
