@@ -56,6 +56,12 @@ class Batch:
         """How the cuts stand, in their order."""
         return tuple(self._records[cut.name] for cut in self._cuts)
 
+    def keep(self, record: CutRecord) -> None:
+        """Take in that a cut is left alone."""
+        self._records[record.name] = record
+        self._over += 1
+        self._telling.record(record)
+
     def began(self, cut: Cut) -> None:
         """Take in that a cut is being made."""
         self._began[cut.name] = (time.monotonic(), _written_at(self._output / cut.name))

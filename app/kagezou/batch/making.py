@@ -91,15 +91,20 @@ def make_cut(cut: Cut, orders: Orders, doing: Doing) -> MadeCut:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise output_problem(folder, error) from error
-    before = read_record(folder)
-    if orders.skip_existing and before is not None and _is_as_it_was(before, cut, orders):
-        made = MadeCut(kept(before))
+    if (there := unchanged(cut, orders)) is not None:
+        made = MadeCut(there)
     else:
-        making = _Making(cut, orders, doing, before)
+        making = _Making(cut, orders, doing, read_record(folder))
         made = making.made()
         made = replace(made, record=replace(made.record, seconds=time.monotonic() - started))
     write_record(made.record, folder)
     return made
+
+
+def unchanged(cut: Cut, orders: Orders) -> CutRecord | None:
+    """Return the record of a cut that is left alone, as it would come out the same; None where it is to be made."""
+    before = read_record(orders.output / cut.name) if orders.skip_existing else None
+    return kept(before) if before is not None and _is_as_it_was(before, cut, orders) else None
 
 
 def _is_as_it_was(before: CutRecord, cut: Cut, orders: Orders) -> bool:

@@ -10,6 +10,7 @@ from kagezou.batch.batch import Batch, Telling, records_in
 from kagezou.batch.crew import Pace, fitting, program, work_through
 from kagezou.batch.cuts import Cut
 from kagezou.batch.farm import BatchJob, write_batch_job
+from kagezou.batch.making import unchanged
 from kagezou.batch.orders import Orders
 from kagezou.batch.record import CutRecord, State
 from kagezou.batch.report import write_report
@@ -37,7 +38,11 @@ def all_cuts(options: Namespace, orders: Orders, cuts: Sequence[Cut], entry_poin
     with stopping_gently() as interruption, entry_points.line("making cuts", unit=None) as line:
         speaker = _Speaker(options, orders.output, line)
         batch = Batch(cuts, orders.output, Telling(speaker.say, line.update, speaker.report))
-        work_through(cuts, words, Pace(at_once, 60.0 * options.stuck_minutes), batch, interruption.is_set)
+        there = {cut.name: record for cut in cuts if (record := unchanged(cut, orders)) is not None}
+        for record in there.values():
+            batch.keep(record)
+        left = [cut for cut in cuts if cut.name not in there]
+        work_through(left, words, Pace(at_once, 60.0 * options.stuck_minutes), batch, interruption.is_set)
     return _concluded(options, orders.output, batch.records, interruption.exit_code)
 
 
