@@ -91,6 +91,8 @@ class Batch:
         if record is not None and not how.is_stuck and record.is_whole == (how.code == 0):
             return record
         seconds = time.monotonic() - began_s
+        if how.is_stopped:
+            return CutRecord(name=how.cut.name, state=State.STOPPED, seconds=seconds)
         record = CutRecord(name=how.cut.name, state=State.FAILED, problem=_why(how), seconds=seconds)
         if folder.is_dir():
             try:
