@@ -18,11 +18,9 @@ if TYPE_CHECKING:
     from kagezou.importing.new_cels import CharacterSource
     from kagezou.picture_source import PicturePart
 
-DESCRIPTION = (
-    "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', "
-    "one picture, or a PSD file with a group of numbered layers; "
-    "a background is one picture, or such a folder or pattern."
-)
+DESCRIPTION = """\
+Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', one picture, or a PSD file
+with a group of numbered layers; a background is one picture, or such a folder or pattern."""
 _BACKGROUND = "background"
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
