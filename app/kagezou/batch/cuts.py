@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from kagezou.batch.cut import Cut
 from kagezou.batch.record import RECORD_NAME, REPORT_NAME
 from kagezou.document.alike_names import folded
 from kagezou.errors import InputProblem, UsageProblem
@@ -22,14 +23,6 @@ from kagezou.message import Message, first_names
 
 _NUMBERED: Final = re.compile(r".*[0-9]{2,}[a-z]?|.*(?:cut|カット|c|sc|shot)[_\-. ]*[0-9]+[a-z]?")
 """A folder that is called so holds a cut rather than a column of one."""
-
-
-@dataclass(frozen=True, slots=True)
-class Cut:
-    """A cut: the name of its folder in the output, and where its files lie."""
-
-    name: str
-    path: Path
 
 
 @dataclass(frozen=True, slots=True)
