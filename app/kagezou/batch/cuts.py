@@ -12,7 +12,7 @@ from kagezou.document.alike_names import folded
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.ledger import LEDGER_NAME
 from kagezou.export.names import safe_names
-from kagezou.importing.cut_files import Listing, holds_pictures, is_column_name, listed, plain
+from kagezou.importing.cut_listing import Listing, holds_pictures, is_column_name, listed, plain
 from kagezou.importing.new_cels import printable
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.io.files.faults import input_problem, shown
@@ -102,7 +102,9 @@ def _cuts_at(path: Path, output: Path) -> tuple[list[Path], list[Message]]:
         for each in nested
     ]
     outputs = [each for each in listing.folders if _is_output(each)]
-    left = [each.name for each in (*listing.backgrounds, *listing.pictures, *outputs)]
+    # Beside timesheets they are the drawings and backgrounds of these.
+    pictures = () if any(each in listing.sheets for each in found) else (*listing.backgrounds, *listing.pictures)
+    left = [each.name for each in (*pictures, *outputs)]
     if left:
         names = first_names(shown(Path(each)) for each in left)
         notes.append(Message("{path}: beside cuts, and none itself: {names}", path=shown(path), names=names))
