@@ -80,7 +80,7 @@ def test_once_it_is_cancelled_nothing_is_begun_and_what_does_not_end_is_ended() 
 
     pace = Pace(1, 1e9, lambda: clock.now_s, wait)
     work_through(cuts("a", "b"), running(a=HANGS, b=WELL), pace, seen, lambda: asked[0])
-    assert list(seen.ends) == ["a"]
+    assert [(name, how.is_stopped) for name, how in seen.ends.items()] == [("a", True)]
 
 
 def test_a_crew_is_bounded_by_cuts_and_processors(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -106,6 +106,9 @@ def test_what_left_no_word_of_its_own_is_a_failed_cut(tmp_path: Path) -> None:
         batch.ended(how)
         assert told[-1].state is State.FAILED
         assert said in str(told[-1].problem), "what an earlier batch left does not count"
+    batch.began(cut)
+    batch.ended(Ended(cut, -9, "", is_stopped=True))
+    assert told[-1].state is State.STOPPED
     batch.began(cut)
     write_record(CutRecord(name="a", state=State.DONE, frames=8), tmp_path / "a")
     batch.ended(Ended(cut, 0, ""))

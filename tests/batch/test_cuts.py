@@ -117,6 +117,16 @@ def test_the_output_among_the_cuts_is_none_of_them(tmp_path: Path) -> None:
     assert len(found_cuts([tmp_path / "ep"], tmp_path / "ep" / "out" / "deeper").cuts) == 2
 
 
+@pytest.mark.parametrize("mark", [".kagezou-frames.jsonl", "report.html"])
+def test_an_output_of_before_is_no_cut_and_that_is_said(tmp_path: Path, out: Path, mark: str) -> None:
+    drawings(tmp_path / "ep" / "c001")
+    drawings(tmp_path / "ep" / "c001_shadows" / "A_shadow")
+    (tmp_path / "ep" / "c001_shadows" / mark).touch()
+    found = found_cuts([tmp_path / "ep"], out)
+    assert [cut.name for cut in found.cuts] == ["c001"]
+    assert "c001_shadows" in str(found.notes[0])
+
+
 @pytest.mark.parametrize("output", ["ep/c001", "ep/c001/out", "ep", "ep/c001/A/x"])
 def test_an_output_among_the_drawings_of_a_cut_is_refused(tmp_path: Path, output: str) -> None:
     drawings(tmp_path / "ep" / "c001" / "A")

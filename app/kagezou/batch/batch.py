@@ -56,11 +56,19 @@ class Batch:
         """How the cuts stand, in their order."""
         return tuple(self._records[cut.name] for cut in self._cuts)
 
+    def keep(self, record: CutRecord) -> None:
+        """Take in that a cut is left alone."""
+        self._records[record.name] = record
+        self._over += 1
+        self._telling.record(record)
+
     def began(self, cut: Cut) -> None:
         """Take in that a cut is being made."""
         self._began[cut.name] = (time.monotonic(), _written_at(self._output / cut.name))
         self._records[cut.name] = CutRecord(name=cut.name, state=State.RUNNING)
-        self._telling.report(self.records)
+        # Later ones are told of with the next cut that is over: the report of many cuts is large.
+        if not self._over:
+            self._telling.report(self.records)
 
     def ended(self, how: Ended) -> None:
         """Take in how the process of a cut ended; where it left no word, one is left for it."""
@@ -83,6 +91,8 @@ class Batch:
         if record is not None and not how.is_stuck and record.is_whole == (how.code == 0):
             return record
         seconds = time.monotonic() - began_s
+        if how.is_stopped:
+            return CutRecord(name=how.cut.name, state=State.STOPPED, seconds=seconds)
         record = CutRecord(name=how.cut.name, state=State.FAILED, problem=_why(how), seconds=seconds)
         if folder.is_dir():
             try:

@@ -7,7 +7,7 @@ import tempfile
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Protocol
 
@@ -37,12 +37,15 @@ class Ended:
         Its last line on stderr.
     is_stuck
         Whether it was ended because nothing moved any more.
+    is_stopped
+        Whether it was asked to stop.
     """
 
     cut: Cut
     code: int
     said: str
     is_stuck: bool = False
+    is_stopped: bool = False
 
 
 class Watcher(Protocol):
@@ -149,7 +152,8 @@ class _Worker:
     moved_at: float
     seen: tuple[str, ...] = ()
     part: float = 0.0
-    is_stuck: bool = field(default=False)
+    is_stuck: bool = False
+    is_stopped: bool = False
 
     @classmethod
     def begun(cls, cut: Cut, words: Sequence[str], folder: Path, now: float) -> "_Worker":
@@ -173,7 +177,7 @@ class _Worker:
         """Return how it ended; None while it works. One in which nothing moves is ended."""
         code = self.process.poll()
         if code is not None:
-            return Ended(self.cut, code, self._last_line(), self.is_stuck)
+            return Ended(self.cut, code, self._last_line(), self.is_stuck, self.is_stopped)
         seen = self._told()
         if seen != self.seen:
             self.seen, self.moved_at = seen, pace.now()
@@ -184,6 +188,7 @@ class _Worker:
 
     def stop(self) -> None:
         """Ask it to stop after what it has in hand."""
+        self.is_stopped = True
         self.progress.with_name(self.progress.name + ".stop").touch()
 
     def kill(self) -> None:

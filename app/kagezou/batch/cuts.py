@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from kagezou.batch.record import RECORD_NAME, REPORT_NAME
 from kagezou.document.alike_names import folded
 from kagezou.errors import InputProblem, UsageProblem
+from kagezou.export.ledger import LEDGER_NAME
 from kagezou.export.names import safe_names
 from kagezou.importing.cut_files import Listing, holds_pictures, is_column_name, listed, plain
 from kagezou.importing.new_cels import printable
@@ -106,7 +108,8 @@ def _cuts_at(path: Path, output: Path) -> tuple[list[Path], list[Message]]:
         Message("{path}: a folder of cuts in a folder of cuts is not looked into; name it itself", path=shown(each))
         for each in nested
     ]
-    left = [each.name for each in (*listing.backgrounds, *listing.pictures)]
+    outputs = [each for each in listing.folders if _is_output(each)]
+    left = [each.name for each in (*listing.backgrounds, *listing.pictures, *outputs)]
     if left:
         names = first_names(shown(Path(each)) for each in left)
         notes.append(Message("{path}: beside cuts, and none itself: {names}", path=shown(path), names=names))
@@ -117,12 +120,17 @@ def _below(listing: Listing, output: Path) -> Iterator[Path]:
     """Yield folders, timesheets and layered files, of those of one name the first."""
     seen: set[str] = set()
     for each in (*listing.folders, *listing.sheets, *listing.layered):
-        if each == output or each in output.parents:
+        if each == output or each in output.parents or _is_output(each):
             continue
         name = folded(_title(each))
         if name not in seen:
             seen.add(name)
             yield each if each not in listing.sheets else _with_layers(each, listing)
+
+
+def _is_output(path: Path) -> bool:
+    """Return whether the program itself wrote what lies in a folder."""
+    return any((path / name).is_file() for name in (LEDGER_NAME, RECORD_NAME, REPORT_NAME))
 
 
 def _with_layers(sheet: Path, listing: Listing) -> Path:

@@ -13,7 +13,6 @@ from kagezou.batch.pictures import doubtful_frames, thumbnails
 from kagezou.batch.record import CutRecord, State, kept, read_record, write_record
 from kagezou.document.model import Document
 from kagezou.document.styling import put_style
-from kagezou.document.taking import taken
 from kagezou.errors import Problem, SomeFramesFailed
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import ExportOutcome
@@ -21,6 +20,7 @@ from kagezou.export.request import Cancelled, ExportRequest, Progress
 from kagezou.importing.cut_files import cut_files, document_of_cut
 from kagezou.importing.feet import document_with_feet, doubt_notes
 from kagezou.importing.imported import Imported
+from kagezou.importing.new_cut import with_parts
 from kagezou.importing.progress import Cancelled as LoadCancelled
 from kagezou.importing.progress import LoadPhase
 from kagezou.io.files.faults import output_problem
@@ -29,10 +29,10 @@ from kagezou.io.project.file_state import NEVER_SEEN, state_of
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
-STEPS: Final = 1000
+STEPS: Final = 100_000
 """The steps of a cut, of which those that are done are told."""
 
-_READ, _ON_FEET, _EXPORTED = 100, 250, 950
+_READ, _ON_FEET, _EXPORTED = 10_000, 25_000, 95_000
 """How many of them reading, looking for feet and the output are over with."""
 
 
@@ -91,15 +91,20 @@ def make_cut(cut: Cut, orders: Orders, doing: Doing) -> MadeCut:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise output_problem(folder, error) from error
-    before = read_record(folder)
-    if orders.skip_existing and before is not None and _is_as_it_was(before, cut, orders):
-        made = MadeCut(kept(before))
+    if (there := unchanged(cut, orders)) is not None:
+        made = MadeCut(there)
     else:
-        making = _Making(cut, orders, doing, before)
+        making = _Making(cut, orders, doing, read_record(folder))
         made = making.made()
         made = replace(made, record=replace(made.record, seconds=time.monotonic() - started))
     write_record(made.record, folder)
     return made
+
+
+def unchanged(cut: Cut, orders: Orders) -> CutRecord | None:
+    """Return the record of a cut that is left alone, as it would come out the same; None where it is to be made."""
+    before = read_record(orders.output / cut.name) if orders.skip_existing else None
+    return kept(before) if before is not None and _is_as_it_was(before, cut, orders) else None
 
 
 def _is_as_it_was(before: CutRecord, cut: Cut, orders: Orders) -> bool:
@@ -140,7 +145,8 @@ class _Making:
             self._learn(document)
             came = self._exported(document)
             self._take_in(came)
-            pictures = thumbnails(document, self._record.doubtful, self._doing.open_context)
+            tell = self._doing.part(_EXPORTED, STEPS)
+            pictures = thumbnails(document, self._record.doubtful, self._doing.open_context, tell)
             self._record = replace(self._record, thumbnails=pictures)
             self._doing.progress(STEPS, STEPS)
         except LoadCancelled:
@@ -173,17 +179,17 @@ class _Making:
     def _brought(self) -> Imported:
         """Return the document of the cut's files, on its feet, lit and styled as asked."""
         orders = self._orders
-        imported = document_of_cut(cut_files(self._cut.path), self._doing.loading(0, _READ))
+        template = None if orders.template is None else load(orders.template)
+        whole = None if orders.parts else template
+        imported = document_of_cut(cut_files(self._cut.path), whole, self._doing.loading(0, _READ))
+        if template is not None and orders.parts:
+            imported = with_parts(imported, template, orders.parts)
         document, notes = imported.document, list(imported.notes)
         ids = [layer.id for layer in document.layers]
         on_feet = document_with_feet(document, ids, self._doing.loading(_READ, _ON_FEET))
         document = on_feet.document
         doubts = [note for each in ids for note in doubt_notes(document, each)]
         notes += [note for note in on_feet.notes if note not in doubts]
-        if orders.template is not None:
-            took = taken(document, load(orders.template), orders.parts)
-            document = took.document
-            notes += took.notes
         if orders.style is not None:
             figures = [layer.id for layer in document.layers if layer.joins is None]
             document = put_style(document, figures, orders.style, 1, with_light=orders.with_light).document

@@ -35,9 +35,9 @@ class Orders:
     with_light
         Whether the style's own light is taken, too.
     template
-        A project of which `parts` are taken into every cut; None without one.
+        A project that every cut is made like, as by `new_cut`; None without one.
     parts
-        What is taken of it.
+        What alone is taken of it; empty for all.
     skip_existing
         Whether a cut is left alone that would come out the same.
     renew

@@ -1,6 +1,6 @@
 """Small pictures of a cut: frames spread over it, and those on which its feet are doubtful."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Final
 
@@ -9,6 +9,7 @@ from kagezou.batch.record import Thumbnail
 from kagezou.document.model import Document
 from kagezou.document.scaling import scaled, usable_divisor
 from kagezou.errors import InputProblem
+from kagezou.export.request import Progress
 from kagezou.export.shrinking import shrunk
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.pillow_guard import encode_jpeg
@@ -35,7 +36,10 @@ def doubtful_frames(document: Document) -> tuple[tuple[str, tuple[int, ...]], ..
 
 
 def thumbnails(
-    document: Document, doubtful: Sequence[tuple[str, tuple[int, ...]]], open_context: OpenContext
+    document: Document,
+    doubtful: Sequence[tuple[str, tuple[int, ...]]],
+    open_context: OpenContext,
+    progress: Progress,
 ) -> tuple[Thumbnail, ...]:
     """Return small pictures of a cut in the order of its frames; those with a drawing that cannot be read are left.
 
@@ -53,15 +57,19 @@ def thumbnails(
     with open_context():
         renderer = Renderer(cels, divisor=divisor)
         try:
-            return tuple(_drawn(renderer, scaled(document, divisor), frames, doubts))
+            smaller = scaled(document, divisor)
+            made = []
+            for done, frame in enumerate(frames, 1):
+                with suppress(InputProblem):  # the export has said so
+                    made.append(_drawn(renderer, smaller, frame, is_doubtful=frame in doubts))
+                progress(done, len(frames))
+            return tuple(made)
         finally:
             renderer.close()
 
 
-def _drawn(renderer: Renderer, document: Document, frames: Sequence[int], doubts: Sequence[int]) -> Iterator[Thumbnail]:
+def _drawn(renderer: Renderer, document: Document, frame: int, *, is_doubtful: bool) -> Thumbnail:
     backdrop = Backdrop.BACKGROUND if document.background else Backdrop.WHITE
-    for frame in frames:
-        with suppress(InputProblem):  # the export has said so
-            renderer.draw_picture(evaluate(document, frame), backdrop)
-            small = shrunk(renderer.read_picture()[..., :3], _SIDE_PX)
-            yield Thumbnail(frame, encode_jpeg(small, _QUALITY), frame in doubts)
+    renderer.draw_picture(evaluate(document, frame), backdrop)
+    small = shrunk(renderer.read_picture()[..., :3], _SIDE_PX)
+    return Thumbnail(frame, encode_jpeg(small, _QUALITY), is_doubtful)

@@ -20,6 +20,7 @@ from kagezou.io.project.file_state import NEVER_SEEN, FileState
 from kagezou.message import Message
 
 RECORD_NAME: Final = ".kagezou-cut.json"
+REPORT_NAME: Final = "report.html"
 _VERSION: Final = 1
 _MAX_BYTES: Final = 64 << 20
 

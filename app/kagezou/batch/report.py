@@ -13,13 +13,12 @@ from typing import Final
 from urllib.parse import quote
 
 from kagezou.animation.frames import format_frames
-from kagezou.batch.record import CutRecord, State, Thumbnail
+from kagezou.batch.record import REPORT_NAME, CutRecord, State, Thumbnail
 from kagezou.io.clips.catalogues import messages_in
 from kagezou.io.files.atomic import write_bytes
 from kagezou.locations import resource_folder
 from kagezou.message import Message, Translate
 
-REPORT_NAME: Final = "report.html"
 _REFRESH_S: Final = 10
 _WORTH_TELLING_S: Final = 0.5
 _STATES: Final = {

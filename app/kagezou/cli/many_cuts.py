@@ -2,7 +2,7 @@
 
 import locale
 from argparse import Namespace
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
 from pathlib import Path
 
@@ -10,6 +10,7 @@ from kagezou.batch.batch import Batch, Telling, records_in
 from kagezou.batch.crew import Pace, fitting, program, work_through
 from kagezou.batch.cuts import Cut
 from kagezou.batch.farm import BatchJob, write_batch_job
+from kagezou.batch.making import unchanged
 from kagezou.batch.orders import Orders
 from kagezou.batch.record import CutRecord, State
 from kagezou.batch.report import write_report
@@ -37,7 +38,11 @@ def all_cuts(options: Namespace, orders: Orders, cuts: Sequence[Cut], entry_poin
     with stopping_gently() as interruption, entry_points.line("making cuts", unit=None) as line:
         speaker = _Speaker(options, orders.output, line)
         batch = Batch(cuts, orders.output, Telling(speaker.say, line.update, speaker.report))
-        work_through(cuts, words, Pace(at_once, 60.0 * options.stuck_minutes), batch, interruption.is_set)
+        there = {cut.name: record for cut in cuts if (record := unchanged(cut, orders)) is not None}
+        for record in there.values():
+            batch.keep(record)
+        left = [cut for cut in cuts if cut.name not in there]
+        work_through(left, words, Pace(at_once, 60.0 * options.stuck_minutes), batch, interruption.is_set)
     return _concluded(options, orders.output, batch.records, interruption.exit_code)
 
 
@@ -120,6 +125,7 @@ class _Speaker:
     def __init__(self, options: Namespace, output: Path, line: ProgressLine) -> None:
         self._options, self._output, self._line = options, output, line
         self._told: Problem | None = None
+        self._earlier = records_in(output)
 
     def say(self, record: CutRecord) -> None:
         """Say what came of a cut."""
@@ -134,7 +140,7 @@ class _Speaker:
     def report(self, records: Sequence[CutRecord]) -> None:
         """Write the report; where that is refused it is said once, and the cuts go on."""
         try:
-            _write(self._options, self._output, records)
+            _write(self._options, self._output, records, self._earlier)
         except Problem as problem:
             if self._told is None:
                 self._line.wipe()
@@ -142,10 +148,10 @@ class _Speaker:
             self._told = problem
 
 
-def _write(options: Namespace, output: Path, records: Sequence[CutRecord]) -> Path:
+def _write(options: Namespace, output: Path, records: Sequence[CutRecord], there: Iterable[CutRecord]) -> Path:
     """Write the report of records, and of what earlier batches left in the same folder."""
     names = {each.name for each in records}
-    earlier = [each for each in records_in(output) if each.name not in names]
+    earlier = (each for each in there if each.name not in names)
     return write_report((*records, *earlier), output, options.language or _language(), datetime.now().astimezone())
 
 
@@ -154,7 +160,7 @@ def _concluded(options: Namespace, output: Path, records: Sequence[CutRecord], s
     records = [
         CutRecord(name=each.name, state=State.STOPPED) if each.state is State.WAITING else each for each in records
     ]
-    report = _write(options, output, records)
+    report = _write(options, output, records, records_in(output))
     failed = sum(each.state is State.FAILED for each in records)
     code = stopped_by or (SomeFramesFailed.exit_code if failed else 0)
     if options.json:

@@ -11,14 +11,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
+from kagezou.document.model import Document
 from kagezou.errors import InputProblem
 from kagezou.importing.imported import Imported
 from kagezou.importing.new_cels import CharacterSource, printable
-from kagezou.importing.oca_project import as_long_as, oca_among
+from kagezou.importing.new_cut import NewCut, new_cut
 from kagezou.importing.progress import Progress, no_progress
 from kagezou.importing.psd_characters import is_background_name
-from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES, check_seen, sources_beside, timed_from_beside
-from kagezou.importing.staging import exposed, new_document
+from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES, sources_beside
 from kagezou.io.files.faults import input_problem, shown
 from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.sequences import Sequence as FileSequence
@@ -171,32 +171,16 @@ def cut_files(path: Path) -> CutFiles:
     return replace(found, background=background, notes=(*notes, *found.notes))
 
 
-def document_of_cut(files: CutFiles, progress: Progress = no_progress) -> Imported:
-    """Return a new document of a cut.
+def document_of_cut(files: CutFiles, template: Document | None = None, progress: Progress = no_progress) -> Imported:
+    """Return a new document of a cut, all of a template taken where there is one.
 
     Raises
     ------
     InputProblem, UsageProblem
-        As for `new_document` and `read_timesheet`.
+        As for `new_cut`.
     """
-    cut = oca_among(files.sources)
-    if cut is None:
-        imported = new_document(files.sources, background=files.background, progress=progress)
-    else:
-        imported = new_document(
-            files.sources,
-            background=files.background,
-            size=cut.size_px,
-            frame_rate=cut.frame_rate,
-            progress=progress,
-        )
-        imported = as_long_as(imported, cut)
-    imported = replace(imported, notes=(*files.notes, *imported.notes))
-    if files.sheet is None:
-        return timed_from_beside(imported, files.sources)
-    timed = exposed(imported.document, read_timesheet(files.sheet))
-    check_seen(timed.document, files.sheet)
-    return replace(timed, notes=(*imported.notes, *timed.notes))
+    imported = new_cut(files.sources, NewCut(files.background, files.sheet, template=template), progress)
+    return replace(imported, notes=(*files.notes, *imported.notes))
 
 
 def holds_pictures(folder: Path) -> bool:

@@ -1,6 +1,6 @@
 """A new cut of what was named: characters, a background, a timesheet, and perhaps another project as a template."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -12,6 +12,7 @@ from kagezou.document.taking import Part, taken
 from kagezou.importing.imported import Imported
 from kagezou.importing.new_cels import CharacterSource
 from kagezou.importing.oca_project import as_long_as, oca_among
+from kagezou.importing.progress import Progress, no_progress
 from kagezou.importing.sheet_project import check_seen, sources_beside, timed_from_beside
 from kagezou.importing.staging import new_document, with_timesheet
 from kagezou.io.files.spellings import on_disk
@@ -57,7 +58,7 @@ def columns_of(timesheet: Path, which: str | None = None) -> tuple[CharacterSour
     return tuple(sources_beside(path, read_timesheet(path, which)))
 
 
-def new_cut(sources: Sequence[CharacterSource], wanted: NewCut) -> Imported:
+def new_cut(sources: Sequence[CharacterSource], wanted: NewCut, progress: Progress = no_progress) -> Imported:
     """Return a new document of characters, from bottom to top, timed by a sheet where there is one.
 
     Raises
@@ -73,6 +74,7 @@ def new_cut(sources: Sequence[CharacterSource], wanted: NewCut) -> Imported:
         background=wanted.background,
         size=wanted.size_px or size,
         frame_rate=wanted.frame_rate or rate,
+        progress=progress,
     )
     imported = imported if cut is None else as_long_as(imported, cut)
     if wanted.timesheet is None:
@@ -86,10 +88,15 @@ def _like(imported: Imported, template: Document | None) -> Imported:
     """Return a new cut with all that can be taken of a template: a frame's number and the production are part of it."""
     if template is None:
         return imported
-    done = taken(imported.document, template, frozenset(Part))
-    document = done.document
-    canvas = replace(document.canvas, first_frame=template.canvas.first_frame)
-    drawn = replace(document, canvas=canvas, slate=replace(document.slate, name=template.slate.name))
-    stood = stood_up(drawn) if drawn.pieces else drawn
-    notes = (*imported.notes, *done.notes, *stood_up_notes(drawn, stood))
+    like = with_parts(imported, template, frozenset(Part))
+    canvas = replace(like.document.canvas, first_frame=template.canvas.first_frame)
+    slate = replace(like.document.slate, name=template.slate.name)
+    return replace(like, document=replace(like.document, canvas=canvas, slate=slate))
+
+
+def with_parts(imported: Imported, template: Document, parts: Collection[Part]) -> Imported:
+    """Return a new cut with parts of a template; on its set the figures stand upright."""
+    done = taken(imported.document, template, parts)
+    stood = stood_up(done.document) if Part.SET in parts and done.document.pieces else done.document
+    notes = (*imported.notes, *done.notes, *stood_up_notes(done.document, stood))
     return replace(imported, document=stood, notes=notes)

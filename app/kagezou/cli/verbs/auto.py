@@ -134,7 +134,7 @@ def _orders(options: Namespace) -> "Orders":
 
 
 def _parts(options: Namespace) -> "frozenset[Part]":
-    """Return what is taken of the template: what is named, else all; its looks only without a style."""
+    """Return what alone is taken of the template; nothing stands for all of it."""
     from kagezou.document.taking import Part
 
     named = frozenset(part for part in Part if getattr(options, part.value))
@@ -142,8 +142,7 @@ def _parts(options: Namespace) -> "frozenset[Part]":
         raise UsageProblem(Message("--light, --look, --ground and --set say what is taken of a --template"))
     if options.style is not None and Part.LOOK in named:
         raise UsageProblem(Message("a look is taken of the style or of the template, not of both: --style or --look"))
-    every = frozenset(Part) if options.style is None else frozenset(Part) - {Part.LOOK}
-    return named or every
+    return named
 
 
 def _one_cut(options: Namespace, orders: "Orders", entry_points: EntryPoints) -> int:
