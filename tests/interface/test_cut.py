@@ -132,6 +132,17 @@ def test_styles(cut: Cut) -> None:
         cut.with_style("Wate")
 
 
+def test_a_style_of_the_studio_and_one_that_cannot_be_read(
+    cut: Cut, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "styles").mkdir()
+    (tmp_path / "styles" / "broken.json").write_text("{")
+    monkeypatch.setenv("KAGEZOU_STYLES", str(tmp_path / "styles"))
+    with pytest.warns(UserWarning, match=r"broken\.json"):
+        assert "Water" in kagezou.styles()
+    assert any("broken.json" in note for note in cut.with_style("Water").notes)
+
+
 def test_parts_of_another_cut(cut: Cut) -> None:
     lit = cut.with_values({"light.kind": "sun", "ground.roll": 5})
     assert cut.with_parts_of(lit, "light").value("light.kind") == "sun"

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser
 from kagezou.cli.interruption import Interruption
-from kagezou.cli.terminal import note
+from kagezou.cli.terminal import note, tell
 from kagezou.errors import AfterExportFailed
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ def add_after(parser: Parser) -> None:
     )
 
 
-def hand_on_export(over: "Handover", command: str | None, interruption: Interruption) -> None:
-    """Run what comes after an export, and say what came of it.
+def hand_on_export(over: "Handover", command: str | None, interruption: Interruption) -> int:
+    """Run what comes after an export, say what came of it, and return the exit code; that of Ctrl-C where it came now.
 
     Raises
     ------
@@ -36,6 +36,10 @@ def hand_on_export(over: "Handover", command: str | None, interruption: Interrup
     except AfterExportFailed as problem:
         for sentence in problem.notes:
             note(sentence)
-        raise
+        if not interruption.is_asked:
+            raise
+        tell(str(problem))
+        return interruption.exit_code
     for sentence in said:
         note(sentence)
+    return 0

@@ -64,8 +64,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             return interruption.exit_code
         files = exporter.made_files(made)
         over = Handover(exporter.key, document, options.project, files, is_whole=True, notes=made.notes)
-        hand_on_export(over, options.after, interruption)
-    return 0
+        return hand_on_export(over, options.after, interruption)
 
 
 def _report(made: "SceneMade", *, as_json: bool) -> None:

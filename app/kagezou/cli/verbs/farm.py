@@ -97,5 +97,4 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     give(shown(bundle / TEMPLATE))
     over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
     with stopping_gently() as interruption:
-        hand_on_export(over, options.after, interruption)
-    return 0
+        return hand_on_export(over, options.after, interruption)

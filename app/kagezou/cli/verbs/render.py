@@ -120,8 +120,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             report(summary, as_json=options.json)
         files, notes = exporter.made_files(summary), summary.notes
         over = Handover(exporter.key, document, options.project, files, summary.is_whole, notes)
-        hand_on_export(over, options.after, interruption)
-    return verdict(summary, interruption)
+        code = hand_on_export(over, options.after, interruption)
+    return code if summary.is_whole else verdict(summary, interruption)
 
 
 def _depth(options: Namespace, form: str) -> tuple[int, Message | None]:
