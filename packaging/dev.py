@@ -32,6 +32,8 @@ OLDEST, NEWEST = (3, 11), (3, 13)
 PROCESSES = min(os.cpu_count() or 1, 4)
 IN_PARALLEL = ("--numprocesses", str(PROCESSES), "--dist", "loadscope")
 """Tests side by side, each process with a screen of its own."""
+SINGLE_THREADS = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+"""For processes that share the cores: threads of their own for drawing and sums only get in each other's way."""
 COVERED = ("tests/geometry", "tests/animation")
 VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate")
 PLAIN = ("lint", "setup", "hooks", "translate")
@@ -98,7 +100,8 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     covered = (*COVERED, "--cov", "--cov-report=term-missing:skip-covered", *IN_PARALLEL)
     others = (*(f"--ignore={folder}" for folder in COVERED), *IN_PARALLEL)
     failed = 0
-    with private_display() as variables:
+    with private_display() as screen:
+        variables = {**SINGLE_THREADS, **screen}
         for selection in (tuple(arguments),) if arguments else (covered, others):
             say("-- pytest")
             command = [str(environment.python), "-m", "pytest", *selection]

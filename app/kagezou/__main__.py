@@ -3,6 +3,7 @@
 The only place that knows both.
 """
 
+import gc
 import os
 import sys
 from collections.abc import Callable, Sequence
@@ -19,9 +20,14 @@ PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb", ".oca")
 """What the window opens: projects, and the timesheets and files of layers that drawing programs hand over."""
 
 
+_UNCOLLECTED = 50_000
+"""So many new objects before Python looks for circles of them: by its own 700 it does little else while importing."""
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Choose the door and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
+    gc.set_threshold(_UNCOLLECTED)
     speak_plainly()
     try:
         words = given_words(words)

@@ -1,5 +1,3 @@
 """The version of the program, which every room may say."""
 
-from importlib.metadata import version
-
-__version__ = version("kagezou")
+__version__ = "0.1.0"

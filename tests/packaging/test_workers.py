@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 import yaml
 
+from kagezou import __version__
 from kagezou.export.farm import FarmRequest, write_bundle
 from kagezou.export.request import ExportRequest
 from kagezou.io.project.file import save
@@ -25,6 +26,7 @@ CONDA_NAMES = {
     "isal": "python-isal",
     "mapbox-earcut": "mapbox_earcut",
     "pyside6-essentials": "pyside6",
+    "zlib-ng": "python-zlib-ng",
 }
 
 
@@ -82,7 +84,7 @@ def test_a_worker_that_cannot_get_it_says_so(tmp_path: Path) -> None:
 def test_the_conda_recipe_needs_what_the_project_needs() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     recipe: Any = yaml.safe_load((ROOT / "packaging/conda/recipe.yaml").read_text())
-    assert recipe["context"]["version"] == project["version"]
+    assert recipe["context"]["version"] == __version__
     wanted = {"python": project["requires-python"]}
     for line in project["dependencies"]:
         found = re.fullmatch(r"([A-Za-z0-9-]+)([<>=,.0-9]+)(?:;.*)?", line.replace(" ", "").split(";")[0])

@@ -1,9 +1,9 @@
 """What runs after an export that the command line has made."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser
-from kagezou.cli.interruption import Interruption
 from kagezou.cli.terminal import note, tell
 from kagezou.errors import AfterExportFailed
 
@@ -21,8 +21,8 @@ def add_after(parser: Parser) -> None:
     )
 
 
-def hand_on_export(over: "Handover", command: str | None, interruption: Interruption) -> int:
-    """Run what comes after an export, say what came of it, and return the exit code; that of Ctrl-C where it came now.
+def hand_on_export(over: "Handover", command: str | None, stops: Callable[[], bool]) -> bool:
+    """Run what comes after an export, and say what came of it; return False where the person stopped it.
 
     Raises
     ------
@@ -32,14 +32,14 @@ def hand_on_export(over: "Handover", command: str | None, interruption: Interrup
     from kagezou.export.after.hooks import hand_on, hooks_of
 
     try:
-        said = hand_on(over, hooks_of(command), interruption.is_set)
+        said = hand_on(over, hooks_of(command), stops)
     except AfterExportFailed as problem:
         for sentence in problem.notes:
             note(sentence)
-        if not interruption.is_asked:
+        if not stops():
             raise
         tell(str(problem))
-        return interruption.exit_code
+        return False
     for sentence in said:
         note(sentence)
-    return 0
+    return True

@@ -32,6 +32,7 @@ VERBS: Final = {
     "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",
     "apply": "take light, looks, ground or the set of one project into others",
+    "auto": "make projects and output of many cuts at once, with a report",
     "render": "write the shadow layers as numbered frames",
     "video": "write the finished picture, or one shadow with alpha, as a video",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",

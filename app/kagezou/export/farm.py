@@ -5,6 +5,7 @@ https://github.com/OpenJobDescription/openjd-specifications, revision 2023-09 wi
 """
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -34,7 +35,7 @@ _PROGRAM_MIB: Final = 1024
 _MIB_STEP: Final = 512
 _STARTING_S: Final = 600
 """So long a worker may take until the first frame is begun, with drawings on slow disks and OpenGL to be opened."""
-_NOTICE_S: Final = 60
+NOTICE_S: Final = 60
 """So long a task that is stopped has for the frames that it has begun."""
 
 Json = dict[str, Any]
@@ -90,12 +91,34 @@ def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tupl
         A file cannot be written.
     """
     planned(document, request.export)
-    _check_folder(folder, request.export.folder)
     trees = {
         TEMPLATE: template(document, request),
         PARAMETERS: {"parameterValues": _values(document, request)},
         ASSETS: {"assetReferences": _assets(document, request)},
     }
+    return write_job(trees, folder, request.export.folder)
+
+
+def write_job(trees: Mapping[str, Json], folder: Path, output: Path) -> tuple[Path, ...]:
+    """Write the files of a bundle, JSON by name, into a folder, which is made if need be, and return them.
+
+    Parameters
+    ----------
+    trees
+        JSON by the names of the three files.
+    folder
+        Where they go.
+    output
+        Where the job writes.
+
+    Raises
+    ------
+    UsageProblem
+        The folder holds something else.
+    DiskFullProblem, OutputProblem
+        A file cannot be written.
+    """
+    _check_folder(folder, output)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -128,7 +151,7 @@ def template(document: Document, request: FarmRequest) -> Json:
     return {
         "specificationVersion": "jobtemplate-2023-09",
         "extensions": ["TASK_CHUNKING"],
-        "name": _job_name(request.project.stem),
+        "name": job_name(request.project.stem),
         "parameterDefinitions": definitions(document, request.export, request.program),
         "steps": [
             {
@@ -156,7 +179,7 @@ def _action(request: FarmRequest) -> Json:
         "command": "{{Param.Program}}",
         "args": _words(request),
         "timeout": _STARTING_S + 60 * request.frame_minutes * request.chunk,
-        "cancelation": {"mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": _NOTICE_S},
+        "cancelation": {"mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": NOTICE_S},
     }
 
 
@@ -221,7 +244,7 @@ def _assets(document: Document, request: FarmRequest) -> Json:
     }
 
 
-def _job_name(stem: str) -> str:
-    """Return a name without what the specification forbids: braces, which would be filled in, and control signs."""
+def job_name(stem: str) -> str:
+    """Return a name for a job without what the specification forbids: braces, which are filled in, and controls."""
     name = "".join(sign if sign.isprintable() and sign not in "{}" else "_" for sign in stem)
     return f"Kagezou {name}"[:_NAME_CHARACTERS]

@@ -47,7 +47,7 @@ def _places() -> list[Json]:
             "type": "PATH",
             "objectType": "DIRECTORY",
             "dataFlow": "OUT",
-            "userInterface": _shown_as("CHOOSE_DIRECTORY", "Output folder", _PLACES),
+            "userInterface": shown_as("CHOOSE_DIRECTORY", "Output folder", _PLACES),
             "description": "Where the shadow layers go.",
         },
     ]
@@ -61,7 +61,7 @@ def _settings(document: Document, export: ExportRequest, program: str) -> list[J
             "name": "Frames",
             "type": "STRING",
             "default": format_frames(export.frames or tuple(range(1, length + 1))),
-            "userInterface": _shown_as("LINE_EDIT", "Frames", _FRAMES),
+            "userInterface": shown_as("LINE_EDIT", "Frames", _FRAMES),
             "description": "Frames such as 1-48, 1-10,20 or 1-48:2.",
         },
         {
@@ -69,7 +69,7 @@ def _settings(document: Document, export: ExportRequest, program: str) -> list[J
             "type": "STRING",
             "default": export.format,
             "allowedValues": list(LAYERED_SUFFIXES if export.layered else SUFFIXES),
-            "userInterface": _shown_as("DROPDOWN_LIST", "Format", _FRAMES),
+            "userInterface": shown_as("DROPDOWN_LIST", "Format", _FRAMES),
             "description": "The format of the frames.",
         },
         {
@@ -77,19 +77,19 @@ def _settings(document: Document, export: ExportRequest, program: str) -> list[J
             "type": "STRING",
             "default": AUTO_DEPTH if own else str(export.depth),
             "allowedValues": [AUTO_DEPTH, *map(str, sorted({depth for each in DEPTHS.values() for depth in each}))],
-            "userInterface": _shown_as("DROPDOWN_LIST", "Bits a channel", _FRAMES),
+            "userInterface": shown_as("DROPDOWN_LIST", "Bits a channel", _FRAMES),
             "description": "Bits a channel; auto is what the format usually has. exr has 16, tga 8.",
         },
         {
             "name": "Program",
             "type": "STRING",
             "default": program,
-            "userInterface": _shown_as("LINE_EDIT", "Program", "Workers"),
+            "userInterface": shown_as("LINE_EDIT", "Program", "Workers"),
             "description": "How Kagezou is called on the workers: a name, or the path of the program.",
         },
     ]
 
 
-def _shown_as(control: str, label: str, group: str) -> Json:
+def shown_as(control: str, label: str, group: str) -> Json:
     """Return what a window for sending jobs shows a parameter as."""
     return {"control": control, "label": label, "groupLabel": group}

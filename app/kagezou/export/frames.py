@@ -137,7 +137,7 @@ class _Run:
                 return []
             made_of = self.fingerprints[job.content] = fingerprint(job, self.request)
             targets = job.targets
-            if self.request.skip_existing:
+            if self.request.skip_existing and self.request.anew.isdisjoint(job.content.sources.files):
                 targets = tuple(target for target in targets if not self.ledger.holds(target.path, made_of))
                 self._trust([target for target in job.targets if target not in targets])
             if targets:

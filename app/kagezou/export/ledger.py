@@ -110,7 +110,7 @@ def fingerprint(job: FrameJob, request: ExportRequest) -> str:
     """
     states = [_state(path) for path in job.content.sources.files]
     canvas = job.content.scene.canvas
-    parts = (_engine(), request.format, request.depth, canvas.width, canvas.height, job.content, states)
+    parts = (engine(), request.format, request.depth, canvas.width, canvas.height, job.content, states)
     return hashlib.sha256(repr(parts).encode("utf-8", "backslashreplace")).hexdigest()
 
 
@@ -123,8 +123,8 @@ def _state(path: Path) -> tuple[int, int] | None:
 
 
 @cache
-def _engine() -> str:
-    """Return what stands for the program that draws."""
+def engine() -> str:
+    """Return a text that changes with the program that draws: its version and its shaders."""
     shaders = sorted(path for path in shader_folder().rglob("*") if path.is_file())
     digest = hashlib.sha256(__version__.encode())
     for path in shaders:

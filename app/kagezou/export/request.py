@@ -72,6 +72,8 @@ class ExportRequest:
         Whether ground, set and feet are drawn as lines into the composites, for looking at them.
     names
         How the files are called.
+    anew
+        Files whose pictures are made even where ``skip_existing`` would trust them.
     """
 
     folder: Path
@@ -90,6 +92,7 @@ class ExportRequest:
     united: bool = False
     guides: bool = False
     names: FileNames = field(default_factory=FileNames)
+    anew: frozenset[Path] = frozenset()
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:

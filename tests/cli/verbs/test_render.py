@@ -3,6 +3,7 @@
 import io
 import json
 import subprocess
+import sys
 from itertools import pairwise
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from kagezou.errors import GraphicsProblem
 from kagezou.io.images.reading import read_cel
 from kagezou.message import Message
 from kagezou.render.gpu.context import GraphicsContext
+from tests.batch.cut_folders import timesheet
 from tests.cli.projects import Shell, make_drawings
 
 
@@ -277,6 +279,38 @@ def test_doctor_names_the_packages_of_missing_libraries(monkeypatch: pytest.Monk
     assert any(line.startswith("state: ") for line in said)
     release["VERSION_ID"] = "22.04"
     assert any("libglib2.0-0 " in line for line in examination.advice(report, can_render=True))
+
+
+def test_watching_goes_on_until_it_is_stopped(project: Path, tmp_path: Path) -> None:
+    progress, out = tmp_path / "progress", tmp_path / "out"
+    words = ["render", project, "-o", out, "--watch", "--json", "--progress-file", progress]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "kagezou", *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    first = json.loads(process.stdout.readline())
+    assert (first["changed"], first["written"]) == ([], 3)
+    make_drawings(tmp_path / "hero", count=1, size=(64, 47))
+    second = json.loads(process.stdout.readline())
+    assert (second["changed"], second["written"]) == ([str(tmp_path / "hero" / "walk_0001.png")], 1)
+    (tmp_path / "progress.stop").touch()
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said.splitlines()[-1] == "kagezou: stopped watching; every file that is there is whole"
+    assert "a drawing changed; its feet are those in the project" in said
+
+
+def test_a_sheet_exposes_what_is_rendered_and_the_project_stays(shell: Shell, project: Path, tmp_path: Path) -> None:
+    sheet = timesheet(tmp_path / "s.xdts", {"Hero": [(1, 2), (3, 1)]}, length=4)
+    kept = project.read_bytes()
+    assert shell("render", project, "-o", tmp_path / "out", "--timesheet", sheet, "--json") == 0
+    told = json.loads(shell.out)
+    assert (told["files"], told["drawn"]) == (4, 2)
+    assert project.read_bytes() == kept
+
+
+def test_a_watch_is_no_task_of_a_farm(shell: Shell, project: Path, tmp_path: Path) -> None:
+    assert "do not go together" in shell.fails(2, "render", project, "-o", tmp_path / "o", "--watch", "--openjd")
 
 
 def test_files_are_called_by_a_pattern(shell: Shell, project: Path) -> None:

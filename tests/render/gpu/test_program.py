@@ -11,7 +11,7 @@ from kagezou.locations import shader_folder
 from kagezou.render.gpu import program
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.context import open_headless_context
-from kagezou.render.gpu.program import Program, shader_source
+from kagezou.render.gpu.program import Program, compile_all, shader_source
 from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.prepare.uniforms import Uniform
 
@@ -41,7 +41,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 def refusal(fragment: str, switches: tuple[str, ...] = ()) -> str:
     with pytest.raises(GraphicsProblem) as problem:
-        Program("whole.vert", fragment, switches)
+        Program("whole.vert", fragment, switches).use({})
     return str(problem.value)
 
 
@@ -98,3 +98,17 @@ def test_each_draw_has_the_uniforms_that_it_was_given_last(folder: Path) -> None
         boxes.draw_one(target.box)
         found.append(int(target.read(target.box)[0, 0]) / 65535)
     assert found == pytest.approx([0.25, 0.75, 0.375, 1.0, 1.0], abs=1e-4)
+
+
+def test_a_program_is_compiled_when_it_is_first_used_or_when_all_are(folder: Path) -> None:
+    (folder / "common" / "tint.glsl").write_text("float tint = 1.0;\n", encoding="utf-8")
+    (folder / "good.frag").write_text(FRAGMENT % "1.0", encoding="utf-8")
+    (folder / "bad.frag").write_text(FRAGMENT % "missing", encoding="utf-8")
+    good, bad = Program("whole.vert", "good.frag"), Program("whole.vert", "bad.frag")
+    good.use({})
+    with pytest.raises(GraphicsProblem, match=r"bad\.frag"):
+        compile_all()
+    Program("whole.vert", "bad.frag").close()
+    compile_all()
+    for program_of_both in (good, bad):
+        program_of_both.close()

@@ -86,11 +86,14 @@ def _shown(value: Json) -> str:
 def _probe(entry_points: EntryPoints) -> int:
     """Open a context, set up everything that draws, and print what draws: what the parent may not survive itself."""
     from kagezou.io.images.cel_cache import CelCache
+    from kagezou.render.gpu.program import compile_all
     from kagezou.render.renderer import Renderer
 
     with entry_points.open_context() as context:
         info = context.info
-        Renderer(CelCache(0)).close()
+        renderer = Renderer(CelCache(0))
+        compile_all()
+        renderer.close()
     give_json(
         {
             "vendor": info.vendor,

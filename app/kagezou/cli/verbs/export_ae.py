@@ -88,8 +88,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         _report(done, as_json=options.json)
         files, is_whole = HAND_OFF.made_files(done), done.script is not None
         over = Handover(HAND_OFF.key, document, options.project, files, is_whole, done.notes)
-        code = hand_on_export(over, options.after, interruption)
-    return code if is_whole else max(verdict(each, interruption) for each in done.exports)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
+    return max(verdict(each, interruption) for each in done.exports)
 
 
 def _report(done: "HandedOff", *, as_json: bool) -> None:

@@ -64,4 +64,6 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         else:
             give(shown(done.path))
         over = Handover(VIDEO_FILE.key, document, options.project, VIDEO_FILE.made_files(done), is_whole=True)
-        return hand_on_export(over, options.after, interruption)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
+    return 0

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from kagezou.errors import DiskFullProblem
 from kagezou.io.files.faults import input_problem, output_problem, shown
 from kagezou.io.images.exr_layers import chosen_layer
+from kagezou.io.images.fast_png import fast_pixels
 from kagezou.io.images.oiio_errors import first_line, text_of
 from kagezou.io.images.oiio_header import STRAIGHT, exr_layers, full_pages, header_of
 from kagezou.io.images.picture_size import LARGEST_PICTURE_MB, check_size
@@ -89,12 +90,18 @@ class DecodedPicture:
     def read(self, first: int = 0, end: int | None = None) -> Pixels:
         """Return channels ``first`` to before ``end`` of the stored pixels, (H, W, C) in ``header.dtype``.
 
+        What a faster decoder reads as well comes from there.
+
         Raises
         ------
         InputProblem
             The data is cut short or damaged, even where the decoder delivered something.
         """
         end = self.header.channels if end is None else end
+        fast = fast_pixels(self._path, self.header) if end - first == self.header.channels else None
+        return self._own_pixels(first, end) if fast is None else fast
+
+    def _own_pixels(self, first: int, end: int) -> Pixels:
         wanted = _TYPES[self.header.dtype]
         try:
             pixels = self._input.read_image(self.header.subimage, 0, first, end, wanted)

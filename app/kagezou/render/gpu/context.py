@@ -1,20 +1,24 @@
 """Where a context comes from when there is no window."""
 
 import sys
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from types import TracebackType
-from typing import Protocol, Self
+from typing import TYPE_CHECKING, Protocol, Self
 
 from kagezou.errors import GraphicsProblem
 from kagezou.message import Message
-from kagezou.render.gpu.info import GraphicsInfo
+
+if TYPE_CHECKING:
+    from kagezou.render.gpu.info import GraphicsInfo
 
 
 class GraphicsContext(Protocol):
     """An OpenGL context that is current inside a ``with`` block."""
 
     @property
-    def info(self) -> GraphicsInfo:
+    def info(self) -> "GraphicsInfo":
         """What draws; the context must be current."""
         ...
 
@@ -51,3 +55,22 @@ def open_headless_context() -> GraphicsContext:
     from kagezou.render.gpu.egl import EglContext
 
     return EglContext()
+
+
+@contextmanager
+def loading_driver() -> Iterator[None]:
+    """Load the driver on another thread beside what is done within the block: it takes long for the first context.
+
+    Whether there is one is for whoever opens it to find out.
+    """
+
+    def load() -> None:
+        with suppress(GraphicsProblem), open_headless_context():
+            pass
+
+    thread = threading.Thread(target=load, name="driver")
+    thread.start()
+    try:
+        yield
+    finally:
+        thread.join()

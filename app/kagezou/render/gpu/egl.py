@@ -3,11 +3,13 @@
 import ctypes
 from ctypes import POINTER, c_char_p, c_int, c_uint, c_void_p
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 from kagezou.errors import GraphicsProblem
 from kagezou.message import Message
-from kagezou.render.gpu.info import GraphicsInfo, read_info
+
+if TYPE_CHECKING:  # a context is opened beside the import of all that is done with it
+    from kagezou.render.gpu.info import GraphicsInfo
 
 _OPENGL_API = 0x30A2
 _EXTENSIONS = 0x3055
@@ -59,8 +61,10 @@ class EglContext:
         self.close()
 
     @property
-    def info(self) -> GraphicsInfo:
+    def info(self) -> "GraphicsInfo":
         """What draws; the context must be current."""
+        from kagezou.render.gpu.info import read_info
+
         return read_info()
 
     def make_current(self) -> None:

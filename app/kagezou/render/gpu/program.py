@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from weakref import WeakSet
 
 import numpy as np
 
@@ -73,8 +74,18 @@ def _lines_of(name: str, files: list[str]) -> Iterator[str]:
             yield f"#line {number + 1} {own}"
 
 
+_waiting: WeakSet["Program"] = WeakSet()
+"""Programs that nothing has been drawn with."""
+
+
+def compile_all() -> None:
+    """Compile every program that nothing has been drawn with yet; GraphicsProblem if the driver refuses one."""
+    for program in tuple(_waiting):
+        _ = program.id
+
+
 class Program:
-    """A linked pair of shaders.
+    """A linked pair of shaders, compiled when something is first drawn with it: most pictures need few of them.
 
     Parameters
     ----------
@@ -86,24 +97,20 @@ class Program:
     """
 
     def __init__(self, vertex: str, fragment: str, switches: Iterable[str] = ()) -> None:
-        self._name = f"{vertex} + {fragment}"
-        self._source = shader_source(vertex).text + shader_source(fragment).text
-        self.id = int(GL.glCreateProgram())
-        for name, kind in ((vertex, GL.GL_VERTEX_SHADER), (fragment, GL.GL_FRAGMENT_SHADER)):
-            shader = _compiled(name, kind, switches)
-            GL.glAttachShader(self.id, shader)
-            GL.glDeleteShader(shader)
-        GL.glLinkProgram(self.id)
-        if not status(GL.glGetProgramiv, self.id, GL.GL_LINK_STATUS):
-            raise GraphicsProblem(
-                Message(
-                    "the graphics driver refuses {name}: {glgetprograminfolog}",
-                    name=self._name,
-                    glgetprograminfolog=log_of(GL.glGetProgramInfoLog, self.id),
-                )
-            )
+        self._files = (vertex, fragment)
+        self._switches = tuple(switches)
+        self._id: int | None = None
         self._places: dict[str, int] = {}
         self._values: dict[int, Uniform | None] = {}
+        _waiting.add(self)
+
+    @property
+    def id(self) -> int:
+        """Its name in OpenGL; GraphicsProblem if it has to be compiled and the driver refuses that."""
+        if self._id is None:
+            _waiting.discard(self)
+            self._id = self._linked()
+        return self._id
 
     def use(self, uniforms: Mapping[str, Uniform]) -> None:
         """Draw with this program from now on, with these uniforms."""
@@ -115,12 +122,36 @@ class Program:
 
     def close(self) -> None:
         """Give the memory back."""
-        GL.glDeleteProgram(self.id)
+        _waiting.discard(self)
+        if self._id is not None:
+            GL.glDeleteProgram(self._id)
+
+    @property
+    def _name(self) -> str:
+        return " + ".join(self._files)
+
+    def _linked(self) -> int:
+        vertex, fragment = self._files
+        program = int(GL.glCreateProgram())
+        for name, kind in ((vertex, GL.GL_VERTEX_SHADER), (fragment, GL.GL_FRAGMENT_SHADER)):
+            shader = _compiled(name, kind, self._switches)
+            GL.glAttachShader(program, shader)
+            GL.glDeleteShader(shader)
+        GL.glLinkProgram(program)
+        if not status(GL.glGetProgramiv, program, GL.GL_LINK_STATUS):
+            raise GraphicsProblem(
+                Message(
+                    "the graphics driver refuses {name}: {glgetprograminfolog}",
+                    name=self._name,
+                    glgetprograminfolog=log_of(GL.glGetProgramInfoLog, program),
+                )
+            )
+        return program
 
     def _place(self, name: str) -> int:
         place = self._places.get(name)
         if place is None:
-            if not re.search(rf"\b{name}[;\[]", self._source):
+            if not any(re.search(rf"\b{name}[;\[]", shader_source(each).text) for each in self._files):
                 raise KeyError(f"{self._name} has no uniform {name}")
             # A driver may drop a uniform that does not matter; it is then at -1.
             place = self._places[name] = int(GL.glGetUniformLocation(self.id, name.encode()))
