@@ -122,8 +122,16 @@ def manifest_file(manifest: Mapping[str, Json]) -> Iterator[Path]:
     """
     with tempfile.TemporaryDirectory(prefix="kagezou-export-", ignore_cleanup_errors=True) as folder:
         path = Path(folder) / "manifest.json"
-        path.write_text(json.dumps(manifest, ensure_ascii=False, indent=1), encoding="utf-8")
+        path.write_bytes(_json_bytes(manifest))
         yield path
+
+
+def _json_bytes(manifest: Mapping[str, Json]) -> bytes:
+    """Return UTF-8; where names of files hold bytes that are no text, ASCII, which Python reads back as such."""
+    try:
+        return json.dumps(manifest, ensure_ascii=False, indent=1).encode("utf-8")
+    except UnicodeEncodeError:
+        return json.dumps(manifest, indent=1).encode("ascii")
 
 
 def _words(text: str) -> tuple[str, ...]:
