@@ -86,6 +86,9 @@ def test_keys(cut: Cut) -> None:
         cut.with_value(path, 1, ease=True)
     with pytest.raises(kagezou.UsageProblem, match="no interpolation"):
         cut.with_value(path, 1, 2, interpolation="smooth")
+    with pytest.raises(kagezou.UsageProblem, match="no frame"):
+        cut.with_value(path, 1, 2.5)  # type: ignore[arg-type]
+    assert cut.with_value(path, 1, np.int64(2)).keys(path)[0].frame == 2  # type: ignore[arg-type]
     with pytest.raises(kagezou.UsageProblem, match="no keys"):
         cut.with_values({"canvas.length": 5}, 2)
     with pytest.raises(kagezou.UsageProblem, match=r"did you mean light\.position"):
