@@ -4,7 +4,6 @@ The only place that knows both.
 """
 
 import gc
-import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -12,6 +11,7 @@ from pathlib import Path
 from kagezou.cli import main as command_line
 from kagezou.cli.arguments_file import given_words
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.streams import open_closed_streams
 from kagezou.cli.terminal import speak_plainly, tell
 from kagezou.contexts import has_display, open_context
 from kagezou.errors import GraphicsProblem, Problem
@@ -28,6 +28,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Choose the door and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     gc.set_threshold(_UNCOLLECTED)
+    open_closed_streams()
     speak_plainly()
     try:
         words = given_words(words)
@@ -44,10 +45,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def window(arguments: Sequence[str] | None = None) -> int:
     """Open the window from a desktop, where there may be no console; with a file that was double-clicked, if any."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    # Without a console Python has no streams at all, and whatever is printed would be an error of its own.
-    for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:
-            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115 - open to the very end
     return main(words[:1])
 
 

@@ -3,6 +3,7 @@
 `docs/en/python.md` says what it promises; `tests/interface` holds its names and signatures.
 """
 
+import warnings
 from collections.abc import Callable
 from fractions import Fraction
 
@@ -100,6 +101,8 @@ def new(
 def edit(path: AnyPath, change: Callable[[Cut], Cut]) -> Cut:
     """Open a project, change it by a function and save it, while no other script or command line can change it.
 
+    The function returns another cut and does not save it; where it returns the same, nothing is written.
+
     Raises
     ------
     ProjectProblem, OutputProblem, DiskFullProblem
@@ -109,5 +112,11 @@ def edit(path: AnyPath, change: Callable[[Cut], Cut]) -> Cut:
 
 
 def styles() -> tuple[str, ...]:
-    """Return the English names of the styles there are: the program's, the studio's and the user's own."""
-    return tuple(each.style.name.en for each in styles_there(own_style_folder())[0])
+    """Return the English names of the styles there are: the program's, the studio's and the user's own.
+
+    A folder or file that cannot be read is a warning.
+    """
+    found, problems = styles_there(own_style_folder())
+    for problem in problems:
+        warnings.warn(str(problem), stacklevel=2)
+    return tuple(each.style.name.en for each in found)

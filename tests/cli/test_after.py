@@ -1,7 +1,11 @@
 """What runs after an export of the command line."""
 
 import json
+import os
+import signal
+import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -70,6 +74,21 @@ def test_a_hook_that_fails_is_code_9_and_the_export_stays(shell: Shell, project:
     assert shell("render", project, "-o", tmp_path / "out", "--json", "--after", f"'{failing}'") == 9
     assert json.loads(shell.out)["written"] == 3
     assert shell.said == ("kagezou: the export is whole, but fail.py failed with code 1: no task for this shot\n")
+    assert len(list((tmp_path / "out" / "Hero_shadow").glob("*.png"))) == 3
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Ctrl-C is sent as a signal")
+def test_ctrl_c_ends_what_hangs_and_the_export_stays(project: Path, tmp_path: Path) -> None:
+    hanging = tmp_path / "hang.py"
+    hanging.write_text("import pathlib, sys, time\npathlib.Path(sys.argv[0] + '.begun').touch()\ntime.sleep(600)\n")
+    words = ["render", str(project), "-o", str(tmp_path / "out"), "--after", f"'{hanging}'"]
+    process = subprocess.Popen([sys.executable, "-m", "kagezou", *words], stderr=subprocess.PIPE, text=True)
+    while not hanging.with_name("hang.py.begun").exists():
+        assert process.poll() is None
+        time.sleep(0.02)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate()
+    assert (process.returncode, said) == (130, "kagezou: hang.py was stopped; the export is whole\n")
     assert len(list((tmp_path / "out" / "Hero_shadow").glob("*.png"))) == 3
 
 

@@ -86,6 +86,9 @@ def test_keys(cut: Cut) -> None:
         cut.with_value(path, 1, ease=True)
     with pytest.raises(kagezou.UsageProblem, match="no interpolation"):
         cut.with_value(path, 1, 2, interpolation="smooth")
+    with pytest.raises(kagezou.UsageProblem, match="no frame"):
+        cut.with_value(path, 1, 2.5)  # type: ignore[arg-type]
+    assert cut.with_value(path, 1, np.int64(2)).keys(path)[0].frame == 2  # type: ignore[arg-type]
     with pytest.raises(kagezou.UsageProblem, match="no keys"):
         cut.with_values({"canvas.length": 5}, 2)
     with pytest.raises(kagezou.UsageProblem, match=r"did you mean light\.position"):
@@ -130,6 +133,17 @@ def test_styles(cut: Cut) -> None:
     assert any("no light of its own" in note for note in cut.with_style("Simple", with_light=True).notes)
     with pytest.raises(kagezou.UsageProblem, match="did you mean Water"):
         cut.with_style("Wate")
+
+
+def test_a_style_of_the_studio_and_one_that_cannot_be_read(
+    cut: Cut, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "styles").mkdir()
+    (tmp_path / "styles" / "broken.json").write_text("{")
+    monkeypatch.setenv("KAGEZOU_STYLES", str(tmp_path / "styles"))
+    with pytest.warns(UserWarning, match=r"broken\.json"):
+        assert "Water" in kagezou.styles()
+    assert any("broken.json" in note for note in cut.with_style("Water").notes)
 
 
 def test_parts_of_another_cut(cut: Cut) -> None:

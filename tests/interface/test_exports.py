@@ -70,11 +70,18 @@ def test_what_is_stopped_and_what_fails_is_told(cut: Cut, tmp_path: Path, drawin
     assert "walk_0002.png" in why
 
 
+def refuse(manifest: Mapping[str, Any]) -> None:
+    raise KeyError(manifest["project"]["cut"])
+
+
 def test_what_comes_after(cut: Cut, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     taken: list[Mapping[str, Any]] = []
     came = cut.export(kagezou.Frames(tmp_path / "out"), after=taken.append)
     assert [each["path"] for each in taken[0]["files"]] == [str(each.path) for each in came.files]
     assert json.loads(json.dumps(came.manifest()))["project"]["file"] == str(cut.path)
+    with pytest.raises(kagezou.HandingOnFailed, match="the export is whole, but refuse failed: ") as raised:
+        cut.export(kagezou.Frames(tmp_path / "out"), after=refuse)
+    assert raised.value.exported.is_whole
     failing = tmp_path / "fail.py"
     failing.write_text("raise SystemExit('no such shot')")
     with pytest.raises(kagezou.HandingOnFailed, match="no such shot") as found:

@@ -78,6 +78,11 @@ def test_what_there_is_not(cut: Cut, drawings: Path) -> None:
         cut.pictures("Villain_shadow")
     with pytest.raises(kagezou.UsageProblem, match="frame 9"):
         cut.pictures("composite", "9")
+    with pytest.raises(kagezou.UsageProblem, match="no frame: frames are whole"):
+        cut.pictures("composite", [1.5])  # type: ignore[list-item]
+    with pytest.raises(kagezou.UsageProblem, match="only as uint8, uint16, float32"):
+        cut.pictures("composite", numbers="float16")  # type: ignore[arg-type]
+    assert [frame for frame, _ in cut.pictures("composite", np.arange(2, 4))] == [2, 3]
     (drawings / "walk_0002.png").unlink()
     with pytest.raises(kagezou.InputProblem, match=r"walk_0002\.png"):
         cut.pictures("composite")

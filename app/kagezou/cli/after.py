@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser
-from kagezou.cli.terminal import note
+from kagezou.cli.terminal import note, tell
 from kagezou.errors import AfterExportFailed
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ def add_after(parser: Parser) -> None:
     )
 
 
-def hand_on_export(over: "Handover", command: str | None, stops: Callable[[], bool]) -> None:
-    """Run what comes after an export, and say what came of it.
+def hand_on_export(over: "Handover", command: str | None, stops: Callable[[], bool]) -> bool:
+    """Run what comes after an export, and say what came of it; return False where the person stopped it.
 
     Raises
     ------
@@ -36,6 +36,10 @@ def hand_on_export(over: "Handover", command: str | None, stops: Callable[[], bo
     except AfterExportFailed as problem:
         for sentence in problem.notes:
             note(sentence)
-        raise
+        if not stops():
+            raise
+        tell(str(problem))
+        return False
     for sentence in said:
         note(sentence)
+    return True

@@ -20,7 +20,7 @@ from kagezou.importing.feet import document_with_feet
 from kagezou.importing.file_notes import notes_on_files
 from kagezou.importing.missing_files import missing_names
 from kagezou.importing.progress import LoadPhase
-from kagezou.interface.values import ProgressCallback, StopCallback, raw_of
+from kagezou.interface.values import ProgressCallback, StopCallback, raw_of, whole
 from kagezou.io.clips.style_files import named_style, styles_there
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.locations import own_style_folder
@@ -56,6 +56,7 @@ def key_of(frame: int | None, interpolation: str | None = None, *, ease: bool = 
         if interpolation is not None or ease:
             raise UsageProblem(Message("interpolation and ease are of a key, which needs a frame"))
         return None
+    frame = whole(frame)
     if interpolation is None:
         return AsKey(frame, None, ease)
     known = [each.value for each in Interpolation]

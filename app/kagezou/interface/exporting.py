@@ -127,13 +127,23 @@ class HandingOnFailed(AfterExportFailed):
 def _handed_on(came: Exported, over: Handover, after: AfterExport, stop: StopCallback) -> Exported:
     if after is not None and not isinstance(after, str):
         if over.is_whole:
-            after(manifest_of(over))
-            return came
+            return _taken_by(after, came, over)
         return _with_notes(came, (Message("not handed on to {hook}, as the export is not whole", hook=after),))
     try:
         return _with_notes(came, hand_on(over, hooks_of(after), stop))
     except AfterExportFailed as problem:
         raise HandingOnFailed(problem, came) from problem
+
+
+def _taken_by(after: Callable[[Mapping[str, Any]], object], came: Exported, over: Handover) -> Exported:
+    """Call a function of a script; whatever it raises takes nothing of the export along."""
+    try:
+        after(manifest_of(over))
+    except Exception as error:
+        cause = Message("{hook} failed: {cause}", hook=getattr(after, "__name__", after), cause=error)
+        failed = AfterExportFailed(Message("the export is whole, but {what}", what=cause))
+        raise HandingOnFailed(failed, came) from error
+    return came
 
 
 def _with_notes(came: Exported, notes: tuple[Message, ...]) -> Exported:

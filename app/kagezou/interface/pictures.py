@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from threading import get_ident
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,6 +81,11 @@ def rendered(
     GraphicsProblem
         There is no OpenGL, or it failed.
     """
+    if wish.numbers not in (known := get_args(PixelType)):
+        words = ", ".join(known)
+        raise UsageProblem(
+            Message("pixels are not given as {numbers!r}, only as {known}", numbers=wish.numbers, known=words)
+        )
     sequence = _named(document, wish.name)
     request = ExportRequest(Path(), frames=wish.frames)
     jobs = in_order(jobs_of(document, chosen_frames(document, request), (sequence,)))

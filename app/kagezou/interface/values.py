@@ -3,6 +3,7 @@
 import os
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from operator import index
 from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
@@ -10,6 +11,8 @@ from kagezou.animation.frames import parse_frames
 from kagezou.animation.timecode import parse_rate
 from kagezou.animation.track import Value
 from kagezou.document.value_words import NotJson, value_of_text
+from kagezou.errors import UsageProblem
+from kagezou.message import Message
 
 AnyPath: TypeAlias = str | os.PathLike[str]
 """A file or a folder."""
@@ -62,11 +65,25 @@ def frames_of(given: FrameChoice) -> tuple[int, ...] | None:
     Raises
     ------
     UsageProblem
-        The words name no frames.
+        The words or numbers name no frames.
     """
     if given is None:
         return None
-    return parse_frames(given) if isinstance(given, str) else tuple(sorted({int(each) for each in given}))
+    return parse_frames(given) if isinstance(given, str) else tuple(sorted({whole(each) for each in given}))
+
+
+def whole(frame: object) -> int:
+    """Return a frame that a script gave, of whatever kind of whole number.
+
+    Raises
+    ------
+    UsageProblem
+        It is none.
+    """
+    try:
+        return index(frame)  # type: ignore[arg-type]
+    except TypeError as error:
+        raise UsageProblem(Message("{frame!r} is no frame: frames are whole numbers from 1", frame=frame)) from error
 
 
 def rate_of(given: str | float | Fraction | None) -> Fraction | None:

@@ -129,6 +129,16 @@ def test_an_entry_point_of_a_package_is_called(tmp_path: Path, monkeypatch: pyte
     assert hooks_of() == ()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only there may names of files be no text")
+def test_names_that_are_no_text_come_through(tmp_path: Path) -> None:
+    odd = Path(os.fsdecode(os.fsencode(tmp_path) + b"/\xff\xfe.png"))
+    odd.write_bytes(b"pixels")
+    export = Handover("layers", cut(tmp_path, 1), None, (MadeFile(odd, "shadow"),), is_whole=True)
+    said = "print(os.path.getsize(json.load(open(sys.argv[-1], encoding='utf-8'))['files'][0]['path']))\n"
+    (note,) = hand_on(export, [script(tmp_path, said)], never)
+    assert str(note).endswith(": 6")
+
+
 def test_the_manifest_goes_when_the_hooks_are_over(tmp_path: Path) -> None:
     hook = script(tmp_path, "print(sys.argv[-1])\n")
     (note,) = hand_on(over(tmp_path), [hook], never)

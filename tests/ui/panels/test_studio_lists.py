@@ -5,6 +5,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 import pytest
+from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from kagezou.document.local_name import LocalName
@@ -37,7 +38,9 @@ def test_styles(qtbot: QtBot, walking: MainWindow, settings: Settings, studio: P
     qtbot.addWidget(styles)
     row = len(bundled_styles())
     item = styles.list.item(row)
-    assert item.text() == "Dusk (studio)"
+    assert item.text() == "◇ Dusk"
+    assert item.data(Qt.ItemDataRole.AccessibleTextRole) == "Dusk (studio)"
+    assert styles.list.item(0).text() == "Natural"
     assert str(studio / "styles") in item.toolTip()
     styles.list.setCurrentRow(row)
     styles.remove_current()

@@ -88,7 +88,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         _report(done, as_json=options.json)
         files, is_whole = HAND_OFF.made_files(done), done.script is not None
         over = Handover(HAND_OFF.key, document, options.project, files, is_whole, done.notes)
-        hand_on_export(over, options.after, interruption.is_set)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
     return max(verdict(each, interruption) for each in done.exports)
 
 

@@ -64,7 +64,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             return interruption.exit_code
         files = exporter.made_files(made)
         over = Handover(exporter.key, document, options.project, files, is_whole=True, notes=made.notes)
-        hand_on_export(over, options.after, interruption.is_set)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
     return 0
 
 

@@ -97,5 +97,5 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     give(shown(bundle / TEMPLATE))
     over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
     with stopping_gently() as interruption:
-        hand_on_export(over, options.after, interruption.is_set)
-    return 0
+        is_over = hand_on_export(over, options.after, interruption.is_set)
+    return 0 if is_over else interruption.exit_code

@@ -135,7 +135,8 @@ def _render(options: Namespace, entry_points: EntryPoints) -> int:
                 lines.fail(summary.failures[0].message)
         if not options.openjd:
             report(summary, as_json=options.json)
-        hand_on_export(_handover(options, document, summary), options.after, interruption.is_set)
+        if not hand_on_export(_handover(options, document, summary), options.after, interruption.is_set):
+            return interruption.exit_code
     return verdict(summary, interruption)
 
 

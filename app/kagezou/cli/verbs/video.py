@@ -64,5 +64,6 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         else:
             give(shown(done.path))
         over = Handover(VIDEO_FILE.key, document, options.project, VIDEO_FILE.made_files(done), is_whole=True)
-        hand_on_export(over, options.after, interruption.is_set)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
     return 0

@@ -32,10 +32,11 @@ _MOST_SAID: Final = 200
 
 @dataclass(frozen=True, slots=True)
 class Hook:
-    """A program, by what people call it and by its words."""
+    """A program, by what people call it and by its words; ``is_ours`` where it runs in our Python, with our modules."""
 
     name: str
     words: tuple[str, ...]
+    is_ours: bool = False
 
 
 def hooks_of(command: str | None = None) -> tuple[Hook, ...]:
@@ -121,8 +122,16 @@ def manifest_file(manifest: Mapping[str, Json]) -> Iterator[Path]:
     """
     with tempfile.TemporaryDirectory(prefix="kagezou-export-", ignore_cleanup_errors=True) as folder:
         path = Path(folder) / "manifest.json"
-        path.write_text(json.dumps(manifest, ensure_ascii=False, indent=1), encoding="utf-8")
+        path.write_bytes(_json_bytes(manifest))
         yield path
+
+
+def _json_bytes(manifest: Mapping[str, Json]) -> bytes:
+    """Return UTF-8; where names of files hold bytes that are no text, ASCII, which Python reads back as such."""
+    try:
+        return json.dumps(manifest, ensure_ascii=False, indent=1).encode("utf-8")
+    except UnicodeEncodeError:
+        return json.dumps(manifest, indent=1).encode("ascii")
 
 
 def _words(text: str) -> tuple[str, ...]:
@@ -144,7 +153,7 @@ def _of_packages() -> Iterator[Hook]:
     """Yield the entry points, each called in a process of its own."""
     module = "kagezou.export.after.entry_point"
     for each in sorted(entry_points(group=ENTRY_POINTS), key=lambda found: found.name):
-        yield Hook(each.name, (sys.executable, "-m", module, each.value))
+        yield Hook(each.name, (sys.executable, "-m", module, each.value), is_ours=True)
 
 
 def _run(hook: Hook, manifest: Path, stopped: Callable[[], bool]) -> Message:
@@ -172,7 +181,7 @@ def _ended(hook: Hook, manifest: Path, said: IO[bytes], stopped: Callable[[], bo
             stdin=subprocess.DEVNULL,
             stdout=said,
             stderr=subprocess.STDOUT,
-            env=_surroundings(manifest),
+            env=_surroundings(hook, manifest),
             # Ctrl-C in a terminal is for us; whoever is to be ended is ended by us, with all it began.
             start_new_session=os.name != "nt",
         )
@@ -207,10 +216,13 @@ def _end(process: "subprocess.Popen[bytes]") -> None:
             return
 
 
-def _surroundings(manifest: Path) -> dict[str, str]:
-    """Return the variables of a hook: an export that it makes itself has no hooks, and modules are found as here."""
-    paths = os.pathsep.join(path for path in sys.path if path)
-    return os.environ | {COMMAND_VARIABLE: "", MANIFEST_VARIABLE: str(manifest), "PYTHONPATH": paths}
+def _surroundings(hook: Hook, manifest: Path) -> dict[str, str]:
+    """Return the variables of a hook: an export that it makes itself has no hooks."""
+    variables = os.environ | {COMMAND_VARIABLE: "", MANIFEST_VARIABLE: str(manifest)}
+    if hook.is_ours:
+        # Another Python would find modules there that are not for it.
+        variables["PYTHONPATH"] = os.pathsep.join(path for path in sys.path if path)
+    return variables
 
 
 def _last_line(said: IO[bytes]) -> str:

@@ -23,6 +23,9 @@ _PAUSE_MS = 500
 
 _LIGHT_FLAG = "styles_bring_light"
 
+_SIGN_OF_STUDIO = "◇ "
+"""Before the name of a style of the studio's; there is no room for a word."""
+
 
 class StyleList(QWidget):
     """The panel: pictures over a small footer.
@@ -84,7 +87,10 @@ class StyleList(QWidget):
         blank = QPixmap(self.list.iconSize())
         blank.fill(Qt.GlobalColor.transparent)
         for each in self._files:
-            item = QListWidgetItem(self._words(each))
+            item = QListWidgetItem(
+                _SIGN_OF_STUDIO + named(each.style.name) if each.is_studio else named(each.style.name)
+            )
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, self._words(each))
             item.setToolTip(self._hint(each))
             item.setSizeHint(self.list.gridSize())
             item.setIcon(QIcon(blank))
@@ -135,11 +141,12 @@ class StyleList(QWidget):
         if file.style.scene:
             lines.append(self.tr("Has a light of its own"))
         if file.is_studio:
-            lines.append(self.tr("Of the studio: %1").replace("%1", str(file.path.parent)))
+            of_studio = self.tr("Of the studio: %1").replace("%1", str(file.path.parent))
+            lines.append(_SIGN_OF_STUDIO + of_studio)
         return "\n".join(lines)
 
     def _words(self, file: StyleFile) -> str:
-        """Return what stands under the picture."""
+        """Return what is said of a style where its picture is not seen."""
         name = named(file.style.name)
         return self.tr("%1 (studio)").replace("%1", name) if file.is_studio else name
 
