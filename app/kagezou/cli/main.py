@@ -74,7 +74,7 @@ examples:
   kagezou render walk.kage -o shadows --composite
 
 exit codes: 0 everything done, 1 defect, 2 usage, 3 input file, 4 cannot write, 5 disk full, 6 no OpenGL,
-            7 project file, 8 some frames failed, 9 what runs after an export failed, 130 Ctrl-C, 143 terminated
+            7 project file, 8 some frames or cuts failed, 9 what runs after an export failed, 130 Ctrl-C, 143 terminated
 """
 
 
