@@ -8,7 +8,7 @@ import pytest
 
 from kagezou.batch.batch import Batch, Telling
 from kagezou.batch.crew import Ended, Pace, fitting, work_through
-from kagezou.batch.cuts import Cut
+from kagezou.batch.cut import Cut
 from kagezou.batch.record import CutRecord, State, write_record
 
 CRASHES = "import os; os.abort()"

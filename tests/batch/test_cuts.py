@@ -59,6 +59,7 @@ def test_a_folder_of_cuts_of_every_kind(tmp_path: Path, out: Path) -> None:
         [".", "c_ref/old"],
         ["c012_A", "c012_B"],
         ["_Cell/A"],
+        ["cel/A", "cel/B"],
     ],
     ids=" ".join,
 )

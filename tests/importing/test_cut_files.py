@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from kagezou.errors import InputProblem
-from kagezou.importing.cut_files import cut_files, document_of_cut, is_column_name
+from kagezou.importing.cut_files import cut_files, document_of_cut
+from kagezou.importing.cut_listing import is_column_name
 from kagezou.importing.new_cels import CharacterSource
 from tests.batch.cut_folders import drawings, picture, timesheet
 
@@ -62,10 +63,33 @@ def test_of_several_backgrounds_one_counts_and_the_others_are_said(tmp_path: Pat
     assert [note.values["names"] for note in found.notes] == ["LO.png"]
 
 
-def test_folders_in_the_one_of_a_drawing_program_are_columns(tmp_path: Path) -> None:
+@pytest.mark.parametrize("holder", ["_Cell", "cel", "セル", "仕上", "Cells"])
+def test_columns_may_lie_in_a_folder_of_their_own(tmp_path: Path, holder: str) -> None:
     for column in ("A", "B"):
-        drawings(tmp_path / "_Cell" / column)
-    assert names(cut_files(tmp_path).sources) == ["A", "B"]
+        drawings(tmp_path / "c1" / holder / column)
+    assert names(cut_files(tmp_path / "c1").sources) == ["A", "B"]
+    sheet = timesheet(tmp_path / "c1" / "c1.xdts", {"B": [(1, 2)]})
+    found = cut_files(tmp_path / "c1")
+    assert (names(found.sources), found.sheet) == (["B"], sheet)
+
+
+def test_of_several_stages_the_latest_counts_and_the_others_are_said(tmp_path: Path) -> None:
+    for stage in ("原画", "仕上", "動画"):
+        drawings(tmp_path / stage / "A")
+    found = cut_files(tmp_path)
+    assert [source.path for source in found.sources] == [tmp_path / "仕上" / "A"]
+    assert [note.values["names"] for note in found.notes] == ["動画, 原画"]
+
+
+def test_drawings_of_several_cuts_beside_their_sheets_are_told_apart_by_name(tmp_path: Path) -> None:
+    for cut in ("c1", "c2"):
+        for number in (1, 2):
+            picture(tmp_path / f"{cut}_A_{number:04d}.png")
+        timesheet(tmp_path / f"{cut}.xdts", {"A": [(1, 1)]})
+    for cut in ("c1", "c2"):
+        (source,) = cut_files(tmp_path / f"{cut}.xdts").sources
+        assert source.drawings is not None
+        assert {file.path.name for file in source.drawings.files} == {f"{cut}_A_0001.png", f"{cut}_A_0002.png"}
 
 
 def test_named_folders_are_characters_where_nothing_is_a_column(tmp_path: Path) -> None:
@@ -115,11 +139,15 @@ def test_a_plain_background_beside_several_timesheets_belongs_to_none(tmp_path: 
         ((), "the folder of this cut is empty"),
         (("BG.png",), "there is only a background in it"),
         (("notes/inner/x.png",), "there is no drawing"),
+        (("memo.txt",), "there is no drawing"),
     ],
 )
 def test_a_cut_without_drawings_is_refused_in_one_sentence(tmp_path: Path, made: tuple[str, ...], said: str) -> None:
     for name in made:
-        picture(tmp_path / name)
+        if name.endswith(".txt"):
+            (tmp_path / name).write_text("none", encoding="utf-8")
+        else:
+            picture(tmp_path / name)
     with pytest.raises(InputProblem, match=said):
         cut_files(tmp_path)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kagezou.batch.crew import Ended
-from kagezou.batch.cuts import Cut
+from kagezou.batch.cut import Cut
 from kagezou.batch.record import RECORD_NAME, CutRecord, State, read_record, write_record
 from kagezou.errors import OutputProblem
 from kagezou.message import Message

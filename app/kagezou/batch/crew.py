@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Protocol
 
-from kagezou.batch.cuts import Cut
+from kagezou.batch.cut import Cut
 from kagezou.io.files.memory import free_memory
 
 LOOKING_S: Final = 0.1

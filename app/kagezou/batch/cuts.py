@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from kagezou.batch.cut import Cut
 from kagezou.batch.record import RECORD_NAME, REPORT_NAME
 from kagezou.document.alike_names import folded
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.ledger import LEDGER_NAME
 from kagezou.export.names import safe_names
-from kagezou.importing.cut_files import Listing, holds_pictures, is_column_name, listed, plain
+from kagezou.importing.cut_listing import Listing, holds_pictures, is_column_name, listed, plain
 from kagezou.importing.new_cels import printable
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.io.files.faults import input_problem, shown
@@ -22,14 +23,6 @@ from kagezou.message import Message, first_names
 
 _NUMBERED: Final = re.compile(r".*[0-9]{2,}[a-z]?|.*(?:cut|カット|c|sc|shot)[_\-. ]*[0-9]+[a-z]?")
 """A folder that is called so holds a cut rather than a column of one."""
-
-
-@dataclass(frozen=True, slots=True)
-class Cut:
-    """A cut: the name of its folder in the output, and where its files lie."""
-
-    name: str
-    path: Path
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +102,9 @@ def _cuts_at(path: Path, output: Path) -> tuple[list[Path], list[Message]]:
         for each in nested
     ]
     outputs = [each for each in listing.folders if _is_output(each)]
-    left = [each.name for each in (*listing.backgrounds, *listing.pictures, *outputs)]
+    # Beside timesheets they are the drawings and backgrounds of these.
+    pictures = () if any(each in listing.sheets for each in found) else (*listing.backgrounds, *listing.pictures)
+    left = [each.name for each in (*pictures, *outputs)]
     if left:
         names = first_names(shown(Path(each)) for each in left)
         notes.append(Message("{path}: beside cuts, and none itself: {names}", path=shown(path), names=names))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from kagezou.batch.cuts import Cut
+from kagezou.batch.cut import Cut
 from kagezou.errors import UsageProblem
 from kagezou.export.farm import (
     ASSETS,

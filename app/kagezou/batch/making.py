@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from kagezou.batch.cuts import Cut
+from kagezou.batch.cut import Cut
 from kagezou.batch.inputs import folders_of, made_of
 from kagezou.batch.orders import EXPORTS, Orders
 from kagezou.batch.pictures import doubtful_frames, thumbnails

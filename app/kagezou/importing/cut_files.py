@@ -4,36 +4,26 @@ A folder of a cut has a folder for each column of its timesheet (A, B, ...), or 
 of layers. What is called like a background (BG, LO, 背景, ...) lies under everything.
 """
 
-import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.errors import InputProblem
+from kagezou.importing.cut_listing import Listing, folders_in, holds_pictures, listed, plain
 from kagezou.importing.imported import Imported
 from kagezou.importing.new_cels import CharacterSource, printable
 from kagezou.importing.new_cut import NewCut, new_cut
 from kagezou.importing.progress import Progress, no_progress
-from kagezou.importing.psd_characters import is_background_name
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES, sources_beside
-from kagezou.io.files.faults import input_problem, shown
+from kagezou.io.files.faults import shown
 from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.sequences import Sequence as FileSequence
-from kagezou.io.images.sequences import natural_key, sequences_among, sequences_below
+from kagezou.io.images.sequences import sequences_among, sequences_below
 from kagezou.io.oca.reading import oca_file
-from kagezou.io.pixels.signatures import is_picture, is_psd
 from kagezou.io.project.paths import absolute
 from kagezou.io.sheets.reading import read_timesheet
 from kagezou.message import Message, first_names
-
-_CELS: Final = "_cell"
-"""Where AniLaPaint puts the folders of a cut."""
-
-_COLUMN: Final = re.compile(r"(?:.*[_\-. ])?(?:cels?|cells?|セル)?[_\-. ]?[a-z][0-9]?(?:[_\-. ](?![0-9]+$).*)?")
-"""The name of a column, alone or behind that of the cut, and perhaps the state of its drawings: A, c012_A, A_R1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,84 +48,6 @@ class CutFiles:
     notes: tuple[Message, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Listing:
-    """What lies in a folder, in natural order, without hidden things.
-
-    Parameters
-    ----------
-    folder
-        The folder.
-    folders
-        Folders in it that are no backgrounds.
-    pictures
-        Flat pictures that are no backgrounds.
-    layered
-        Files and folders of layers: PSD, OCA.
-    sheets
-        Timesheets.
-    backgrounds
-        Pictures, and folders of pictures, that are called like a background.
-    """
-
-    folder: Path
-    folders: tuple[Path, ...]
-    pictures: tuple[Path, ...]
-    layered: tuple[Path, ...]
-    sheets: tuple[Path, ...]
-    backgrounds: tuple[Path, ...]
-
-    @property
-    def columns(self) -> tuple[Path, ...]:
-        """The folders that are called like columns and hold pictures, those in ``_Cell`` too."""
-        inner = [each for folder in self.folders if plain(folder.name) == _CELS for each in listed(folder).folders]
-        return tuple(each for each in (*inner, *self.folders) if is_column_name(each.name) and holds_pictures(each))
-
-    @property
-    def runs(self) -> tuple[FileSequence, ...]:
-        """The numbered drawings in it."""
-        return tuple(each for each in sequences_among(self.pictures).sequences if each.files[0].number is not None)
-
-
-def listed(folder: Path) -> Listing:
-    """Return what lies in a folder.
-
-    Raises
-    ------
-    InputProblem
-        It cannot be looked into.
-    """
-    try:
-        entries = sorted(
-            (each for each in folder.iterdir() if each.name[:1] != "."), key=lambda each: natural_key(each.name)
-        )
-    except OSError as error:
-        raise input_problem(folder, error) from error
-    kinds: dict[str, dict[Path, None]] = {
-        name: {} for name in ("folders", "pictures", "layered", "sheets", "backgrounds")
-    }
-    for entry in entries:
-        kind, path = _kind_of(entry)
-        if kind:
-            kinds[kind][path] = None
-    return Listing(folder, **{name: tuple(found) for name, found in kinds.items()})
-
-
-def _kind_of(entry: Path) -> tuple[str, Path]:
-    """Return as which part of a `Listing` something counts, empty where as none, and its path there."""
-    if entry.suffix.lower() in TIMESHEET_SUFFIXES:
-        return "sheets", entry
-    if (document := oca_file(entry)) is not None:
-        return "layered", document
-    if is_psd(entry):
-        return "layered", entry
-    if entry.is_dir():
-        return ("backgrounds" if _is_background(entry) and holds_pictures(entry) else "folders"), entry
-    if is_picture(entry):
-        return ("backgrounds" if _is_background(entry) else "pictures"), entry
-    return "", entry
-
-
 def cut_files(path: Path) -> CutFiles:
     """Return what the cut at a path is made of.
 
@@ -155,11 +67,12 @@ def cut_files(path: Path) -> CutFiles:
     if not path.is_dir() or oca_file(path) is not None:
         return CutFiles((CharacterSource(None, path),))
     listing = listed(path)
-    if not any((listing.folders, listing.pictures, listing.layered, listing.sheets, listing.backgrounds)):
+    if not any(each.name[:1] != "." for each in path.iterdir()):
         raise InputProblem(Message("{path}: the folder of this cut is empty", path=shown(path)))
     sheets = listing.sheets or tuple(_sheets_beside(path))
     if sheets:
-        found = _of_sheet(_own(sheets, path), path / _own(sheets, path).name, listing)
+        sheet = _own(sheets, path)
+        found = _of_sheet(sheet, (listing.holder or path) / sheet.name, listing)
         left = [each.name for each in sheets if each != found.sheet]
         return replace(found, notes=(*found.notes, *_left(path, left)))
     background, notes = _background(listing)
@@ -181,30 +94,6 @@ def document_of_cut(files: CutFiles, template: Document | None = None, progress:
     """
     imported = new_cut(files.sources, NewCut(files.background, files.sheet, template=template), progress)
     return replace(imported, notes=(*files.notes, *imported.notes))
-
-
-def holds_pictures(folder: Path) -> bool:
-    """Return whether pictures lie in a folder; False where it is none or cannot be looked into."""
-    try:
-        return any(is_picture(each) and each.name[:1] != "." for each in folder.iterdir())
-    except OSError:
-        return False
-
-
-def is_column_name(name: str) -> bool:
-    """Return whether a file or folder is called like a column of a timesheet."""
-    return _COLUMN.fullmatch(plain(name)) is not None
-
-
-def plain(name: str) -> str:
-    """Return a name by which spellings of case, width and form are one."""
-    return unicodedata.normalize("NFKC", name).strip().casefold()
-
-
-def _is_background(path: Path) -> bool:
-    """Return whether a file or folder is called like a background, alone or behind the name of the cut."""
-    name = plain(path.name if path.is_dir() else path.stem)
-    return is_background_name(name) or is_background_name(re.split(r"[_\-. ]", name)[-1])
 
 
 def _sheets_beside(folder: Path) -> Iterator[Path]:
@@ -231,6 +120,11 @@ def _of_sheet(sheet: Path, where: Path, listing: Listing) -> CutFiles:
     return CutFiles(sources, background, sheet, notes)
 
 
+def _holds_anything(folder: Path) -> bool:
+    """Return whether there are pictures in a folder, or in one in it."""
+    return holds_pictures(folder) or any(map(holds_pictures, folders_in(folder)))
+
+
 def _of_drawings(listing: Listing) -> CutFiles:
     """Return characters of the folders that are columns, else of numbered drawings, of folders, or of stills."""
     columns = listing.columns
@@ -239,7 +133,8 @@ def _of_drawings(listing: Listing) -> CutFiles:
     if folders:
         below = sequences_below(folders)
         sequences: Iterable[FileSequence] = (*below.sequences, *sequences_among(below.left_out).sequences)
-        left = [*listing.pictures, *(each for each in listing.folders if each not in folders and holds_pictures(each))]
+        others = [each for each in listing.folders if each not in folders and each != listing.holder]
+        left = [*listing.pictures, *filter(_holds_anything, others)]
     else:
         sequences = runs or sequences_among(listing.pictures).sequences
         seen = {file.path for each in sequences for file in each.files}

@@ -85,9 +85,9 @@ def _add_parts_of_the_work(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Make the cuts, or what else is asked for."""
-    from kagezou.cli.many_cuts import all_cuts, farm_job, report_alone
-
     if options.report:
+        from kagezou.cli.cut_reports import report_alone
+
         return report_alone(options)
     if not options.cuts:
         raise UsageProblem(Message("which cuts? name folders or files (see kagezou auto --help)"))
@@ -95,6 +95,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     if options.name is not None:
         return _one_cut(options, orders, entry_points)
     from kagezou.batch.cuts import found_cuts
+    from kagezou.cli.many_cuts import all_cuts, farm_job
 
     found = found_cuts(options.cuts, orders.output)
     for sentence in found.notes:
@@ -147,10 +148,10 @@ def _parts(options: Namespace) -> "frozenset[Part]":
 
 def _one_cut(options: Namespace, orders: "Orders", entry_points: EntryPoints) -> int:
     """Make one cut in this process."""
-    from kagezou.batch.cuts import Cut
+    from kagezou.batch.cut import Cut
     from kagezou.batch.making import Doing, make_cut
     from kagezou.batch.record import State
-    from kagezou.cli.many_cuts import facts_of
+    from kagezou.cli.cut_reports import facts_of
     from kagezou.export.names import safe_names
     from kagezou.io.project.paths import absolute
 
