@@ -62,11 +62,12 @@ __all__ = [
     "styles",
 ]
 
+if not TYPE_CHECKING:  # Who checks types is told of a name that is not there.
 
-def __getattr__(name: str) -> object:
-    if name in __all__:
-        return getattr(import_module("kagezou.public"), name)
-    raise AttributeError(f"module 'kagezou' has no attribute {name!r}")
+    def __getattr__(name: str) -> object:
+        if name in __all__:
+            return getattr(import_module("kagezou.public"), name)
+        raise AttributeError(f"module 'kagezou' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

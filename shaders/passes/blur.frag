@@ -24,7 +24,12 @@ const ivec2 STEP = ivec2(1, 0);
 
 // A band is empty at its borders, so that going on with them is the same as finding nothing beyond.
 float value_at(ivec2 texel, ivec4 band) {
-    return texelFetch(u_source, clamp(texel, band.xy, band.zw), 0).r;
+#ifdef ALONG_V
+    texel.y = clamp(texel.y, band.y, band.w);
+#else
+    texel.x = clamp(texel.x, band.x, band.z);
+#endif
+    return texelFetch(u_source, texel, 0).r;
 }
 
 void main() {

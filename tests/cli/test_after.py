@@ -99,3 +99,14 @@ def test_a_command_that_cannot_be_is_told_before_anything_is_made(
     assert not (tmp_path / "out").exists()
     monkeypatch.setenv(COMMAND_VARIABLE, f"{sys.executable} -c 'raise SystemExit(1)'")
     shell.ok("render", project, "-o", tmp_path / "out", "--after", "")
+
+
+def test_the_doctor_names_what_is_the_studios(shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(COMMAND_VARIABLE, "publish --now")
+    monkeypatch.setenv("KAGEZOU_STYLES", f"{tmp_path}{os.pathsep}{tmp_path / 'nowhere'}")
+    monkeypatch.delenv("KAGEZOU_PRESETS", raising=False)
+    report = shell.json("doctor", "--json")
+    assert report["studio"]["KAGEZOU_STYLES"] == f"{tmp_path}, {tmp_path / 'nowhere'}"
+    assert report["studio"]["KAGEZOU_PRESETS"] is None
+    assert report["studio"]["after export"] == "publish"
+    assert f"KAGEZOU_STYLES: {tmp_path / 'nowhere'}: it does not exist" in report["missing"]

@@ -1,6 +1,8 @@
 """Cuts as values: opened, made, changed, saved; by the same words as on the command line."""
 
 import json
+import os
+import socket
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
@@ -10,6 +12,7 @@ import pytest
 
 import kagezou
 from kagezou.interface.cut import Cut
+from kagezou.io.project.open_elsewhere import lock_of_window
 from tests.cli.projects import Shell, make_drawings
 
 
@@ -185,6 +188,14 @@ def test_editing_at_once_loses_nothing(cut: Cut) -> None:
     stamp = path.stat().st_mtime_ns
     assert kagezou.edit(path, lambda now: now) == kagezou.open(path)
     assert path.stat().st_mtime_ns == stamp
+
+
+def test_a_window_that_has_it_open_is_told_of(cut: Cut) -> None:
+    assert cut.path is not None
+    lock_of_window(cut.path).write_text(f"{os.getpid()}\nkagezou\n{socket.gethostname()}\n")
+    said = f"walk.kage: it is open in a window on {socket.gethostname()}, which will ask before it saves over this"
+    assert said in cut.with_value("ground.roll", 1).save().notes
+    assert said in kagezou.edit(cut.path, lambda now: now.with_value("ground.roll", 2)).notes
 
 
 def test_what_is_missing_is_told(cut: Cut, drawings: Path) -> None:

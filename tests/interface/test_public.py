@@ -8,7 +8,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 import kagezou
+from tests.cli.projects import make_drawings
 
 PROMISED = Path(__file__).with_name("promised.txt")
 
@@ -89,8 +92,6 @@ def test_importing_it_imports_nothing_heavy() -> None:
 
 
 def test_nothing_of_qt_is_imported_where_pictures_are_drawn(tmp_path: Path) -> None:
-    from tests.cli.projects import make_drawings
-
     folder = make_drawings(tmp_path / "a", 1)
     program = (
         "import sys, kagezou\n"
@@ -101,6 +102,10 @@ def test_nothing_of_qt_is_imported_where_pictures_are_drawn(tmp_path: Path) -> N
     assert python(program) == expected
 
 
-def test_a_name_that_is_not_there() -> None:
-    assert not hasattr(kagezou, "nothing")
+def test_a_name_that_is_not_there(tmp_path: Path) -> None:
+    """The type checker is told of it, too: an ignored complaint that there is not would be one."""
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        kagezou.nothing  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(AttributeError):
+        kagezou.new(make_drawings(tmp_path / "a", 1)).with_valu("light.kind", "sun")  # type: ignore[attr-defined]
     assert set(kagezou.__all__) <= set(dir(kagezou))

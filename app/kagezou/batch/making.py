@@ -14,6 +14,8 @@ from kagezou.batch.record import CutRecord, State, kept, read_record, write_reco
 from kagezou.document.model import Document
 from kagezou.document.styling import put_style
 from kagezou.errors import Problem, SomeFramesFailed
+from kagezou.export.after.hooks import hand_on, hooks_of
+from kagezou.export.after.manifest import Handover
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import ExportOutcome
 from kagezou.export.request import Cancelled, ExportRequest, Progress
@@ -164,7 +166,19 @@ class _Making:
             told = words if came.problem is None else Message("{problem} ({lost})", problem=came.problem, lost=words)
             failed = replace(self._record, state=State.FAILED, problem=told)
             return MadeCut(failed, SomeFramesFailed(told))
-        return MadeCut(replace(self._record, state=State.DONE))
+        return self._handed_on(document, came)
+
+    def _handed_on(self, document: Document, came: ExportOutcome) -> MadeCut:
+        """Run what comes after the output; where it fails the cut has failed, though its output is whole."""
+        kind = EXPORTS[self._orders.export].key
+        over = Handover(kind, document, self._project, came.made, is_whole=True, notes=came.notes)
+        try:
+            said = hand_on(over, hooks_of(self._orders.after), self._doing.cancelled)
+        except Problem as problem:
+            if self._doing.cancelled():
+                return MadeCut(self._record)
+            return MadeCut(replace(self._record, state=State.FAILED, problem=problem.message), problem)
+        return MadeCut(replace(self._record, state=State.DONE, notes=(*self._record.notes, *said)))
 
     def _with_project(self) -> Document:
         """Return the document of the project, which is written; one that somebody changed since stays as it is."""
@@ -229,7 +243,7 @@ class _Making:
             request = replace(request, keep_going=True)
         tell = doing.part(_ON_FEET, _EXPORTED)
         made = exporter.export(document, request, doing.open_context, tell, doing.cancelled)
-        return exporter.outcome(made, place)
+        return replace(exporter.outcome(made, place), made=exporter.made_files(made))
 
     def _see_that_files_stayed(self) -> None:
         """Say where files of the cut changed meanwhile, and let it be made anew the next time."""

@@ -44,6 +44,8 @@ class Orders:
         Whether projects are made anew that somebody changed since.
     workers
         Threads that read and write files for one cut.
+    after
+        What runs after the output of each cut, as for `hooks_of`.
     """
 
     output: Path
@@ -55,3 +57,4 @@ class Orders:
     skip_existing: bool = False
     renew: bool = False
     workers: int = 2
+    after: str | None = None

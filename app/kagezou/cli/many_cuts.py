@@ -78,6 +78,7 @@ def asked_of_all(options: Namespace, template: str | None) -> list[str]:
     words = [f"--export={options.export}"]
     words += [] if options.style is None else [f"--style={options.style}"]
     words += [] if template is None else [f"--template={template}"]
+    words += [] if options.after is None else [f"--after={options.after}"]
     switches = {f"--{part.value}": getattr(options, part.value) for part in Part}
     switches |= {"--with-light": options.with_light, "--renew": options.renew}
     switches |= {"--skip-existing": options.skip_existing}

@@ -8,7 +8,7 @@ from typing import Final
 from kagezou.errors import DiskFullProblem, InputProblem, UsageProblem
 from kagezou.export.planning import FrameJob, Plan
 from kagezou.export.request import ExportRequest
-from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.atomic import check_writable
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.parts import has_part
 from kagezou.io.sets.mesh_cache import is_mesh
@@ -85,9 +85,7 @@ def prepare_folders(request: ExportRequest, plan: Plan) -> None:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise output_problem(folder, error) from error
-        probe = folder / f".kagezou-write-test-{folder.name}"
-        write_bytes(probe, b"can be written to")
-        probe.unlink(missing_ok=True)
+        check_writable(folder)
     needed = sum(_least_bytes(job, request) for job in plan.jobs)
     free = shutil.disk_usage(request.folder).free
     if needed > free:

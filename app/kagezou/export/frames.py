@@ -2,8 +2,8 @@
 
 import time
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import closing, contextmanager
+from collections.abc import Iterable, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Final
@@ -14,8 +14,8 @@ from kagezou.export.contents import Content
 from kagezou.export.file_kinds import FileCount, added_up, kind_of
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.made_files import MadeFile
-from kagezou.export.painter import Painter
-from kagezou.export.pipeline import Draw, Outcome, PipelineSteps, flow, window_for
+from kagezou.export.painters import Painters, are_worth_two
+from kagezou.export.pipeline import Outcome, PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, OutputFile, Plan, planned
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
 from kagezou.export.writing import write_all
@@ -23,7 +23,6 @@ from kagezou.io.files.atomic import sweep_stale
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
-from kagezou.render.renderer import Renderer
 from kagezou.scene.heavy_sets import heavy_words
 
 CEL_BUDGET_BYTES: Final = 256 << 20
@@ -71,10 +70,19 @@ def _make(
     cels = CelCache(CEL_BUDGET_BYTES)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
     stops = stops_of(document, cancelled)
+    painters = Painters(
+        cels,
+        request.depth,
+        open_context,
+        stops,
+        keeps_opacity=request.keeps_opacity,
+        are_two=are_worth_two(document, jobs, request.workers),
+    )
     steps = PipelineSteps(
         decode=partial(decode, cels, in_color=request.composite or request.layered),
-        drawing=partial(drawing, cels, request.depth, open_context, stops, keeps_opacity=request.keeps_opacity),
+        drawing=painters.drawing,
         write=write_all,
+        drawing_beside=painters.drawing_beside,
     )
     with closing(flow(jobs, steps, request.workers, window, cancelled)) as outcomes:
         for outcome in outcomes:
@@ -84,21 +92,6 @@ def _make(
 def stops_of(document: Document, cancelled: Cancelled) -> Cancelled:
     """Return what stops within a frame: whatever stops between two of them, where a frame takes minutes."""
     return cancelled if heavy_words(document) is not None else lambda: False
-
-
-@contextmanager
-def drawing(
-    cels: CelCache, depth: int, open_context: OpenContext, stops: Cancelled, *, keeps_opacity: bool = False
-) -> Iterator[Draw]:
-    """Open OpenGL for the block and give what draws a job; the options are those of `Painter`."""
-    with open_context():
-        renderer = Renderer(cels)
-        renderer.stop_when(stops)
-        painter = Painter(renderer, cels, depth, keeps_opacity)
-        try:
-            yield lambda job: job.content.draw(painter)
-        finally:
-            renderer.close()
 
 
 def decode(cels: CelCache, job: FrameJob, *, in_color: bool) -> None:

@@ -10,7 +10,8 @@ from typing import Any, Final
 from kagezou.document.model import Document
 from kagezou.errors import Stopped
 from kagezou.export.checks import check_sources
-from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing, stops_of
+from kagezou.export.frames import CEL_BUDGET_BYTES, decode, stops_of
+from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, in_order, jobs_of
 from kagezou.export.request import SHADOWS, Cancelled, ExportRequest, Progress
@@ -127,10 +128,16 @@ class _Film:
         """Write it to ``temp``."""
         canvas = self.document.canvas
         cels = CelCache(CEL_BUDGET_BYTES)
+        stops, are_two = (
+            stops_of(self.document, cancelled),
+            are_worth_two(self.document, self.jobs, self.request.workers),
+        )
+        painters = Painters(cels, _DEPTH, open_context, stops, are_two=are_two)
         steps: PipelineSteps[Any] = PipelineSteps(
             decode=partial(decode, cels, in_color=self.request.layer is None),
-            drawing=partial(drawing, cels, _DEPTH, open_context, stops_of(self.document, cancelled)),
+            drawing=painters.drawing,
             write=lambda _, picture: converted(picture.rgba(), self.kind),
+            drawing_beside=painters.drawing_beside,
         )
         length, done = sum(len(job.targets) for job in self.jobs), 0
         window = window_for(canvas.width_px, canvas.height_px, self.request.workers)

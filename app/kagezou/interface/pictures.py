@@ -15,7 +15,8 @@ from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.checks import check_sources
 from kagezou.export.exporters.numbered_frames import workers
-from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing, stops_of
+from kagezou.export.frames import CEL_BUDGET_BYTES, decode, stops_of
+from kagezou.export.painters import Painters
 from kagezou.export.pictures import Picture
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, in_order, jobs_of
@@ -130,7 +131,8 @@ def _taken(
     depth = 8 if numbers == "uint8" else 16
     steps: PipelineSteps[NDArray[Any]] = PipelineSteps(
         decode=partial(decode, cels, in_color=any(job.content.sources.cels for job in jobs)),
-        drawing=partial(drawing, cels, depth, thread.open, stops_of(document, stop)),
+        # One alone draws, on the thread that takes the pictures.
+        drawing=Painters(cels, depth, thread.open, stops_of(document, stop)).drawing,
         write=lambda _job, picture: _pixels(picture, numbers),
     )
     done, length = 0, sum(len(job.targets) for job in jobs)

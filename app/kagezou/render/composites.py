@@ -7,7 +7,6 @@ from kagezou.message import Message
 from kagezou.render.coverage_cache import CoverageCache
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.targets import Format
-from kagezou.render.meshes.display import Display
 from kagezou.render.mirrors import Mirrors
 from kagezou.render.passes.picture import PicturePass
 from kagezou.render.prepare.backdrop import Backdrop
@@ -55,6 +54,8 @@ class Composites:
 
     def draw(self, scene: Scene, backdrop: Backdrop, depth: int, line_px: int, *, wireframes: bool) -> None:
         """Draw a scene as `Renderer.draw_picture` says."""
+        from kagezou.render.meshes.display import Display
+
         form = Format.RGBA8 if depth == 8 else Format.RGBA16
         picture = self._picture_for(scene.canvas, form)
         displays = (Display.CLAY, Display.WIREFRAME) if wireframes else (Display.CLAY,)
@@ -78,6 +79,8 @@ class Composites:
 
     def draw_clay(self, scene: Scene, depth: int, *, is_under: bool) -> None:
         """Draw a scene's sets as clay alone: those under the background picture, or those over it."""
+        from kagezou.render.meshes.display import Display
+
         picture = self._picture_for(scene.canvas, Format.RGBA8 if depth == 8 else Format.RGBA16)
         sets = self._shadows.set_pictures(scene, (Display.CLAY,))
         picture.begin(Backdrop.TRANSPARENT, None, tuple(each for each in sets if each.is_under == is_under))

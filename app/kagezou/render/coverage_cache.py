@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,18 +15,20 @@ from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.budget import Budget
 from kagezou.render.gpu.mattes import Mattes, PlacedMatte
 from kagezou.render.gpu.targets import Format, Target, Texture
-from kagezou.render.meshes.display import Display, SetPicture
 from kagezou.render.passes.cast import CastPass
 from kagezou.render.passes.figure_mattes import FigureMattes
 from kagezou.render.passes.filter import ShapePass
 from kagezou.render.passes.hardening import HardeningPass
 from kagezou.render.passes.received import ReceivedCoverage, ReceivedLayers
 from kagezou.render.prepare.least_parts import without_least_parts
-from kagezou.render.sets.distance import DistancePass
-from kagezou.render.sets.set_pass import SetPass
 from kagezou.scene.companions import contact_layer
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import LayerScene, Scene, ShadowCast
+
+if TYPE_CHECKING:  # what draws sets is loaded with the first one
+    from kagezou.render.meshes.display import Display, SetPicture
+    from kagezou.render.sets.distance import DistancePass
+    from kagezou.render.sets.set_pass import SetPass
 
 COVERAGE_BUDGET_BYTES = 384 << 20
 """What the shadows of all layers may take together; those of 90 layers at 1920 × 1080 px fit."""
@@ -90,8 +93,10 @@ class CoverageCache:
         self._figures = FigureMattes(boxes, cels, self._mattes)
         self._cast = CastPass(boxes)
         self._shape = ShapePass(boxes, self._cast)
-        self._set = SetPass(boxes, self._cast, self._shape, meshes)
-        self._distance = DistancePass(boxes, self._cast)
+        self._boxes = boxes
+        self._made_set: SetPass | None = None
+        self._made_distance: DistancePass | None = None
+        self._between: Callable[[], None] | None = None
         self._hardening = HardeningPass(boxes)
         self._received = ReceivedLayers(boxes, (self._cast, self._hardening), cels, self._figures)
         self._of_set: Coverage | None = None
@@ -104,12 +109,14 @@ class CoverageCache:
 
     def call_between(self, between: Callable[[], None]) -> None:
         """Have something called before each face of a set is drawn; what it raises ends the drawing."""
-        self._set.call_between(between)
+        self._between = between
+        if self._made_set is not None:
+            self._made_set.call_between(between)
 
     @property
     def meshes_seen(self) -> tuple[int, int]:
         """How often the camera's view of meshes has been drawn, and how many lights' views."""
-        return self._set.meshes_seen
+        return (0, 0) if self._made_set is None else self._made_set.meshes_seen
 
     def silhouette(self, scene: Scene, cast: ShadowCast) -> PlacedMatte | None:
         """Return what casts a shadow, in px before its placement moves it; None where all cels are empty."""
@@ -164,14 +171,16 @@ class CoverageCache:
         kept.box = self._set.own.draw_seen(cast, kept.target)
         return kept
 
-    def set_pictures(self, scene: Scene, displays: Sequence[Display]) -> tuple[SetPicture, ...]:
+    def set_pictures(self, scene: Scene, displays: "Sequence[Display]") -> "tuple[SetPicture, ...]":
         """Return what is to be shown of meshes themselves, those under the background first."""
+        if not any(piece.mesh for piece in scene.pieces):
+            return ()
         return self._set.pictures(SetCast(scene.camera, scene.ground, scene.pieces, ()), scene.canvas, displays)
 
     def forget_except(self, scene: Scene) -> None:
         """Give back the memory of layers that the scene no longer has, and of meshes where it has none."""
-        if not any(piece.mesh for piece in scene.pieces):
-            self._set.forget_meshes()
+        if self._made_set is not None and not any(piece.mesh for piece in scene.pieces):
+            self._made_set.forget_meshes()
         patches = map(contact_layer, scene.layers)
         alive = {layer.id for layer in (*scene.layers, *patches) if layer is not None}
         self._by_layer.forget(each for each in self._by_layer.names if each not in alive)
@@ -185,12 +194,31 @@ class CoverageCache:
                 kept.target.close()
         self._received.close()
         self._hardening.close()
-        self._distance.close()
-        self._set.close()
+        for made in (self._made_distance, self._made_set):
+            if made is not None:
+                made.close()
         self._shape.close()
         self._cast.close()
         self._figures.close()
         self._mattes.close()
+
+    @property
+    def _set(self) -> "SetPass":
+        if self._made_set is None:
+            from kagezou.render.sets.set_pass import SetPass
+
+            self._made_set = SetPass(self._boxes, self._cast, self._shape, self._meshes)
+            if self._between is not None:
+                self._made_set.call_between(self._between)
+        return self._made_set
+
+    @property
+    def _distance(self) -> "DistancePass":
+        if self._made_distance is None:
+            from kagezou.render.sets.distance import DistancePass
+
+            self._made_distance = DistancePass(self._boxes, self._cast)
+        return self._made_distance
 
     def _measure(self, kept: Coverage) -> None:
         """Find how far from the contact line each pixel is, unless that is known."""

@@ -173,3 +173,26 @@ def test_a_stop_file_stops_it_gently(tmp_path: Path) -> None:
         record_of(out / f"c{place:03}").state is State.DONE for place, state in enumerate(states, 1) if state == "done"
     )
     assert (out / "report.html").is_file()
+
+
+def test_each_output_is_handed_on_and_one_that_is_refused_has_failed(shell: Shell, tmp_path: Path) -> None:
+    for name in ("c001", "c002"):
+        drawings(tmp_path / "ep" / name)
+    hook, out = tmp_path / "publish.py", tmp_path / "out"
+    hook.write_text(
+        "import json, pathlib, sys\n"
+        "found = json.loads(pathlib.Path(sys.argv[-1]).read_text('utf-8'))\n"
+        "name = pathlib.Path(found['project']['file']).stem\n"
+        "sys.exit('no such shot') if name == 'c002' else print(len(found['files']), 'files of', name)\n"
+    )
+    words = ("auto", tmp_path / "ep", "-o", out, "--skip-existing", "--after", f"'{hook}'")
+    assert shell(*words) == 8
+    assert [str(note) for note in record_of(out / "c001").notes][-1] == "handed on to publish.py: 3 files of c001"
+    failed = record_of(out / "c002")
+    assert failed.state is State.FAILED
+    assert str(failed.problem) == "the export is whole, but publish.py failed with code 1: no such shot"
+    hook.write_text("import sys; print(sys.argv[-1])")
+    assert shell(*words) == 0, "what was refused is handed on again, and only that"
+    assert "c001" in str(record_of(out / "c001").notes[-1])
+    assert record_of(out / "c002").state is State.DONE
+    assert "has no end" in shell.fails(2, *words[:4], "--after", "publish 'x")

@@ -271,6 +271,7 @@ def test_doctor_names_the_packages_of_missing_libraries(monkeypatch: pytest.Monk
         "window": {"qt_platforms": [], "missing_libraries": ["libglib-2.0.so.0", "libxcb-cursor.so.0"]},
         "formats": {"png": "it cannot be used: no"},
         "folders": {"state": "/x cannot be written to: no"},
+        "studio": {},
     }
     said = list(examination.advice(report, can_render=True))
     assert any(line.endswith("libglib2.0-0t64 libxcb-cursor0") for line in said)

@@ -4,6 +4,7 @@ from argparse import Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from kagezou.cli.after import add_after
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
@@ -56,6 +57,7 @@ def add_arguments(parser: Parser) -> None:
         help="a cut in which nothing moves for so long has failed (10)",
     )
     parser.add_argument("--language", choices=("en", "ja"), help="of the report (the system's)")
+    add_after(parser)
     parser.add_argument("--json", action="store_true", help="print one object about all cuts")
     _add_parts_of_the_work(parser)
 
@@ -109,10 +111,12 @@ def _orders(options: Namespace) -> "Orders":
     """Return what is asked for, after looking at what every cut would fail at."""
     from kagezou.batch.orders import EXPORTS, Orders
     from kagezou.cli.verbs.style import named_style
+    from kagezou.export.after.hooks import check_command
     from kagezou.io.project.file import load
     from kagezou.io.project.paths import absolute
 
     parts = _parts(options)
+    check_command(options.after)
     if options.template is not None:
         load(options.template)
     lack = EXPORTS[options.export].lacks()
@@ -131,6 +135,7 @@ def _orders(options: Namespace) -> "Orders":
         skip_existing=options.skip_existing,
         renew=options.renew,
         workers=options.workers or processors(),
+        after=options.after,
     )
 
 

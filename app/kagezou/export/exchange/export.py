@@ -14,10 +14,11 @@ from kagezou.export.exchange.drawn import DrawnLayer, Packer, Who, layers_of
 from kagezou.export.exchange.gathering import Gathered, ordered
 from kagezou.export.exchange.stack import SceneTarget
 from kagezou.export.file_kinds import LAYER_PICTURES, SCENE, FileCount
-from kagezou.export.frames import CEL_BUDGET_BYTES, decode, drawing, stops_of
+from kagezou.export.frames import CEL_BUDGET_BYTES, decode, stops_of
 from kagezou.export.layered import LayeredContent
 from kagezou.export.made_files import SCENE as SCENE_FILE
 from kagezou.export.made_files import MadeFile
+from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import Plan, planned
 from kagezou.export.request import Cancelled, ExportRequest, Progress
@@ -168,12 +169,16 @@ class _SceneRun:
         """Draw the layers of every frame and write each different picture once; raises Stopped."""
         canvas, request = self.document.canvas, self.request
         cels = CelCache(CEL_BUDGET_BYTES)
+        stops, are_two = (
+            stops_of(self.document, self.cancelled),
+            are_worth_two(self.document, self.plan.jobs, request.workers),
+        )
+        painters = Painters(cels, request.depth, open_context, stops, keeps_opacity=True, are_two=are_two)
         steps: PipelineSteps[tuple[DrawnLayer, ...]] = PipelineSteps(
             decode=partial(decode, cels, in_color=True),
-            drawing=partial(
-                drawing, cels, request.depth, open_context, stops_of(self.document, self.cancelled), keeps_opacity=True
-            ),
+            drawing=painters.drawing,
             write=Packer().pack,
+            drawing_beside=painters.drawing_beside,
         )
         self._prepare()
         window = window_for(canvas.width_px, canvas.height_px, request.workers)

@@ -4,17 +4,19 @@ The same frame gives the same bytes. Both are read back before they take their p
 """
 
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from kagezou.errors import UsageProblem
 from kagezou.io.files.atomic import replace_by, write_bytes
 from kagezou.io.files.faults import output_problem, shown
-from kagezou.io.images.oiio_parts import ExrPart, write_parts_verified
 from kagezou.io.pixels.colour import light_from_rgba
 from kagezou.io.pixels.layers import LayeredImage, LayerPart
 from kagezou.message import Message
+
+if TYPE_CHECKING:  # OpenImageIO is loaded with the first file that needs it
+    from kagezou.io.images.oiio_parts import ExrPart
 
 LAYERED_FORMATS: Final = (".exr", ".psd")
 """The suffixes of files of layers."""
@@ -32,6 +34,8 @@ def write_layered(path: Path, image: LayeredImage) -> None:
     """
     match path.suffix.lower():
         case ".exr":
+            from kagezou.io.images.oiio_parts import write_parts_verified
+
             size_px = (image.width_px, image.height_px)
             parts = [_exr_part(part) for part in image.parts]
             replace_by(path, lambda temp: write_parts_verified(temp, size_px, parts, path))
@@ -53,11 +57,13 @@ def write_layered(path: Path, image: LayeredImage) -> None:
             )
 
 
-def _exr_part(part: LayerPart) -> ExrPart:
+def _exr_part(part: LayerPart) -> "ExrPart":
     """Return a part as linear light; OpenEXR has no empty part, so that one clear pixel stands for it.
 
     It has no groups either: the name of a part in one begins with the group's, and a dot.
     """
+    from kagezou.io.images.oiio_parts import ExrPart
+
     united = part.group.name if part.group else ""
     name = f"{united}.{part.name}" if united else part.name
     blend = "multiply" if part.multiply else "normal"

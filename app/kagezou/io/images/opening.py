@@ -5,19 +5,20 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from numpy.typing import NDArray
 
 from kagezou.io.files.faults import input_problem
-from kagezou.io.images import targa
 from kagezou.io.images.header import Header
-from kagezou.io.images.oiio_guard import DecodedPicture
-from kagezou.io.images.oiio_header import page_index
-from kagezou.io.images.pillow_guard import PillowFile
+from kagezou.io.images.plain_png import plain_png
 from kagezou.io.pixels.signatures import FORMATS, checked_format
 from kagezou.message import Message
 from kagezou.picture_source import PicturePart, PictureSource, file_of
+
+if TYPE_CHECKING:  # each decoder is loaded with the first file that needs it
+    from kagezou.io.images.oiio_guard import DecodedPicture
+    from kagezou.io.images.pillow_guard import PillowFile
 
 Pixels = NDArray[Any]
 _KEPT_BYTES: Final = 256 << 20
@@ -73,8 +74,10 @@ class _OpenFiles:
         self._kept: OrderedDict[_State, PillowFile] = OrderedDict()
         self._lock = threading.Lock()
 
-    def opened(self, path: Path) -> PillowFile:
+    def opened(self, path: Path) -> "PillowFile":
         """Return the file at ``path`` as it is on disk now; raises InputProblem."""
+        from kagezou.io.images.pillow_guard import PillowFile
+
         checked_format(path, whole=False)
         try:
             status = path.stat()
@@ -123,13 +126,20 @@ def opened(source: PictureSource, *, whole: bool = True) -> Iterator[OpenPicture
     if form == "gif" or (form in _FILMS and address is not None):
         yield _of_film(path, address)
         return
+    if form == "png" and whole:
+        checked_format(path, whole=True)
+        if (plain := plain_png(path)) is not None:
+            yield plain
+            return
     if form == "targa":
+        from kagezou.io.images import targa
+
         checked_format(path, whole=False)
         if targa.is_needed(path):
             picture = targa.TargaPicture(path)
             yield _InMemory(picture.header, picture.read)
             return
-    with DecodedPicture(path, whole=whole, address=address) as decoded:
+    with _decoded(path, address, whole=whole) as decoded:
         header = decoded.header
         is_for_pillow = header.is_for_pillow or _is_large_targa(header)
         if not is_for_pillow:
@@ -137,6 +147,12 @@ def opened(source: PictureSource, *, whole: bool = True) -> Iterator[OpenPicture
     if is_for_pillow:
         other = _of_film(path, address)
         yield _InMemory(header, other.used) if _is_large_targa(header) else other
+
+
+def _decoded(path: Path, address: str | None, *, whole: bool) -> "DecodedPicture":
+    from kagezou.io.images.oiio_guard import DecodedPicture
+
+    return DecodedPicture(path, whole=whole, address=address)
 
 
 def durations_ms(path: Path) -> tuple[float, ...]:
@@ -150,6 +166,8 @@ def _is_large_targa(header: Header) -> bool:
 
 
 def _of_film(path: Path, address: str | None) -> OpenPicture:
+    from kagezou.io.images.oiio_header import page_index
+
     film = _SHELF.opened(path)
     index = page_index(path, address)
     film.check(index)

@@ -2,10 +2,8 @@
 
 from pathlib import Path
 
-from kagezou.io.images.oiio_guard import DecodedPicture
 from kagezou.io.images.opening import opened
 from kagezou.io.pixels.signatures import FORMATS, is_psd
-from kagezou.io.psd.file import has_part as has_psd_part
 from kagezou.picture_source import PicturePart
 
 
@@ -18,6 +16,8 @@ def has_part(part: PicturePart) -> bool:
         The file cannot be read.
     """
     if is_psd(part.path):
+        from kagezou.io.psd.file import has_part as has_psd_part
+
         return has_psd_part(part)
     if is_exr(part.path):
         return part.address in exr_layer_names(part.path)
@@ -36,6 +36,8 @@ def exr_layer_names(path: Path) -> tuple[str, ...]:
     InputProblem
         It cannot be read.
     """
+    from kagezou.io.images.oiio_guard import DecodedPicture
+
     with DecodedPicture(path, whole=False) as picture:
         return picture.layer_names()
 

@@ -28,8 +28,6 @@ from kagezou.io.pixels.colour import steps_from_unit
 from kagezou.io.pixels.completeness import check_end
 from kagezou.io.pixels.jpeg_segments import notes_on_jpeg
 from kagezou.io.pixels.signatures import is_psd
-from kagezou.io.psd.file import psd_pixels, psd_tree
-from kagezou.io.psd.tree import psd_header
 from kagezou.message import Message
 from kagezou.picture_source import OutlinedPicture, Paper, PicturePart, PictureSource, file_of
 
@@ -160,6 +158,9 @@ def probe(source: PictureSource) -> ImageInfo:
 
 
 def _probe_psd(source: PictureSource) -> ImageInfo:
+    from kagezou.io.psd.file import psd_tree
+    from kagezou.io.psd.tree import psd_header
+
     header = psd_header(file_of(source))
     if isinstance(source, PicturePart):
         psd_tree(source.path)
@@ -199,6 +200,8 @@ def read_cel(source: PictureSource, *, white_is_clear: bool = True) -> Cel:
     """
     notes: tuple[Message, ...] = ()
     if is_psd(file_of(source)):
+        from kagezou.io.psd.file import psd_pixels
+
         found = psd_pixels(source)
         rgba, with_alpha = found.rgba, found.has_alpha
     else:

@@ -16,7 +16,6 @@ from kagezou.errors import UsageProblem
 from kagezou.geometry.box import Box
 from kagezou.io.files.atomic import replace_by, write_bytes
 from kagezou.io.files.faults import shown
-from kagezou.io.images.oiio_guard import write_verified
 from kagezou.io.pixels.colour import light_from_rgba
 from kagezou.io.pixels.png import pack_layer, pack_rgba
 from kagezou.io.pixels.tiff import pack_rgba as pack_tiff
@@ -164,6 +163,8 @@ def _eight_bit(pixels: Pixels) -> Pixels:
 
 
 def _write_by_oiio(path: Path, pixels: Pixels) -> None:
+    from kagezou.io.images.oiio_guard import write_verified
+
     whole = np.ascontiguousarray(pixels)
     settings = _SETTINGS[_format(path)]
     replace_by(path, lambda temp: write_verified(temp, whole, settings, path))

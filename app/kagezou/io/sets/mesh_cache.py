@@ -7,7 +7,7 @@ import threading
 from collections import OrderedDict
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -15,14 +15,11 @@ from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.mesh_making import mesh_of
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.bounded_bytes import bytes_of, state_of
-from kagezou.io.sets.gltf_meshes import read_gltf_meshes
-from kagezou.io.sets.obj import read_obj
-from kagezou.io.sets.ply import read_ply
-from kagezou.io.sets.stl import read_stl
 from kagezou.io.sets.triangle_count import MAX_TRIANGLES, too_many
-from kagezou.io.sets.triangles import Triangles
-from kagezou.io.sets.usd import read_usd
 from kagezou.message import Message
+
+if TYPE_CHECKING:  # each reader is loaded with the first file of its kind
+    from kagezou.io.sets.triangles import Triangles
 
 MESH_SUFFIXES: Final = (".glb", ".gltf", ".obj", ".ply", ".stl", ".usd", ".usda", ".usdc", ".usdz")
 DEFAULT_LIMIT_BYTES: Final = 512 << 20
@@ -147,18 +144,29 @@ def read_set(path: Path) -> SetContents:
         raise input_problem(path, Message("there is not enough memory for this set")) from error
 
 
-def _triangles(path: Path, suffix: str) -> Triangles:
+def _triangles(path: Path, suffix: str) -> "Triangles":
     if suffix in _USD:
+        from kagezou.io.sets.usd import read_usd
+
         return read_usd(path)
     if suffix in _GLTF:
+        from kagezou.io.sets.gltf_meshes import read_gltf_meshes
+
         return read_gltf_meshes(path, MAX_TRIANGLES)
-    return _PLAIN[suffix](path, bytes_of(path), MAX_TRIANGLES)
+    return _plain_triangles(path, suffix)
 
 
-_PLAIN: Final = {".obj": read_obj, ".ply": read_ply, ".stl": read_stl}
+def _plain_triangles(path: Path, suffix: str) -> "Triangles":
+    if suffix == ".obj":
+        from kagezou.io.sets.obj import read_obj as read
+    elif suffix == ".ply":
+        from kagezou.io.sets.ply import read_ply as read
+    else:
+        from kagezou.io.sets.stl import read_stl as read
+    return read(path, bytes_of(path), MAX_TRIANGLES)
 
 
-def _checked(path: Path, found: Triangles) -> Mesh:
+def _checked(path: Path, found: "Triangles") -> Mesh:
     """Return a mesh whose numbers make sense, its equal vertices made one."""
     points, corners = found.points, found.corners
     if not len(points) or not len(corners):
@@ -174,7 +182,7 @@ def _checked(path: Path, found: Triangles) -> Mesh:
     return mesh
 
 
-def _check_places(path: Path, found: Triangles) -> None:
+def _check_places(path: Path, found: "Triangles") -> None:
     """See that all corners of triangles lie somewhere; other points of a file may lie nowhere."""
     is_used = np.zeros(len(found.points), bool)
     is_used[found.corners] = True

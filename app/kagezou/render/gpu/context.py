@@ -57,6 +57,18 @@ def open_headless_context() -> GraphicsContext:
     return EglContext()
 
 
+def another(context: GraphicsContext) -> OpenContext | None:
+    """Return what opens one more context of the same driver for another thread to draw with; None where none helps.
+
+    A graphics card is kept busy by one thread, and a context of a window system belongs to that system's thread.
+    """
+    if not sys.platform.startswith("linux"):
+        return None
+    from kagezou.render.gpu.egl import EglContext
+
+    return EglContext if isinstance(context, EglContext) and context.info.is_software else None
+
+
 @contextmanager
 def loading_driver() -> Iterator[None]:
     """Load the driver on another thread beside what is done within the block: it takes long for the first context.

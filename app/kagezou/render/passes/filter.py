@@ -5,6 +5,7 @@ Simplification (paper 3.6.1), waves (3.6.2) and wide or moved edges all read thi
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 from math import ceil
 
 import numpy as np
@@ -103,14 +104,13 @@ class ShapePass:
         job = charted(flat, receivers)
         shadow, half, blurred = self._atlases_for(job.strips)
         used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
-        shadow.clear(used)
+        for target in (shadow, half, blurred):
+            self._clear_strips(target, job.strips)
         for chart in job.charts:
             self._plane.fill(job, matte, chart, shadow)
         # All strips are read at once: each reading waits for everything drawn before it.
         before = shadow.read_floats(used)
         blurred_tiles = [blur_tiles(strip, before, _reach_of(strip)) for strip in job.strips]
-        half.clear(used)
-        blurred.clear(used)
         self._blur_strips(job, (shadow, half), _ALONG_V, [across for across, _ in blurred_tiles])
         self._blur_strips(job, (half, blurred), _ALONG_U, [along for _, along in blurred_tiles])
         after = blurred.read_floats(used)
@@ -180,6 +180,13 @@ class ShapePass:
             return None
         cast = replace(view.job.cast, receivers=(view.receiver,))
         return self._caster.unite(cast, matte, self._sharp, Window(self._sharp_box, is_shape_only=True))
+
+    @staticmethod
+    def _clear_strips(target: Target, strips: Sequence[Strip]) -> None:
+        """Clear the strips of an atlas; beside the narrow ones there may be anything."""
+        for width, beside in groupby(strips, key=lambda strip: strip.box.right):
+            rows = [strip.box for strip in beside]
+            target.clear(Box(0, rows[0].top, width, rows[-1].bottom))
 
     def _blur_strips(
         self, job: FilterJob, way: tuple[Target, Target], direction: frozenset[str], blurred_tiles: Sequence[TileBoxes]

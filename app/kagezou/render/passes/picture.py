@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from kagezou.geometry.box import Box, centred_offset
 from kagezou.geometry.placement import Placement, around_placed
@@ -12,7 +13,6 @@ from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
-from kagezou.render.meshes.display import Display, SetPicture
 from kagezou.render.passes.cel_textures import CelTextures
 from kagezou.render.passes.fade_and_tip import look_uniforms, unit_rgb
 from kagezou.render.passes.unite import MOST_TAKEN
@@ -20,6 +20,9 @@ from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.render.prepare.moved import MOVED, moved_by, moved_uniforms
 from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import PlacedDrawing, ShadowCast, ShadowLook
+
+if TYPE_CHECKING:
+    from kagezou.render.meshes.display import SetPicture
 
 COLOR_BUDGET_BYTES = 256 << 20
 
@@ -42,7 +45,7 @@ class _Base:
 
     backdrop: Backdrop
     background: PlacedDrawing | None
-    sets: tuple[SetPicture, ...]
+    sets: "tuple[SetPicture, ...]"
 
 
 class PicturePass:
@@ -67,7 +70,7 @@ class PicturePass:
         """Where the picture is."""
         return self._target
 
-    def begin(self, backdrop: Backdrop, background: PlacedDrawing | None, sets: tuple[SetPicture, ...] = ()) -> None:
+    def begin(self, backdrop: Backdrop, background: PlacedDrawing | None, sets: "tuple[SetPicture, ...]" = ()) -> None:
         """Start over from the base: the backdrop, the background picture where it is asked for, and sets."""
         base = _Base(backdrop, background if backdrop is Backdrop.BACKGROUND else None, sets)
         if base != self._base:
@@ -174,7 +177,9 @@ class PicturePass:
             if not picture.is_under:
                 self._lay_set(picture)
 
-    def _lay_set(self, picture: SetPicture) -> None:
+    def _lay_set(self, picture: "SetPicture") -> None:
+        from kagezou.render.meshes.display import Display
+
         is_wire = picture.display is Display.WIREFRAME
         uniforms: dict[str, Uniform] = {
             "u_source_corner_px": (0.0, 0.0),

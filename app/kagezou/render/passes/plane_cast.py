@@ -40,7 +40,7 @@ class PlaneCast:
     def __init__(self, boxes: Boxes, caster: CastPass) -> None:
         self._boxes = boxes
         self._caster = caster
-        self._reduce = Program("common/box.vert", "passes/reduce.frag")
+        self._reduce = Variants("common/box.vert", "passes/reduce.frag")
         self._paste = Variants("common/box.vert", "passes/paste.frag")
         self._copy = Program("common/box.vert", "passes/shifted.frag")
         self._wholes: list[Target | None] = [None, None]
@@ -78,26 +78,48 @@ class PlaneCast:
         # The shape alone is filtered; its strength under a low light is applied where it is shown.
         window = Window(box, plane_from_whole, _cells_at(level), is_shape_only=True)
         if is_first:
-            self._cast(BlurView.of_ground(job, box), matte, whole, window)
+            held = self._cast(BlurView.of_ground(job, box), matte, whole, window)
             self._ground_box = box
         else:
             self._lay_ground(whole, box, first)
             self._cast_sheets(job, matte, chart, whole, window)
+            held = box
+        if held is None:
+            return
         for strip in chart.strips:
             corner = (round(strip.band.needed.left / texel) - first[0], round(strip.band.needed.low / texel) - first[1])
-            shadow.bind(strip.box)
-            whole.texture.bind(0)
-            self._reduce.use(
-                {
-                    "u_target_size_px": shadow.size_px,
-                    "u_source": 0,
-                    "u_corner": (float(corner[0]), float(corner[1])),
-                    "u_first": (float(strip.box.left), float(strip.box.top)),
-                    "u_known": (0.0, 0.0, float(width - 1), float(height - 1)),
-                    "u_side": 1 << (strip.band.level - level),
-                }
-            )
-            self._boxes.draw_one(strip.box)
+            side = 1 << (strip.band.level - level)
+            part = _reduced(held.moved(-corner[0], -corner[1]), side).moved(strip.box.left, strip.box.top)
+            self._reduce_to(part.intersection(strip.box), side, (whole, box), (shadow, strip.box), corner)
+
+    def _reduce_to(
+        self,
+        part: Box | None,
+        side: int,
+        source: tuple[Target, Box],
+        goal: tuple[Target, Box],
+        corner: tuple[int, int],
+    ) -> None:
+        """Fill a part of a strip with means of squares of a side; what is around it holds nothing.
+
+        ``source`` is the shadow and its box, ``goal`` the atlas and the strip's box, ``corner`` where in the source the
+        strip begins.
+        """
+        if part is None:
+            return
+        (whole, known), (shadow, strip) = source, goal
+        shadow.bind(part)
+        whole.texture.bind(0)
+        self._reduce[frozenset({f"SIDE {side}"})].use(
+            {
+                "u_target_size_px": shadow.size_px,
+                "u_source": 0,
+                "u_corner": (float(corner[0]), float(corner[1])),
+                "u_first": (float(strip.left), float(strip.top)),
+                "u_known": (0.0, 0.0, float(known.right - 1), float(known.bottom - 1)),
+            }
+        )
+        self._boxes.draw_one(part)
 
     def _cast(self, view: BlurView, matte: PlacedMatte, target: Target, window: Window) -> Box | None:
         """Cast the shadow on one receiver into a picture of the blur's plane."""
@@ -178,6 +200,11 @@ class PlaneCast:
                 old.close()
             old = self._wholes[index] = Target(width, height, Format.ALPHA16)
         return old
+
+
+def _reduced(box: Box, side: int) -> Box:
+    """Return the box of squares of a side that hold any of a box."""
+    return Box(box.left // side, box.top // side, -(-box.right // side), -(-box.bottom // side))
 
 
 def _cells_at(level: int) -> int:

@@ -42,19 +42,14 @@ def _occupied(filled: Mask) -> Mask:
 
 def _widened(mask: Mask, reach: int, axis: int) -> Mask:
     """Return the mask with everything within ``reach`` tiles along an axis."""
-    sums = np.cumsum(mask, axis=axis, dtype=np.int32)
-    pad = [(0, 0), (0, 0)]
-    pad[axis] = (reach + 1, reach)
-    sums = np.pad(sums, pad, mode="edge")
-    before = [slice(None)] * 2
-    before[axis] = slice(0, mask.shape[axis])
-    after = [slice(None)] * 2
-    after[axis] = slice(2 * reach + 1, None)
-    # Nothing lies before the first tile.
-    first = [slice(None)] * 2
-    first[axis] = slice(0, reach + 1)
-    sums[tuple(first)] = 0
-    return np.asarray(sums[tuple(after)] > sums[tuple(before)])
+    rows = mask if axis == 0 else mask.T
+    count = len(rows)
+    # Nothing lies before the first tile, and no more behind the last.
+    sums = np.zeros((count + 2 * reach + 1, rows.shape[1]), np.int32)
+    np.cumsum(rows, axis=0, out=sums[reach + 1 : reach + 1 + count])
+    sums[reach + 1 + count :] = sums[reach + count]
+    widened = sums[2 * reach + 1 :] > sums[:count]
+    return np.asarray(widened if axis == 0 else widened.T)
 
 
 def _boxes(mask: Mask, strip: Strip) -> Boxes:
