@@ -69,7 +69,7 @@ def test_with_many_frames_two_draw_and_nothing_is_otherwise(tmp_path: Path) -> N
         assert whole[..., 3].any()
     left = cut.pictures("composite")
     assert [next(left).frame, next(left).frame] == [1, 2]
-    left.close()  # type: ignore[attr-defined]
+    left.close()
     assert len(list(cut.pictures("composite", "3-9"))) == 7
 
 

@@ -1,6 +1,6 @@
 """Pictures of a cut as arrays, drawn one after the other on the thread that takes them."""
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -70,7 +70,7 @@ def sequence_names(document: Document) -> tuple[str, ...]:
 
 def rendered(
     document: Document, wish: PictureWish, open_context: OpenContext, progress: ProgressCallback, stop: StopCallback
-) -> Iterator[RenderedFrame]:
+) -> Generator[RenderedFrame, None, None]:
     """Yield the pictures in the order of their frames; drawings are read ahead by other threads.
 
     Raises
@@ -124,7 +124,7 @@ def _taken(
     wish: PictureWish,
     thread: _Thread,
     told: tuple[ProgressCallback, StopCallback],
-) -> Iterator[RenderedFrame]:
+) -> Generator[RenderedFrame, None, None]:
     progress, stop = told
     canvas, numbers = document.canvas, wish.numbers
     cels = CelCache(CEL_BUDGET_BYTES)
