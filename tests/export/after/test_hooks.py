@@ -73,7 +73,9 @@ def test_one_that_hangs_is_stopped_with_all_it_began(tmp_path: Path) -> None:
     hook = script(
         tmp_path,
         "import subprocess, time\n"
-        "child = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(600)'])\n"
+        "deaf = 'from signal import *; import time; signal(SIGTERM, SIG_IGN); print(1, flush=True); time.sleep(600)'\n"
+        "child = subprocess.Popen([sys.executable, '-c', deaf], stdout=subprocess.PIPE)\n"
+        "child.stdout.read(1)\n"
         "open(os.path.dirname(sys.argv[0]) + '/pid', 'w').write(str(child.pid))\n"
         "time.sleep(600)\n",
     )

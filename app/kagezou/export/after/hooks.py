@@ -209,11 +209,11 @@ def _end(process: "subprocess.Popen[bytes]") -> None:
     import signal
 
     for sign, patience_s in ((signal.SIGTERM, _GRACE_S), (signal.SIGKILL, None)):
+        # The second also reaches what the process began, and what does not listen.
         with suppress(ProcessLookupError):
             os.killpg(process.pid, sign)
         with suppress(subprocess.TimeoutExpired):
             process.wait(patience_s)
-            return
 
 
 def _surroundings(hook: Hook, manifest: Path) -> dict[str, str]:
