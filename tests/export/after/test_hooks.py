@@ -63,6 +63,11 @@ def test_one_that_fails_is_told_and_the_others_run(tmp_path: Path) -> None:
     assert (tmp_path / "ran").exists()
 
 
+def test_one_that_fails_without_a_word(tmp_path: Path) -> None:
+    with pytest.raises(AfterExportFailed, match=r"^the export is whole, but publish\.py failed with code 4$"):
+        hand_on(over(tmp_path), [script(tmp_path, "sys.exit(4)\n")], never)
+
+
 def test_one_that_is_not_there(tmp_path: Path) -> None:
     with pytest.raises(AfterExportFailed, match="nowhere cannot be run: "):
         hand_on(over(tmp_path), [Hook("nowhere", (str(tmp_path / "nowhere"),))], never)

@@ -164,7 +164,9 @@ def _run(hook: Hook, manifest: Path, stopped: Callable[[], bool]) -> Message:
     if code is None:
         raise AfterExportFailed(Message("{hook} was stopped; the export is whole", hook=hook.name))
     if code:
-        words = Message("{hook} failed with code {code}: {said}", hook=hook.name, code=code, said=last or "…")
+        words = Message("{hook} failed with code {code}", hook=hook.name, code=code)
+        if last:
+            words = Message("{hook} failed with code {code}: {said}", hook=hook.name, code=code, said=last)
         raise AfterExportFailed(Message("the export is whole, but {what}", what=words))
     return Message("handed on to {hook}: {said}", hook=hook.name, said=last) if last else _handed_on(hook)
 
