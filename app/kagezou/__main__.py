@@ -4,6 +4,7 @@ The only place that knows both.
 """
 
 import gc
+import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
