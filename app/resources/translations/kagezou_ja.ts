@@ -6210,7 +6210,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>{hook} failed with code {code}</source>
-        <translation type="unfinished"></translation>
+        <translation>{hook} が終了コード {code} で失敗しました</translation>
     </message>
     <message>
         <source>{hook} failed with code {code}: {said}</source>
