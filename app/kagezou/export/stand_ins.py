@@ -97,5 +97,6 @@ def _said(name: object, cels: Cels, needed: frozenset[PictureSource], frames: It
     names, on = first_names(dict.fromkeys(each for _, each in lost)), format_frames(frame for frame, _ in lost)
     if way is Missing.EMPTY:
         return Message("{name}: missing, so left empty on frames {frames}: {names}", name=name, frames=on, names=names)
-    words = "{name}: missing, so the nearest drawing is held on frames {frames}: {names}"
-    return Message(words, name=name, frames=on, names=names)
+    return Message(
+        "{name}: missing, so the nearest drawing is held on frames {frames}: {names}", name=name, frames=on, names=names
+    )
