@@ -32,7 +32,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.vanishing import VanishingLines
 from kagezou.picture_source import Paper
 
-FOLDER = Path("/cuts/c012")
+FOLDER = Path("/cuts/c012").absolute()  # Windows adds a drive
 
 coordinates = st.floats(-1e6, 1e6, allow_subnormal=False)
 points = st.tuples(coordinates, coordinates)

@@ -14,7 +14,7 @@ from kagezou.cli.arguments_file import given_words
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.streams import open_closed_streams
 from kagezou.cli.terminal import speak_plainly, tell
-from kagezou.contexts import has_display, open_context
+from kagezou.contexts import avoid_dead_compositor, has_display, open_context
 from kagezou.errors import GraphicsProblem, Problem
 
 PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb", ".oca")
@@ -61,6 +61,7 @@ def open_window(project: Path | None) -> int:
     if not has_display():
         tell("there is no display for the window; the command line works without one (see kagezou --help)")
         return GraphicsProblem.exit_code
+    avoid_dead_compositor()
     try:
         from kagezou.ui.application import run
     except ImportError as error:

@@ -5,8 +5,10 @@ The one place below the front door that knows the window's room; nothing of it i
 
 import os
 import platform
+import socket
+from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Final, Self
 
 from kagezou.errors import GraphicsProblem
 from kagezou.message import Message
@@ -16,11 +18,41 @@ if TYPE_CHECKING:
     from kagezou.render.gpu.info import GraphicsInfo
 
 
+_ANSWER_S: Final = 2.0
+
+
 def has_display() -> bool:
     """Return whether a window could be seen here."""
     if platform.system() != "Linux":
         return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    return bool(os.environ.get("DISPLAY")) or _has_compositor()
+
+
+def avoid_dead_compositor() -> None:
+    """Have Qt use X11 where the environment names a Wayland compositor that is gone, unless it was told what to use.
+
+    So it is after `sudo`, within `ssh` and in a terminal that outlived its session; Qt itself would end the program.
+    """
+    named = os.environ.get("WAYLAND_DISPLAY")
+    if named and os.environ.get("DISPLAY") and not os.environ.get("QT_QPA_PLATFORM") and not _has_compositor():
+        os.environ["QT_QPA_PLATFORM"] = "xcb"
+
+
+def _has_compositor() -> bool:
+    """Return whether a Wayland compositor answers where the environment says that one is."""
+    named = os.environ.get("WAYLAND_DISPLAY")
+    if not named:
+        return False
+    place = Path(os.environ.get("XDG_RUNTIME_DIR", ""), named)
+    if not place.is_absolute():
+        return False
+    with socket.socket(socket.AF_UNIX) as door:
+        door.settimeout(_ANSWER_S)
+        try:
+            door.connect(str(place))
+        except OSError:
+            return False
+    return True
 
 
 def open_context() -> "GraphicsContext":
@@ -53,6 +85,7 @@ class _WindowSystemContext:
             raise GraphicsProblem(
                 Message("OpenGL is not available: the window's libraries cannot be loaded: {error}", error=error)
             ) from error
+        avoid_dead_compositor()
         self._application = None if QGuiApplication.instance() else QGuiApplication(["kagezou"])
         self._context = OffscreenSurface().open()
 

@@ -352,3 +352,15 @@ def test_a_link_is_let_go_and_a_file_is_not(tmp_path: Path) -> None:
         let_go_of_link(path)
     assert [path.name for path in tmp_path.iterdir()] == ["kept"]
     assert kept.read_bytes() == OLD
+
+
+def test_a_folder_in_the_way_is_called_a_folder_whatever_the_system_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Windows only says that permission is denied, to root as to anyone: nobody is asked for it."""
+    (tmp_path / "a.kage").mkdir()
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    for write in (lambda path: write_bytes(path, NEW), lambda path: replace_by(path, lambda _: None)):
+        with pytest.raises(OutputProblem, match=r"a\.kage: cannot be written: it is a folder"):
+            write(tmp_path / "a.kage")
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a.kage"]

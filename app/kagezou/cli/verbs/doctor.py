@@ -20,7 +20,9 @@ EXAMPLES = """\
   kagezou doctor --json
 """
 PROBE: Final = "--probe-graphics"
-PROBE_LIMIT_S: Final = 20.0
+PROBE_LIMIT_S: Final = 120.0
+"""A machine without a graphics card that does much else compiles all shaders in half a minute; a driver that hangs is
+told from it by waiting longer than that."""
 
 
 def add_arguments(parser: Parser) -> None:

@@ -167,6 +167,9 @@ def _create(temp: Path, target: Path) -> int:
         mode = target.stat().st_mode & 0o7777
     except OSError:
         return os.open(temp, _CREATE, 0o666)
+    if target.is_dir():
+        # Windows would only say that permission is denied.
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     if not os.access(target, os.W_OK):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
     descriptor = os.open(temp, _CREATE, 0o666)

@@ -12,6 +12,7 @@ _CAUSES: Final = {
     errno.ENOENT: Message("it does not exist"),
     errno.ENOTDIR: Message("a part of its path is not a folder"),
     errno.EISDIR: Message("it is a folder"),
+    errno.EEXIST: Message("something of this name is in the way"),
     errno.EACCES: Message("permission denied"),
     errno.EPERM: Message("the operation is not permitted"),
     errno.EROFS: Message("the disk is read-only"),
