@@ -42,6 +42,9 @@ _WINDOW_LIBRARIES: Final = {
 _STUDIO: Final = (STYLE_FOLDERS, PRESET_FOLDERS, SHORTCUT_FOLDERS)
 _RENAMED_FOR_64_BIT_TIME: Final = {"libglib2.0-0": "libglib2.0-0t64"}
 _LITTLE_SPACE_BYTES: Final = 1 << 30
+_GLIBC_OF_QT_6_10: Final = (2, 34)
+_MACOS_OF_QT_6_12: Final = (14,)
+"""The oldest systems that the wheels of these and later versions can be installed on."""
 
 
 def versions() -> dict[str, Json]:
@@ -141,6 +144,7 @@ def advice(report: Mapping[str, Json], *, can_render: bool) -> Iterator[str]:
         packages += [_debian_name(_WINDOW_LIBRARIES[str(name)]) for name in lacking]
     if not about_window["qt_platforms"]:
         yield "the window cannot be opened: PySide6-Essentials is not installed; rendering can do without"
+        yield from _fitting_qt()
     if packages and _is_debian():
         yield f"install them: sudo apt-get install --no-install-recommends {' '.join(dict.fromkeys(packages))}"
     yield from (
@@ -150,6 +154,20 @@ def advice(report: Mapping[str, Json], *, can_render: bool) -> Iterator[str]:
         found = report[part]
         assert isinstance(found, dict)
         yield from (f"{name}: {value}" for name, value in found.items() if isinstance(value, str) and "cannot" in value)
+
+
+def _fitting_qt() -> Iterator[str]:
+    """Yield which version of Qt's wheels this system is new enough for, where it is not so for the newest."""
+    library, number = platform.libc_ver()
+    mac = platform.mac_ver()[0]
+    if library == "glibc" and _numbers(number) < _GLIBC_OF_QT_6_10:
+        yield f"with glibc {number} its newest version is 6.9.3: pip install PySide6-Essentials==6.9.3"
+    elif mac and _numbers(mac) < _MACOS_OF_QT_6_12:
+        yield f"on macOS {mac} its newest version is 6.11.3: pip install PySide6-Essentials==6.11.3"
+
+
+def _numbers(text: str) -> tuple[int, ...]:
+    return tuple(int(each) for each in text.split(".") if each.isdecimal())
 
 
 def _memory_mb() -> int | None:

@@ -24,7 +24,7 @@ from kagezou.ui.system.listeners import forget_listeners, senders_within
 from kagezou.ui.system.offscreen_context import surface_format
 from kagezou.ui.system.opened_files import OpenedFiles
 from kagezou.ui.system.settings import Settings
-from kagezou.ui.system.unforeseen import UnforeseenErrors
+from kagezou.ui.system.unforeseen import UnforeseenErrors, log
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.main_window import MainWindow
 from kagezou.version import __version__
@@ -51,7 +51,7 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     program = Application(application, Settings(), make_demo)
     incidents.happened.connect(program.say)
     # Whatever went wrong, the work so far is not to go with it.
-    incidents.happened.connect(lambda _: program.autosave.keep())
+    incidents.happened.connect(lambda _: program.keep_after_incident())
     ends = EndSignals()
     ends.came.connect(program.end)
     ends.watch()
@@ -120,6 +120,11 @@ class Application:
     def say(self, sentence: str) -> None:
         """Say what went wrong, in the window."""
         self.window.parts.bar.say("incident", sentence)
+
+    def keep_after_incident(self) -> None:
+        """Put the work aside, and write down beside what went wrong where it lies."""
+        self.autosave.keep()
+        log.info("unsaved work is kept in %s", self.autosave.file)
 
     def offer_recovery(self) -> None:
         """Ask about work that a program put aside and did not come back for, if there is any."""

@@ -295,6 +295,26 @@ def test_doctor_names_the_packages_of_missing_libraries(monkeypatch: pytest.Monk
     assert any("libglib2.0-0 " in line for line in examination.advice(report, can_render=True))
 
 
+@pytest.mark.parametrize(
+    ("library", "mac", "said"),
+    [
+        (("glibc", "2.28"), "", "with glibc 2.28 its newest version is 6.9.3"),
+        (("glibc", "2.9"), "", "with glibc 2.9 its newest version is 6.9.3"),
+        (("glibc", "2.34"), "", None),
+        (("", ""), "13.6.1", "on macOS 13.6.1 its newest version is 6.11.3"),
+        (("", ""), "14.0", None),
+        (("", ""), "", None),
+    ],
+)
+def test_doctor_names_the_qt_that_an_older_system_can_have(
+    monkeypatch: pytest.MonkeyPatch, library: tuple[str, str], mac: str, said: str | None
+) -> None:
+    monkeypatch.setattr("platform.libc_ver", lambda: library)
+    monkeypatch.setattr("platform.mac_ver", lambda: (mac, ("", "", ""), ""))
+    found = list(examination._fitting_qt())
+    assert [each.split(":")[0] for each in found] == ([] if said is None else [said])
+
+
 def test_watching_goes_on_until_it_is_stopped(project: Path, tmp_path: Path) -> None:
     progress, out = tmp_path / "progress", tmp_path / "out"
     words = ["render", project, "-o", out, "--watch", "--json", "--progress-file", progress]

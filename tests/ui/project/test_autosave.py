@@ -1,5 +1,6 @@
 """Unsaved work is put aside a moment after each step, tried again where it fails, and kept elsewhere at need."""
 
+import logging
 from dataclasses import replace
 from pathlib import Path
 
@@ -213,6 +214,22 @@ class TestWhereItFails:
         settings.recovery_folder.unlink()
         program.autosave.keep()
         qtbot.waitUntil(lambda: program.window.parts.bar.text == "")
+        program.put_away()
+
+    def test_after_an_incident_the_log_says_where_the_work_lies(
+        self, settings: Settings, cels: Path, caplog: pytest.LogCaptureFixture
+    ) -> None:
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        program = Application(application, settings)
+        program.window.parts.project.bring([cels])
+        turn(program.open_project, 12.0)
+        with caplog.at_level(logging.INFO, "kagezou"):
+            program.keep_after_incident()
+        program.autosave.wait()
+        kept = program.autosave.file
+        assert f"unsaved work is kept in {kept}" in caplog.text
+        assert read_recovery_file(kept).document == program.open_project.bridge.document
         program.put_away()
 
 
