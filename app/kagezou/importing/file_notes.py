@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from pathlib import Path
 
-from kagezou.document.model import Document, Drawing
+from kagezou.document.model import Cels, Document, Drawing
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe
@@ -51,14 +51,7 @@ def notes_on_files(document: Document, meshes: MeshCache) -> tuple[Message, ...]
 
     Files that are missing are not spoken of.
     """
-    made: list[Message] = []
-    for name, drawings in (
-        *((layer.name, layer.cels.drawings) for layer in document.layers),
-        ("background", document.behind.drawings),
-    ):
-        said = [_of_drawing(drawing) for drawing in drawings if drawing.path.is_file()]
-        made += said_once(name, [each for each in said if not isinstance(each, Message)])
-        made += [each for each in said if isinstance(each, Message)]
+    made = [said for name, cels in _cels(document) for said in _of_drawings(name, cels.drawings)]
     for piece in document.pieces:
         if piece.source is not None and piece.source.is_file():
             try:
@@ -66,6 +59,31 @@ def notes_on_files(document: Document, meshes: MeshCache) -> tuple[Message, ...]
             except InputProblem as problem:
                 made.append(problem.message)
     return tuple(dict.fromkeys(made))
+
+
+def notes_on_shown(document: Document, frames: Iterable[int] | None) -> tuple[Message, ...]:
+    """Return what the readers of the drawings say that are seen on some frames, or in the whole cut.
+
+    Files that are missing or cannot be read are not spoken of: whoever draws them says so.
+    """
+    whole = range(1, document.canvas.length_frames + 1)
+    seen = tuple(whole if frames is None else frames)
+    made: list[Message] = []
+    for name, cels in _cels(document):
+        drawings = [cels.drawings[at] for at in dict.fromkeys(map(cels.index_at, seen)) if at is not None]
+        said = [_of_drawing(each) for each in drawings if each.path.is_file()]
+        made += said_once(name, [each for each in said if not isinstance(each, Message)])
+    return tuple(dict.fromkeys(made))
+
+
+def _cels(document: Document) -> tuple[tuple[str, Cels], ...]:
+    return (*((layer.name, layer.cels) for layer in document.layers), ("background", document.behind))
+
+
+def _of_drawings(name: str, drawings: Iterable[Drawing]) -> list[Message]:
+    said = [_of_drawing(drawing) for drawing in drawings if drawing.path.is_file()]
+    notes = said_once(name, [each for each in said if not isinstance(each, Message)])
+    return [*notes, *(each for each in said if isinstance(each, Message))]
 
 
 def _of_drawing(drawing: Drawing) -> tuple[Path, tuple[Message, ...]] | Message:

@@ -8,6 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 from kagezou import __main__
 from kagezou.cli import examination
@@ -70,6 +71,23 @@ def test_what_stands_in_for_a_missing_drawing_is_said(shell: Shell, project: Pat
     assert json.loads(shell.out)["notes"] == [told]
     assert shell(*call, "--openjd") == 0
     assert f"openjd_status: {told}\n" in shell.out
+
+
+def test_what_of_the_drawings_is_not_used_is_said_again_when_they_are_rendered(shell: Shell, project: Path) -> None:
+    """The matrix of kinds of files: whoever renders was not there when the drawings were brought in."""
+    for number in (2, 3):
+        path = project.parent / "hero" / f"walk_000{number}.png"
+        with Image.open(path) as picture:
+            film = [picture.copy(), picture.transpose(Image.Transpose.FLIP_LEFT_RIGHT)]
+        film[0].save(path, save_all=True, append_images=film[1:])
+    out = project.parent / "out"
+    told = "Hero: of its 2 pictures the first alone is used, in 2 of 3 files, first in "
+    assert shell("render", project, "-o", out) == 0
+    assert shell.said.count(told) == 1
+    assert shell("render", project, "-o", out, "--json", "--frames", "1-2") == 0
+    assert "of its 2 pictures the first alone is used" in json.loads(shell.out)["notes"][0]
+    assert shell.json("render", project, "-o", out, "--json", "--frames", "1")["notes"] == []
+    assert shell.json("render", project, "-o", out, "--json", "--skip-existing")["notes"] == []
 
 
 def test_render_that_keeps_going_says_what_failed(shell: Shell, project: Path) -> None:

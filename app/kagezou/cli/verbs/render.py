@@ -122,6 +122,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
 
 def _render(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.export.frames import export_frames
+    from kagezou.importing.file_notes import notes_on_shown
     from kagezou.scene.heavy_sets import heavy_words
 
     form = options.format or ("psd" if options.layered else "png")
@@ -138,6 +139,9 @@ def _render(options: Namespace, entry_points: EntryPoints) -> int:
             if (words := heavy_words(document)) is not None:
                 note(words)
             summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
+            # Afterwards, when the files are at hand; nothing was read of what is trusted.
+            if summary.drawn:
+                summary = replace(summary, notes=(*summary.notes, *notes_on_shown(document, request.frames)))
             if isinstance(lines, JobLines):
                 lines.sum_up(summary)
         if not options.openjd:
