@@ -1,5 +1,6 @@
 """One writer at a time: others wait or are told, and who dies holds nothing."""
 
+import errno
 import os
 import subprocess
 import sys
@@ -97,3 +98,20 @@ def test_a_window_that_died_here_has_nothing_open(tmp_path: Path, monkeypatch: p
     assert open_elsewhere(path) is None
     lock_of_window(path).write_text(f"{os.getpid()}\nkagezou\nhere\n", encoding="utf-8")
     assert "open in a window on here" in str(open_elsewhere(path))
+
+
+@pytest.mark.parametrize("is_left", [True, False])
+def test_a_lock_of_another_user_is_told_from_a_folder_that_takes_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, is_left: bool
+) -> None:
+    path = tmp_path / "walk.kage"
+    if is_left:
+        path.with_name(".walk.kage.edit").touch()
+
+    def refused(*_: object, **__: object) -> int:
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr(os, "open", refused)
+    said = r"another user changes it, or left \.walk\.kage\.edit" if is_left else "cannot be written: permission denied"
+    with pytest.raises(OutputProblem, match=rf"walk\.kage: {said}"), exclusive(path):
+        pass

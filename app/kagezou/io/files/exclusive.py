@@ -53,6 +53,16 @@ def _taken(path: Path, lock: Path, until_s: float) -> int:
     while True:
         try:
             descriptor = os.open(lock, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+        except PermissionError as error:
+            if not lock.exists():
+                raise output_problem(path, error) from error
+            raise OutputProblem(
+                Message(
+                    "{path}: another user changes it, or left {lock} beside it, which only they can remove",
+                    path=shown(path),
+                    lock=lock.name,
+                )
+            ) from error
         except OSError as error:
             raise output_problem(path, error) from error
         if _is_locked(descriptor) and _is_same(descriptor, lock):
