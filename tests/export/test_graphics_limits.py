@@ -13,8 +13,8 @@ from tests.export.small_cuts import bytes_below, cut, export
 def test_a_canvas_over_the_largest_texture_is_told_with_both_sizes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked = targets.integer
-    monkeypatch.setattr(targets, "integer", lambda what: 40 if what == targets.GL.GL_MAX_TEXTURE_SIZE else asked(what))
+    asked, largest = gl.integer, gl.GL.GL_MAX_TEXTURE_SIZE
+    monkeypatch.setattr(targets, "integer", lambda what: 40 if what == largest else asked(what))
     with pytest.raises(GraphicsProblem, match=r"64x48 px is over this graphics driver's 40 px"):
         export(cut(tmp_path), tmp_path / "out", composite=True)
     assert bytes_below(tmp_path / "out") == {}

@@ -1,5 +1,8 @@
 """The driver is loaded beside other work."""
 
+import os
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -46,3 +49,17 @@ def test_what_goes_wrong_within_ends_it_too() -> None:
     with pytest.raises(ZeroDivisionError), loading_driver():
         raise ZeroDivisionError
     assert not any(thread.name == "driver" for thread in threading.enumerate())
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Mesa lets itself be told which version to have")
+@pytest.mark.parametrize("version", ["2.1", "3.2"])
+def test_an_opengl_that_is_too_old_is_one_sentence_with_what_is_needed(version: str) -> None:
+    code = "from kagezou.render.gpu.context import open_headless_context as o\no()"
+    mesa = {"MESA_GL_VERSION_OVERRIDE": version, "MESA_GLSL_VERSION_OVERRIDE": "120"}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env={**os.environ, **mesa}, capture_output=True, text=True, check=False
+    )
+    if done.returncode == 0:
+        pytest.skip("no Mesa draws here")
+    assert "GraphicsProblem: " in done.stderr.splitlines()[-1]
+    assert "3.3" in done.stderr.splitlines()[-1]

@@ -108,6 +108,23 @@ class TestWhen:
         assert autosave._shortly.interval() == 70_000, "ten times the seven seconds that it took"
         autosave.finish()
 
+    @pytest.mark.parametrize("wakes_s", [28_800.0, 107.0])
+    def test_after_a_sleep_of_the_computer_no_pause_of_before_holds_it_up(
+        self, qtbot: QtBot, saved: OpenProject, autosave: Autosave, monkeypatch: pytest.MonkeyPatch, wakes_s: float
+    ) -> None:
+        """A computer sleeps for hours, on systems whose clock counts these and on those where it stands still."""
+        turn(saved, 10.0)
+        times = iter([100.0, 107.0])
+        monkeypatch.setattr(autosaving, "monotonic", lambda: next(times, wakes_s))
+        with qtbot.waitSignal(autosave.kept):
+            autosave.keep()
+        turn(saved, 11.0)
+        assert SHORTLY_MS <= autosave._shortly.interval() <= (SHORTLY_MS if wakes_s > 1000 else 70_000)
+        autosave.keep()
+        autosave.wait()
+        assert read_recovery_file(autosave.file).document == saved.bridge.document
+        autosave.finish()
+
     def test_what_was_undone_to_what_is_saved_leaves_nothing(self, saved: OpenProject, autosave: Autosave) -> None:
         turn(saved, 10.0)
         autosave.keep()
