@@ -8,6 +8,7 @@
     python3 packaging/dev.py lint          set up, then lint, types and floors
     python3 packaging/dev.py setup         set up only
     python3 packaging/dev.py hooks         set up, then have git run the checks before every commit
+    python3 packaging/dev.py site          set up, then make the manual as a website in build/site
     python3 packaging/dev.py translate     set up, then bring the catalogues of translations up to date
 
 Needs nothing but a Python of the supported range; what is already done is not done again.
@@ -32,9 +33,11 @@ OLDEST, NEWEST = (3, 11), (3, 13)
 PROCESSES = min(os.cpu_count() or 1, 4)
 IN_PARALLEL = ("--numprocesses", str(PROCESSES), "--dist", "loadscope")
 """Tests side by side, each process with a screen of its own."""
+SINGLE_THREADS = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+"""For processes that share the cores: threads of their own for drawing and sums only get in each other's way."""
 COVERED = ("tests/geometry", "tests/animation")
-VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate")
-PLAIN = ("lint", "setup", "hooks", "translate")
+VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate", "site")
+PLAIN = ("lint", "setup", "hooks", "translate", "site")
 """Verbs that take no arguments and read the sources alone, but for ``setup``."""
 CHECKS = (
     ("ruff check", ("-m", "ruff", "check", ".")),
@@ -67,7 +70,7 @@ def set_up(verb: str) -> Environment:
     environment = Environment(ROOT, sys.version_info[:2])
     extra = "" if verb in ("demo", "app") else "dev"
     support = () if environment.is_ready(extra) else virtual_environment_support(environment.version)
-    if verb in ("lint", "hooks", "translate"):  # read the sources, draw nothing
+    if verb in ("lint", "hooks", "translate", "site"):  # read the sources, draw nothing
         supply(support, (), say)
     elif verb in ("test", "setup"):
         supply([*support, *HEADLESS, *WINDOW, *TESTS], (), say)
@@ -98,7 +101,8 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     covered = (*COVERED, "--cov", "--cov-report=term-missing:skip-covered", *IN_PARALLEL)
     others = (*(f"--ignore={folder}" for folder in COVERED), *IN_PARALLEL)
     failed = 0
-    with private_display() as variables:
+    with private_display() as screen:
+        variables = {**SINGLE_THREADS, **screen}
         for selection in (tuple(arguments),) if arguments else (covered, others):
             say("-- pytest")
             command = [str(environment.python), "-m", "pytest", *selection]
@@ -129,6 +133,9 @@ def run_verb(verb: str, arguments: Sequence[str]) -> int:
     if verb == "translate":
         translate(environment)
         return 0
+    if verb == "site":
+        command = [str(environment.python), str(ROOT / "packaging" / "dev_site.py")]
+        return subprocess.call(command, cwd=ROOT, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
     if verb in ("demo", "app"):
         command = [str(environment.python), "-m", "kagezou", *(["demo"] if verb == "demo" else [])]
         return subprocess.call([*command, *arguments])

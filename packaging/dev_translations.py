@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ROOT / "app" / "kagezou"
 CATALOGUES = ROOT / "app" / "resources" / "translations"
 CONTEXT = "Message"
-_TERMINAL_ONLY = ("cli", "__main__.py")
-"""Rooms whose messages only the terminal shows, which speaks English."""
+_TERMINAL_ONLY = ("cli", "interface", "contexts.py", "__main__.py")
+"""Rooms whose messages only the terminal and scripts show, which speak English."""
 
 
 def messages(sources: Path = SOURCES) -> dict[tuple[str, str], str]:

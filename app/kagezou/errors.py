@@ -24,6 +24,18 @@ class Problem(Exception):
         super().__init__(message)
         self.message = message
 
+    @property
+    def file(self) -> str | None:
+        """The file or folder that it is about, where its sentence names one."""
+        values = self.message.values
+        named = values.get("path") or values.get("file") or values.get("folder")
+        return None if named is None else str(named)
+
+    @property
+    def code(self) -> int:
+        """The exit code that the command line ends with for it."""
+        return self.exit_code
+
     def formatted(self, translate: Translate) -> str:
         """Return the sentence in the language of ``translate``."""
         return self.message.formatted(translate)
@@ -77,3 +89,21 @@ class SomeFramesFailed(Problem):
     """The work went on past failed frames, as asked, but is not whole."""
 
     exit_code = 8
+
+
+class AfterExportFailed(Problem):
+    """The export is whole, but what was to run after it could not be run, failed or was stopped.
+
+    Parameters
+    ----------
+    message
+        What went wrong first.
+    notes
+        What else is to be said.
+    """
+
+    exit_code = 9
+
+    def __init__(self, message: Message, notes: tuple[Message, ...] = ()) -> None:
+        super().__init__(message)
+        self.notes = notes

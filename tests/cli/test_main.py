@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from kagezou import __version__
 from kagezou.cli import crash_log
 from kagezou.cli.main import VERBS
+from kagezou.version import __version__
 from tests.cli.projects import Shell
 
 

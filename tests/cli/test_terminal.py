@@ -18,9 +18,9 @@ def test_durations(seconds: float, text: str) -> None:
 
 
 def test_a_line_of_progress() -> None:
-    text = progress_text("rendering", 12, 48, 12, 2.0)
+    text = progress_text("rendering", 12, 48, 6.0)
     assert text == "rendering [######------------------] 12/48  6.0 frames/s  0:06 left"
-    assert "?" in progress_text("rendering", 0, 48, 0, 0.0)
+    assert "?" in progress_text("rendering", 0, 48, 0.0)
     assert text.isascii()
 
 

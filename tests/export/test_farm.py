@@ -16,6 +16,8 @@ from kagezou.document.model import Cels, Document, Drawing, Exposure
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, template, write_bundle
+from kagezou.export.farm_program import program_here
+from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.sets.measures import PieceKind
@@ -295,3 +297,49 @@ def test_what_a_farm_cannot_have_is_refused(document: Document, tmp_path: Path) 
         template(named, request)
     strange = FarmRequest(tmp_path / "{{x}}\n.kage", ExportRequest(tmp_path))
     assert template(document, strange)["name"] == "Kagezou __x___"
+
+
+def test_a_bundle_is_never_written_among_frames(document: Document, tmp_path: Path) -> None:
+    frames = tmp_path / "out"
+    export(document, frames, frames=(1,))
+    request = FarmRequest(tmp_path / "cut.kage", ExportRequest(tmp_path / "elsewhere"))
+    before = bytes_below(frames)
+    with pytest.raises(UsageProblem, match="it holds A_shadow, which is no part of a bundle"):
+        write_bundle(document, request, frames)
+    with pytest.raises(UsageProblem, match="the job renders there"):
+        write_bundle(document, replace(request, export=ExportRequest(frames)), frames)
+    assert bytes_below(frames) == before
+
+
+def test_a_bundle_replaces_an_earlier_one(document: Document, tmp_path: Path) -> None:
+    job, _ = bundle(document, tmp_path, chunk=6)
+    job.with_name(".DS_Store").write_bytes(b"")
+    bundle(document, tmp_path, chunk=3)
+    assert json.loads(job.read_text())["steps"][0]["parameterSpace"]["taskParameterDefinitions"][0]["chunks"] == {
+        "defaultTaskCount": 3,
+        "rangeConstraint": "CONTIGUOUS",
+    }
+
+
+def test_files_of_a_farm_are_called_as_those_of_a_local_render(
+    document: Document, worker: Path, tmp_path: Path
+) -> None:
+    names = FileNames("{layer}_{kind}.{frame}", 1001, 6)
+    asked = ExportRequest(tmp_path / "farm", frames=(1, 2), names=names)
+    job, project = bundle(document, tmp_path, worker, asked=asked)
+    done = openjd(*run_words(job, project, tmp_path / "farm"))
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert sorted(bytes_below(tmp_path / "farm")) == ["A_shadow.001001.png", "A_shadow.001002.png"]
+
+
+def test_the_program_is_called_as_this_machine_finds_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    own = Path(sys.executable).with_name(f"kagezou{Path(sys.executable).suffix}")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert program_here() == (str(own) if own.is_file() else "kagezou")
+    name = tmp_path / own.name
+    name.write_text("#!/bin/sh\n")
+    name.chmod(0o755)
+    assert program_here() == "kagezou"
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "python"))
+    assert program_here() == (str(name) if not own.suffix else "kagezou")

@@ -221,3 +221,18 @@ def test_progress_counts_every_file(tmp_path: Path) -> None:
     request = ExportRequest(tmp_path / "out")
     export_frames(document, request, open_headless_context, lambda *step: seen.append(step), lambda: False)
     assert seen == [(1, 7), (2, 7), (7, 7)]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a right there")
+@pytest.mark.parametrize("form", ["png", "tga", "exr"])
+def test_a_frame_takes_the_place_of_a_link(tmp_path: Path, form: str) -> None:
+    document = cut(tmp_path, count=2)
+    precious = tmp_path / "precious"
+    precious.write_bytes(b"somebody's work")
+    folder = tmp_path / "out" / "A_shadow"
+    folder.mkdir(parents=True)
+    for number in (1, 2):
+        (folder / f"A_shadow_000{number}.{form}").symlink_to(precious)
+    export(document, tmp_path / "out", format=form, depth=16 if form == "exr" else 8)
+    assert not any(path.is_symlink() for path in folder.iterdir())
+    assert precious.read_bytes() == b"somebody's work"

@@ -12,7 +12,7 @@ from kagezou.errors import UsageProblem
 from kagezou.export.guides import coverage, with_guides
 from kagezou.export.request import ExportRequest
 from kagezou.io.images.reading import read_cel
-from kagezou.scene.set_outlines import SetLines
+from kagezou.scene.guide_lines import GuideLines
 from tests.export.small_cuts import bytes_below, cut, export
 
 
@@ -50,7 +50,7 @@ def test_lines_are_seen_on_black_and_on_white(kind: type[np.uint8], tone: float)
     top = np.iinfo(kind).max
     picture = np.full((40, 40, 4), round(tone * top), kind)
     picture[..., 3] = top
-    made = with_guides(picture, SetLines((((0.0, 10.5), (40.0, 10.5)),), (((0.0, 30.5), (40.0, 30.5)),)))
+    made = with_guides(picture, GuideLines((((0.0, 10.5), (40.0, 10.5)),), (((0.0, 30.5), (40.0, 30.5)),)))
     assert made.dtype == kind
     column = made[:, 20, 0] / top
     assert (made[..., 3] == top).all()
@@ -60,7 +60,7 @@ def test_lines_are_seen_on_black_and_on_white(kind: type[np.uint8], tone: float)
 
 
 def test_on_a_clear_picture_they_have_their_own_opacity() -> None:
-    made = with_guides(np.zeros((20, 20, 4), np.uint8), SetLines((((0.0, 10.5), (20.0, 10.5)),), ()))
+    made = with_guides(np.zeros((20, 20, 4), np.uint8), GuideLines((((0.0, 10.5), (20.0, 10.5)),), ()))
     assert 0 < made[10, 10, 3] < 255
     assert made[10, 10, 0] > made[12, 10, 0]
     assert not made[0].any()

@@ -116,7 +116,7 @@ def test_a_fingerprint_changes_with_the_program(
 ) -> None:
     job, request = first_job(document, tmp_path), ExportRequest(tmp_path)
     before = fingerprint(job, request)
-    monkeypatch.setattr(ledger_module, "_engine", lambda: "another version")
+    monkeypatch.setattr(ledger_module, "engine", lambda: "another version")
     assert fingerprint(job, request) != before
 
 

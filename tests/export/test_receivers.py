@@ -52,13 +52,13 @@ def exported(document: Document, folder: Path, **options: object) -> list[Path]:
 
 
 def test_each_receiver_has_a_name_of_its_own(room: Document) -> None:
-    labels = [each.label for each in receivers_of(room)]
-    assert labels == ["ground_matte", "back wall_matte", "crate_matte", "ground_2_matte"]
+    labels = [each.name for each in receivers_of(room)]
+    assert labels == ["ground", "back wall", "crate", "ground_2"]
 
 
 def test_what_is_seen_adds_up_without_a_seam(room: Document, tmp_path: Path) -> None:
     files = exported(room, tmp_path / "out")
-    assert {path.parent.name for path in files} == {each.label for each in receivers_of(room)}
+    assert {path.parent.name for path in files} == {f"{each.name}_matte" for each in receivers_of(room)}
     first = {path.parent.name: alpha(path) for path in files if path.stem.endswith("0001")}
     total = sum(first.values(), np.zeros(SIZE[::-1]))
     assert total.max() <= 1 + 3 / 255, "nothing is seen twice"

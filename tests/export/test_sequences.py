@@ -9,6 +9,7 @@ from kagezou.document.edits import add_layer
 from kagezou.document.model import Cels, Document
 from kagezou.document.set_pieces import add_piece
 from kagezou.errors import UsageProblem
+from kagezou.export.file_names import NumberedName
 from kagezou.export.planning import jobs_of, planned
 from kagezou.export.request import RECEIVED, RECEIVERS, SHADOWS, ExportRequest
 from kagezou.export.sequences import OutputSequence, sequences_of
@@ -109,6 +110,6 @@ def test_pictures_made_once_are_numbered_in_each_sequence(tmp_path: Path) -> Non
 def test_a_picture_shared_by_two_sequences_is_one_job(tmp_path: Path) -> None:
     document = cut(tmp_path, count=1)
     (first,) = sequences_of(document, ExportRequest(tmp_path))
-    second = OutputSequence(first.subject, "again", tmp_path / "again", 4, ".png")
+    second = OutputSequence(first.subject, "again", NumberedName(tmp_path / "again", "again_", ".png"))
     (job,) = jobs_of(document, [1], (first, second))
     assert [target.sequence for target in job.targets] == [first, second]

@@ -55,6 +55,14 @@ def test_the_wheel_carries_its_shaders_resources_and_manual(installed: Path, tmp
     assert [Path(line) for line in done.stdout.splitlines()] == folders
 
 
+def test_the_wheel_carries_types_and_the_manuals_scripts(installed: Path, tmp_path: Path) -> None:
+    package = installed / "kagezou"
+    assert (package / "py.typed").is_file()
+    assert list((package / "docs" / "scripts").glob("*.py"))
+    done = run_installed(installed, tmp_path, ["-c", "import kagezou; print(kagezou.__file__, kagezou.Cut.__name__)"])
+    assert done.stdout.split() == [str(package / "__init__.py"), "Cut"], done.stderr
+
+
 @pytest.mark.skipif(importlib.util.find_spec("kagezou.__main__") is None, reason="the program has no door yet")
 def test_the_wheel_renders_the_demo(installed: Path, tmp_path: Path) -> None:
     done = run_installed(installed, tmp_path, ["-m", "kagezou", "demo", str(tmp_path / "out")])

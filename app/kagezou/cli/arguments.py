@@ -84,6 +84,13 @@ def whole_number(text: str) -> int:
     return int(text)
 
 
+def number_from_0(text: str) -> int:
+    """Return a number of 0 and more."""
+    if not (text.isascii() and text.isdigit() and len(text) <= 9):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of 0 or more")
+    return int(text)
+
+
 def named_source(text: str) -> tuple[str, Path]:
     """Return ``NAME=PATH`` as its two parts."""
     name, sign, path = text.partition("=")

@@ -15,6 +15,7 @@ from kagezou.document.model import Document
 from kagezou.document.property import Property
 from kagezou.document.values import value_at
 from kagezou.export.portraits import Portraits
+from kagezou.export.shrinking import shrunk
 from kagezou.geometry.box import Box
 from kagezou.importing.staging import CharacterSource, Imported, new_document
 from kagezou.io.images.reading import Steps
@@ -69,29 +70,11 @@ def _row(cut: Document, frame: int) -> list[Picture]:
 
 def cell_of(picture: Steps, side_px: int) -> Picture:
     """Return one picture, no side over ``side_px``, with a gap to the right and below."""
-    small = _shrunk(picture[..., :3], side_px)
+    small = shrunk(picture[..., :3], side_px)
     cell = np.full((side_px + _GAP_PX, side_px + _GAP_PX, 4), (_GREY, _GREY, _GREY, 255), np.uint8)
     top, left = ((side_px - side) // 2 for side in small.shape[:2])
     cell[top : top + small.shape[0], left : left + small.shape[1], :3] = small
     return cell
-
-
-def _shrunk(picture: Steps, most_px: int) -> Picture:
-    """Return a picture of which no side is over ``most_px``, each pixel the mean of those it stands for."""
-    longest = max(picture.shape[:2])
-    height, width = (max(round(side * min(most_px / longest, 1.0)), 1) for side in picture.shape[:2])
-    rows, columns = (_means(whole, small) for whole, small in ((picture.shape[0], height), (picture.shape[1], width)))
-    fewer = (rows @ picture.astype(np.float32).reshape(picture.shape[0], -1)).reshape(height, picture.shape[1], -1)
-    return np.asarray(np.rint(columns @ fewer), np.uint8)
-
-
-def _means(whole: int, small: int) -> NDArray[np.float32]:
-    """Return the (small, whole) matrix of means over equal parts."""
-    edges = np.linspace(0, whole, small + 1)
-    starts, stops = edges[:-1, np.newaxis], edges[1:, np.newaxis]
-    at = np.arange(whole)
-    inside = np.clip(np.minimum(stops, at + 1) - np.maximum(starts, at), 0, None)
-    return np.asarray(inside / inside.sum(axis=1, keepdims=True), np.float32)
 
 
 def _on_layers(values: Mapping[Property[float], float]) -> Adjust:

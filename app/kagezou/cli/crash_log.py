@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from kagezou import __version__
+from kagezou.version import __version__
 
 DEBUG_VARIABLE: Final = "KAGEZOU_DEBUG"
 _LARGEST_LOG: Final = 1 << 20

@@ -33,6 +33,6 @@ class EntryPoints:
     has_display: bool
     progress: "ProgressFile | None" = None
 
-    def line(self, doing: str) -> ProgressLine:
-        """Return the line that tells how far something is, to whoever watches or waits."""
-        return ProgressLine(doing, also=None if self.progress is None else self.progress.update)
+    def line(self, doing: str, unit: str | None = "frames") -> ProgressLine:
+        """Return the line that tells how far something is, to whoever watches or waits; ``unit`` is what is counted."""
+        return ProgressLine(doing, also=None if self.progress is None else self.progress.update, unit=unit)

@@ -13,10 +13,12 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
-from kagezou import __version__
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import Json
 from kagezou.errors import Problem
+from kagezou.io.files.processors import processors
+from kagezou.io.files.small_files import folder_problems
+from kagezou.locations import PRESET_FOLDERS, SHORTCUT_FOLDERS, STYLE_FOLDERS, studio_folders
+from kagezou.version import __version__
 
 _PACKAGES: Final = (
     "numpy", "PyOpenGL", "OpenImageIO", "isal", "kornia-rs", "zlib-ng", "platformdirs", "PySide6-Essentials",
@@ -37,6 +39,7 @@ _WINDOW_LIBRARIES: Final = {
 }
 """What Qt's wheels expect of a Linux system, and the Debian package that has it."""
 
+_STUDIO: Final = (STYLE_FOLDERS, PRESET_FOLDERS, SHORTCUT_FOLDERS)
 _RENAMED_FOR_64_BIT_TIME: Final = {"libglib2.0-0": "libglib2.0-0t64"}
 _LITTLE_SPACE_BYTES: Final = 1 << 30
 
@@ -105,6 +108,22 @@ def text() -> dict[str, Json]:
     }
 
 
+def studio() -> dict[str, Json]:
+    """Return the folders of a studio's own and what runs after an export; None for what nobody named."""
+    from kagezou.export.after.hooks import hooks_of
+    from kagezou.io.files.faults import shown
+
+    named = {variable: [shown(folder) for folder in studio_folders(variable)] for variable in _STUDIO}
+    try:
+        after = ", ".join(hook.name for hook in hooks_of())
+    except Problem as problem:
+        after = f"it cannot be used: {problem}"
+    return {
+        **{variable: ", ".join(folders) or None for variable, folders in named.items()},
+        "after export": after or None,
+    }
+
+
 def advice(report: Mapping[str, Json], *, can_render: bool) -> Iterator[str]:
     """Yield what is missing, one sentence each, with the command that brings it where it is known."""
     graphics, about_window = report["graphics"], report["window"]
@@ -124,7 +143,10 @@ def advice(report: Mapping[str, Json], *, can_render: bool) -> Iterator[str]:
         yield "the window cannot be opened: PySide6-Essentials is not installed; rendering can do without"
     if packages and _is_debian():
         yield f"install them: sudo apt-get install --no-install-recommends {' '.join(dict.fromkeys(packages))}"
-    for part in ("formats", "folders"):
+    yield from (
+        str(problem) for name in _STUDIO for folder in studio_folders(name) for problem in folder_problems(folder, name)
+    )
+    for part in ("formats", "folders", "studio"):
         found = report[part]
         assert isinstance(found, dict)
         yield from (f"{name}: {value}" for name, value in found.items() if isinstance(value, str) and "cannot" in value)

@@ -32,6 +32,7 @@ VERBS: Final = {
     "piece": "put walls, boxes and the like on the ground, or take them away",
     "style": "put a named look on a character, or list the looks",
     "apply": "take light, looks, ground or the set of one project into others",
+    "auto": "make projects and output of many cuts at once, with a report",
     "render": "write the shadow layers as numbered frames",
     "video": "write the finished picture, or one shadow with alpha, as a video",
     "export-ae": "hand shadows and footage to After Effects, with a script that builds the comp",
@@ -72,8 +73,12 @@ examples:
   kagezou set walk.kage light.position=1400,-300,900
   kagezou render walk.kage -o shadows --composite
 
+environment:
+  KAGEZOU_AFTER_EXPORT    the command that runs after an export
+  KAGEZOU_STYLES, KAGEZOU_PRESETS, KAGEZOU_SHORTCUTS    folders of a studio's own, parted as in PATH
+
 exit codes: 0 everything done, 1 defect, 2 usage, 3 input file, 4 cannot write, 5 disk full, 6 no OpenGL,
-            7 project file, 8 some frames failed, 130 Ctrl-C, 143 terminated
+            7 project file, 8 some frames or cuts failed, 9 what runs after an export failed, 130 Ctrl-C, 143 terminated
 """
 
 
@@ -155,7 +160,7 @@ def _dispatched(manner: Manner, entry_points: EntryPoints, heard: Sequence[str])
         give(_HELP.format(verbs="\n".join(f"  {name:<9} {words}" for name, words in VERBS.items())).rstrip())
         return 0
     if verb in ("-V", "--version"):
-        from kagezou import __version__
+        from kagezou.version import __version__
 
         give(f"{PROGRAM} {__version__}")
         return 0

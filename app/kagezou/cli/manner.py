@@ -75,8 +75,7 @@ def manner_of(words: Sequence[str]) -> Manner:
 def failure(problem: Problem) -> Json:
     """Return what a program is told of a problem: its exit code, the sentence, its file and its values."""
     values = {name: _plain(value) for name, value in problem.message.values.items()}
-    file = values.get("path") or values.get("file") or values.get("folder")
-    return {"code": problem.exit_code, "message": str(problem), "file": file, "values": values}
+    return {"code": problem.exit_code, "message": str(problem), "file": problem.file, "values": values}
 
 
 def _plain(value: object) -> Json:

@@ -135,11 +135,18 @@ class ProgressLine:
         A terminal, or anything else.
     also
         What else is told of it, such as a file that another program reads.
+    unit
+        What is counted; None where only the share that is done is of interest.
     """
 
     def __init__(
-        self, doing: str, stream: TextIO | None = None, also: Callable[[int, int], None] | None = None
+        self,
+        doing: str,
+        stream: TextIO | None = None,
+        also: Callable[[int, int], None] | None = None,
+        unit: str | None = "frames",
     ) -> None:
+        self._unit = unit
         self._also = also
         self._doing = doing
         self._stream = stream or sys.stderr
@@ -154,9 +161,14 @@ class ProgressLine:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.wipe()
+
+    def wipe(self) -> None:
+        """Take the line away, for something else to be said; it is back with the next step."""
         if self._length:
             self._stream.write("\r" + " " * self._length + "\r")
             self._stream.flush()
+            self._length = 0
 
     def update(self, done: int, total: int) -> None:
         """Show that ``done`` of ``total`` frames are finished; drawn at most ten times a second."""
@@ -172,7 +184,8 @@ class ProgressLine:
         if not is_due or (not self._is_shown and self._lines_each_s is None):
             return
         self._drawn_at = now
-        text = progress_text(self._doing, done, total, done - before, now - began)
+        rate = (done - before) / (now - began) if now > began else 0.0
+        text = progress_text(self._doing, done, total, rate, self._unit)
         if self._lines_each_s is not None:
             self._stream.write(f"{text}\n")
             self._stream.flush()
@@ -183,7 +196,7 @@ class ProgressLine:
         self._length = max(self._length, len(text))
 
 
-def progress_text(doing: str, done: int, total: int, made: int, seconds: float) -> str:
+def progress_text(doing: str, done: int, total: int, rate: float, unit: str | None = "frames") -> str:
     """Return one line of progress.
 
     Parameters
@@ -191,15 +204,17 @@ def progress_text(doing: str, done: int, total: int, made: int, seconds: float) 
     doing
         What is being done.
     done, total
-        Frames finished and asked for.
-    made
-        How many of the finished ones were made just now, which took ``seconds``.
+        Steps finished and asked for.
+    rate
+        How many were made just now, a second.
+    unit
+        What a step is called; None for its share in percent.
     """
     filled = _BAR * done // max(total, 1)
     bar = "#" * filled + "-" * (_BAR - filled)
-    rate = made / seconds if seconds > 0 else 0.0
     left = clock_text((total - done) / rate) if rate > 0 else "?"
-    return f"{doing} [{bar}] {done}/{total}  {rate:.1f} frames/s  {left} left"
+    count = f"{100 * done // max(total, 1)} %" if unit is None else f"{done}/{total}  {rate:.1f} {unit}/s"
+    return f"{doing} [{bar}] {count}  {left} left"
 
 
 def clock_text(seconds: float) -> str:

@@ -103,7 +103,7 @@ CUT_WORDS: Final = (
     ),
     CutWord(
         "canvas.first_frame",
-        Message("The number that the window shows for the first frame; files and --frame count from 1."),
+        Message("The number that the first frame bears in the window and in files; --frame and --frames count from 1."),
         lambda now: now.canvas.first_frame,
         1,
         lambda now, text: replace(now, canvas=replace(now.canvas, first_frame=_whole("canvas.first_frame", text))),

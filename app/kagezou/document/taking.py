@@ -4,7 +4,7 @@ What is taken is the source's on a canvas of the target's size, with its keys. L
 in the measure of their heights; a figure that the source does not know gets the look of its first.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -38,7 +38,13 @@ class Taken:
     notes: tuple[Message, ...]
 
 
-def taken(target: Document, source: Document, parts: Collection[Part], frame: int = 1) -> Taken:
+def taken(
+    target: Document,
+    source: Document,
+    parts: Collection[Part],
+    frame: int = 1,
+    figure_ids: Collection[str] | None = None,
+) -> Taken:
     """Return a cut with parts of another one.
 
     Parameters
@@ -49,6 +55,8 @@ def taken(target: Document, source: Document, parts: Collection[Part], frame: in
         What is taken.
     frame
         Of the source: looks are those of this frame, as a look has no keys.
+    figure_ids
+        The layers of the target's figures that get a look; None for all.
     """
     notes: list[Message] = []
     canvas = target.canvas
@@ -60,7 +68,8 @@ def taken(target: Document, source: Document, parts: Collection[Part], frame: in
     if Part.SET in parts:
         document = replace(document, pieces=fitting.pieces)
     if Part.LOOK in parts:
-        document, said = _with_looks(document, fitting, frame)
+        layers = [each for each in figures_of(document) if figure_ids is None or each.id in figure_ids]
+        document, said = _with_looks(document, fitting, frame, layers)
         notes += said
     notes += _late_keys(document, source, parts)
     return Taken(document, tuple(notes))
@@ -75,18 +84,31 @@ def _part_of(prop: AnyProperty) -> Part | None:
     return Part.SET if prop.name.startswith("set.") else Part.GROUND
 
 
-def _with_looks(document: Document, source: Document, frame: int) -> tuple[Document, list[Message]]:
-    figures = [layer for layer in source.layers if layer.joins is None]
+def figures_of(document: Document) -> tuple[Layer, ...]:
+    """Return the layers whose looks go from cut to cut: those of whole figures."""
+    return tuple(layer for layer in document.layers if layer.joins is None)
+
+
+def model_of(layer: Layer, source: Document) -> Layer | None:
+    """Return the figure of a source whose look a figure gets: that of its name, else the first; None without any."""
+    figures = figures_of(source)
+    named = (each for each in figures if folded(each.name) == folded(layer.name))
+    return next(named, figures[0] if figures else None)
+
+
+def _with_looks(
+    document: Document, source: Document, frame: int, layers: Sequence[Layer]
+) -> tuple[Document, list[Message]]:
+    figures = figures_of(source)
     if not figures:
         return document, [Message("there is no character in it whose look could be taken")]
-    by_name = {folded(layer.name): layer for layer in reversed(figures)}
     notes: list[Message] = []
     unknown: list[str] = []
-    for layer in (each for each in document.layers if each.joins is None):
-        like = by_name.get(folded(layer.name))
-        if like is None:
+    for layer in layers:
+        like = model_of(layer, source) or figures[0]
+        if folded(like.name) != folded(layer.name):
             unknown.append(layer.name)
-        document = put_style(document, [layer.id], style_of(source, (like or figures[0]).id, frame, "look"), 1).document
+        document = put_style(document, [layer.id], style_of(source, like.id, frame, "look"), 1).document
     if unknown and len(figures) > 1:
         names = first_names(unknown)
         notes.append(Message("{names}: not there, so they look as {first} does", names=names, first=figures[0].name))

@@ -5,10 +5,10 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import Final
 
-from kagezou.errors import DiskFullProblem, InputProblem
+from kagezou.errors import DiskFullProblem, InputProblem, UsageProblem
 from kagezou.export.planning import FrameJob, Plan
 from kagezou.export.request import ExportRequest
-from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.atomic import check_writable
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.parts import has_part
 from kagezou.io.sets.mesh_cache import is_mesh
@@ -59,6 +59,19 @@ def check_sources(jobs: Collection[FrameJob]) -> None:
     raise InputProblem(Message("{count} drawings are missing: {names}", count=len(missing), names=listed))
 
 
+def check_targets(plan: Plan) -> None:
+    """Raise UsageProblem where a file of the export would lie in the place of one that it is made of.
+
+    Names are compared as file systems do that mind no case: a drawing lost is worse than a name refused.
+    """
+    needed = {str(path.absolute()).casefold() for job in plan.jobs for path in job.content.sources.files}
+    for target in (target for job in plan.jobs for target in job.targets):
+        if str(target.path.absolute()).casefold() in needed:
+            raise UsageProblem(
+                Message("{path}: it is a drawing of the project and is not written over", path=shown(target.path))
+            )
+
+
 def prepare_folders(request: ExportRequest, plan: Plan) -> None:
     """Make the folders of an export and see whether they can be written to.
 
@@ -72,9 +85,7 @@ def prepare_folders(request: ExportRequest, plan: Plan) -> None:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise output_problem(folder, error) from error
-        probe = folder / f".kagezou-write-test-{folder.name}"
-        write_bytes(probe, b"can be written to")
-        probe.unlink(missing_ok=True)
+        check_writable(folder)
     needed = sum(_least_bytes(job, request) for job in plan.jobs)
     free = shutil.disk_usage(request.folder).free
     if needed > free:

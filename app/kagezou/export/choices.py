@@ -2,6 +2,12 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
+
+from kagezou.export.file_names import USUAL
+
+AS_CUT: Final = -1
+"""Files bear the numbers that the frames of the cut bear."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +30,10 @@ class ExportChoices:
         As of `HandOffRequest`.
     chunk
         Frames a task of a farm.
+    names
+        The pattern of `FileNames`.
+    start
+        The number of the file of the first frame, or `AS_CUT`.
     video_layer
         The name of the layer whose shadow a video shows; empty for the finished picture.
     """
@@ -42,6 +52,8 @@ class ExportChoices:
     mattes: tuple[str, ...] = ()
     controls: bool = False
     chunk: int = 10
+    names: str = USUAL
+    start: int = AS_CUT
     video_layer: str = ""
 
 

@@ -19,6 +19,7 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.io.images.writing import ShadowImage
 from kagezou.render.prepare.backdrop import Backdrop
+from kagezou.scene.guide_lines import GuideLines
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import (
     Contact,
@@ -31,7 +32,6 @@ from kagezou.scene.scene import (
     ShadowCast,
     ShadowLook,
 )
-from kagezou.scene.set_outlines import SetLines
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,10 +231,10 @@ class CompositeContent(Content):
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
     shadows_unite: bool = True
-    guides: SetLines | None = None
+    guides: GuideLines | None = None
 
     @classmethod
-    def of(cls, scene: Scene, guides: SetLines | None = None) -> Self:
+    def of(cls, scene: Scene, guides: GuideLines | None = None) -> Self:
         """Return the content of a whole scene."""
         layers = tuple(
             (each.drawing, each.cast, each.look, each.received, each.contact, each.reflection) for each in scene.layers

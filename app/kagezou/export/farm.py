@@ -5,6 +5,7 @@ https://github.com/OpenJobDescription/openjd-specifications, revision 2023-09 wi
 """
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -12,30 +13,29 @@ from typing import Any, Final
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
+from kagezou.export.farm_parameters import definitions
+from kagezou.export.file_names import USUAL, FileNames
 from kagezou.export.planning import PIXEL_BYTES, planned
-from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
+from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
-from kagezou.io.files.faults import output_problem
+from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.sets.gltf import files_beside
 from kagezou.message import Message
 
 TEMPLATE: Final = "template.json"
 PARAMETERS: Final = "parameter_values.json"
 ASSETS: Final = "asset_references.json"
+_FILES: Final = (TEMPLATE, PARAMETERS, ASSETS)
 MAX_CHUNK: Final = 10_000
 MAX_MINUTES: Final = 1440
 
-AUTO_DEPTH: Final = "auto"
-"""The depth that follows the format."""
-
 _NAME_CHARACTERS: Final = 64
-_PLACES, _FRAMES = "Places", "Frames"
 _LEAST_CORES: Final = 2
 _PROGRAM_MIB: Final = 1024
 _MIB_STEP: Final = 512
 _STARTING_S: Final = 600
 """So long a worker may take until the first frame is begun, with drawings on slow disks and OpenGL to be opened."""
-_NOTICE_S: Final = 60
+NOTICE_S: Final = 60
 """So long a task that is stopped has for the frames that it has begun."""
 
 Json = dict[str, Any]
@@ -86,7 +86,7 @@ def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tupl
     Raises
     ------
     UsageProblem
-        The request does not fit the document.
+        The request does not fit the document, or the folder holds something else.
     DiskFullProblem, OutputProblem
         A file cannot be written.
     """
@@ -96,6 +96,29 @@ def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tupl
         PARAMETERS: {"parameterValues": _values(document, request)},
         ASSETS: {"assetReferences": _assets(document, request)},
     }
+    return write_job(trees, folder, request.export.folder)
+
+
+def write_job(trees: Mapping[str, Json], folder: Path, output: Path) -> tuple[Path, ...]:
+    """Write the files of a bundle, JSON by name, into a folder, which is made if need be, and return them.
+
+    Parameters
+    ----------
+    trees
+        JSON by the names of the three files.
+    folder
+        Where they go.
+    output
+        Where the job writes.
+
+    Raises
+    ------
+    UsageProblem
+        The folder holds something else.
+    DiskFullProblem, OutputProblem
+        A file cannot be written.
+    """
+    _check_folder(folder, output)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -105,13 +128,31 @@ def write_bundle(document: Document, request: FarmRequest, folder: Path) -> tupl
     return tuple(folder / name for name in trees)
 
 
+def _check_folder(folder: Path, output: Path) -> None:
+    """Refuse a folder that holds anything but a bundle, such as frames: whoever sends a bundle sends all of it."""
+    others = [each for each in (folder.iterdir() if folder.is_dir() else ()) if each.name not in _FILES]
+    seen = sorted(each.name for each in others if not each.name.startswith("."))
+    if folder.absolute() == output.absolute():
+        raise UsageProblem(
+            Message("{folder}: the job renders there; its bundle needs a folder of its own", folder=shown(folder))
+        )
+    if seen:
+        raise UsageProblem(
+            Message(
+                "{folder}: it holds {name}, which is no part of a bundle; a bundle needs a folder of its own",
+                folder=shown(folder),
+                name=seen[0],
+            )
+        )
+
+
 def template(document: Document, request: FarmRequest) -> Json:
     """Return the job template; frames, output, format and program stay parameters of the job."""
     return {
         "specificationVersion": "jobtemplate-2023-09",
         "extensions": ["TASK_CHUNKING"],
-        "name": _job_name(request.project.stem),
-        "parameterDefinitions": _definitions(document, request),
+        "name": job_name(request.project.stem),
+        "parameterDefinitions": definitions(document, request.export, request.program),
         "steps": [
             {
                 "name": "Render",
@@ -138,7 +179,7 @@ def _action(request: FarmRequest) -> Json:
         "command": "{{Param.Program}}",
         "args": _words(request),
         "timeout": _STARTING_S + 60 * request.frame_minutes * request.chunk,
-        "cancelation": {"mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": _NOTICE_S},
+        "cancelation": {"mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": NOTICE_S},
     }
 
 
@@ -147,6 +188,7 @@ def _words(request: FarmRequest) -> list[str]:
     words = ["render", "{{Param.ProjectFile}}", "-o", "{{Param.OutputDir}}", "--frames", "{{Task.Param.Frame}}"]
     words += ["--format", "{{Param.Format}}", "--depth", "{{Param.Depth}}"]
     words += ["--path-mapping", "{{Session.PathMappingRulesFile}}", "--skip-existing", "--openjd"]
+    words += _naming(export.names)
     for layer in export.layers or ():
         if "{{" in layer:
             raise UsageProblem(Message("the layer {layer!r} cannot be named in a job: it has braces", layer=layer))
@@ -160,77 +202,11 @@ def _words(request: FarmRequest) -> list[str]:
     return words + [switch for switch, is_on in switches.items() if is_on]
 
 
-def _definitions(document: Document, request: FarmRequest) -> list[Json]:
-    """Return what may be given to a job: places first, then how its frames are made."""
-    return [*_places(), *_settings(document, request)]
-
-
-def _places() -> list[Json]:
-    return [
-        {
-            "name": "ProjectFile",
-            "type": "PATH",
-            "objectType": "FILE",
-            "dataFlow": "IN",
-            "userInterface": {
-                "control": "CHOOSE_INPUT_FILE",
-                "label": "Project",
-                "groupLabel": _PLACES,
-                "fileFilters": [{"label": "Kagezou projects", "patterns": ["*.kage"]}],
-            },
-            "description": "The Kagezou project.",
-        },
-        {
-            "name": "OutputDir",
-            "type": "PATH",
-            "objectType": "DIRECTORY",
-            "dataFlow": "OUT",
-            "userInterface": _shown_as("CHOOSE_DIRECTORY", "Output folder", _PLACES),
-            "description": "Where the shadow layers go.",
-        },
-    ]
-
-
-def _settings(document: Document, request: FarmRequest) -> list[Json]:
-    length, export = document.canvas.length_frames, request.export
-    own = export.depth == DEPTHS[export.format][0]
-    return [
-        {
-            "name": "Frames",
-            "type": "STRING",
-            "default": format_frames(export.frames or tuple(range(1, length + 1))),
-            "userInterface": _shown_as("LINE_EDIT", "Frames", _FRAMES),
-            "description": "Frames such as 1-48, 1-10,20 or 1-48:2.",
-        },
-        {
-            "name": "Format",
-            "type": "STRING",
-            "default": export.format,
-            "allowedValues": list(LAYERED_SUFFIXES if export.layered else SUFFIXES),
-            "userInterface": _shown_as("DROPDOWN_LIST", "Format", _FRAMES),
-            "description": "The format of the frames.",
-        },
-        {
-            "name": "Depth",
-            "type": "STRING",
-            "default": AUTO_DEPTH if own else str(export.depth),
-            "allowedValues": [AUTO_DEPTH, *map(str, sorted({depth for each in DEPTHS.values() for depth in each}))],
-            "userInterface": _shown_as("DROPDOWN_LIST", "Bits a channel", _FRAMES),
-            "description": "Bits a channel; auto is what the format usually has. exr has 16, tga 8.",
-        },
-        {
-            "name": "Program",
-            "type": "STRING",
-            "default": request.program,
-            "userInterface": _shown_as("LINE_EDIT", "Program", "Workers"),
-            "description": "How Kagezou is called on the workers: a name, or the path of the program.",
-        },
-    ]
-
-
-def _shown_as(control: str, label: str, group: str) -> Json:
-    """Return what a window for sending jobs shows a parameter as."""
-    return {"control": control, "label": label, "groupLabel": group}
+def _naming(names: FileNames) -> list[str]:
+    """Return the words that say how files are called, where that is not as usual."""
+    words = [] if names.pattern == USUAL else ["--names", names.pattern]
+    words += [] if names.first is None else ["--start-frame", str(names.first)]
+    return words if names.digits is None else [*words, "--padding", str(names.digits)]
 
 
 def _host_requirements(document: Document) -> Json:
@@ -268,7 +244,7 @@ def _assets(document: Document, request: FarmRequest) -> Json:
     }
 
 
-def _job_name(stem: str) -> str:
-    """Return a name without what the specification forbids: braces, which would be filled in, and control signs."""
+def job_name(stem: str) -> str:
+    """Return a name for a job without what the specification forbids: braces, which are filled in, and controls."""
     name = "".join(sign if sign.isprintable() and sign not in "{}" else "_" for sign in stem)
     return f"Kagezou {name}"[:_NAME_CHARACTERS]

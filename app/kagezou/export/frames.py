@@ -9,10 +9,11 @@ from functools import partial
 from typing import Final
 
 from kagezou.document.model import Document
-from kagezou.export.checks import check_sources, prepare_folders
+from kagezou.export.checks import check_sources, check_targets, prepare_folders
 from kagezou.export.contents import Content
 from kagezou.export.file_kinds import FileCount, added_up, kind_of
 from kagezou.export.ledger import Ledger, fingerprint
+from kagezou.export.made_files import MadeFile
 from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import Outcome, PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, OutputFile, Plan, planned
@@ -50,6 +51,7 @@ def export_frames(
     plan = planned(document, request)
     if not request.keep_going:
         check_sources(plan.jobs)
+    check_targets(plan)
     prepare_folders(request, plan)
     for folder in plan.folders:
         sweep_stale(folder)
@@ -116,6 +118,7 @@ class _Run:
     written: int = 0
     drawn: int = 0
     failures: list[Failure] = field(default_factory=list)
+    made: list[MadeFile] = field(default_factory=list)
     fingerprints: dict[Content, str] = field(default_factory=dict)
     there: Counter[Message] = field(default_factory=Counter)
 
@@ -127,7 +130,7 @@ class _Run:
                 return []
             made_of = self.fingerprints[job.content] = fingerprint(job, self.request)
             targets = job.targets
-            if self.request.skip_existing:
+            if self.request.skip_existing and self.request.anew.isdisjoint(job.content.sources.files):
                 targets = tuple(target for target in targets if not self.ledger.holds(target.path, made_of))
                 self._trust([target for target in job.targets if target not in targets])
             if targets:
@@ -144,6 +147,7 @@ class _Run:
             return
         for target in job.targets:
             self.ledger.add(target.path, self.fingerprints[job.content], outcome.written or "")
+        self.made += (each.made(outcome.written or "", is_new=True) for each in outcome.job.targets)
         self.drawn += 1
         self.written += len(job.targets)
         self._count(job.targets)
@@ -151,6 +155,7 @@ class _Run:
     def _trust(self, targets: Sequence[OutputFile]) -> None:
         """Take in files that are whole already."""
         if targets:
+            self.made += (each.made(self.ledger.hash_of(each.path), is_new=False) for each in targets)
             self.trusted += len(targets)
             self._count(targets)
 
@@ -173,6 +178,7 @@ class _Run:
             seconds=seconds,
             notes=self.plan.notes,
             counts=self._counts(),
+            made=tuple(self.made),
         )
 
     def _counts(self) -> tuple[FileCount, ...]:

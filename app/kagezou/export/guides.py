@@ -1,4 +1,4 @@
-"""The outlines of the set drawn over a picture, for looking at it: a light line in a dark one, seen on any picture."""
+"""Ground, set and feet drawn over a picture, for looking at it: a light line in a dark one, seen on any picture."""
 
 from collections.abc import Iterable
 from itertools import pairwise
@@ -8,18 +8,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.vectors import Matrix, Point2
-from kagezou.scene.set_outlines import Line, SetLines
+from kagezou.scene.guide_lines import GuideLines
+from kagezou.scene.set_outlines import Line
 
 _WIDTH_PX: Final = 1.5
 _SHADE_PX: Final = 3.5
-_EDGE, _FLOOR = (0.55, 0.35), (0.9, 0.6)
-"""Opacity of the light line and of the dark one around it: of an edge, and where a piece meets the ground."""
+_EDGE, _FLOOR, _GROUND, _CONTACT = (0.55, 0.35), (0.9, 0.6), (0.45, 0.3), (1.0, 0.75)
+"""Opacity of the light line and of the dark one around it: of an edge, of where a piece meets the ground, of the ground
+itself, and of a contact."""
+_HEIGHT_PX: Final = 1080
+"""The height of a picture up to which lines have these widths; in a larger one they are wider with it."""
 
 _WHITE, _BLACK = 1.0, 0.0
 
 
-def with_guides(pixels: NDArray[Any], lines: SetLines) -> NDArray[Any]:
-    """Return a picture with the lines of a set over it.
+def with_guides(pixels: NDArray[Any], lines: GuideLines) -> NDArray[Any]:
+    """Return a picture with lines over it.
 
     Parameters
     ----------
@@ -29,9 +33,11 @@ def with_guides(pixels: NDArray[Any], lines: SetLines) -> NDArray[Any]:
         Canvas px; what lies outside is left out.
     """
     size = (pixels.shape[1], pixels.shape[0])
+    drawn = ((lines.ground, _GROUND), (lines.edges, _EDGE), (lines.floor, _FLOOR), (lines.contacts, _CONTACT))
+    larger = max(size[1] / _HEIGHT_PX, 1.0)
     light, shade = (
-        np.maximum(edge * coverage(lines.edges, *size, width_px), floor * coverage(lines.floor, *size, width_px))
-        for edge, floor, width_px in zip(_EDGE, _FLOOR, (_WIDTH_PX, _SHADE_PX), strict=True)
+        np.maximum.reduce([opacity[tone] * coverage(of_kind, *size, width_px) for of_kind, opacity in drawn])
+        for tone, width_px in enumerate((_WIDTH_PX * larger, _SHADE_PX * larger))
     )
     top = np.iinfo(pixels.dtype).max
     made = pixels.copy()

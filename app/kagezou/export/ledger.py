@@ -12,12 +12,12 @@ from functools import cache
 from pathlib import Path
 from typing import Final
 
-from kagezou import __version__
 from kagezou.export.planning import FrameJob
 from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
 from kagezou.locations import shader_folder
+from kagezou.version import __version__
 
 LEDGER_NAME: Final = ".kagezou-frames.jsonl"
 _MAX_BYTES: Final = 256 << 20
@@ -47,6 +47,10 @@ class Ledger:
             return content_hash(file.read_bytes()) == known[1]
         except OSError:
             return False
+
+    def hash_of(self, file: Path) -> str:
+        """Return the hash of the bytes that were written; empty for a file that is not known."""
+        return self._known.get(self._name(file), ("", ""))[1]
 
     def add(self, file: Path, fingerprint: str, content: str) -> None:
         """Note that a file is in its place; ``content`` is the `content_hash` of its bytes.
@@ -106,7 +110,7 @@ def fingerprint(job: FrameJob, request: ExportRequest) -> str:
     """
     states = [_state(path) for path in job.content.sources.files]
     canvas = job.content.scene.canvas
-    parts = (_engine(), request.format, request.depth, canvas.width, canvas.height, job.content, states)
+    parts = (engine(), request.format, request.depth, canvas.width, canvas.height, job.content, states)
     return hashlib.sha256(repr(parts).encode("utf-8", "backslashreplace")).hexdigest()
 
 
@@ -119,8 +123,8 @@ def _state(path: Path) -> tuple[int, int] | None:
 
 
 @cache
-def _engine() -> str:
-    """Return what stands for the program that draws."""
+def engine() -> str:
+    """Return a text that changes with the program that draws: its version and its shaders."""
     shaders = sorted(path for path in shader_folder().rglob("*") if path.is_file())
     digest = hashlib.sha256(__version__.encode())
     for path in shaders:

@@ -41,9 +41,9 @@ def safe_names(names: Iterable[str]) -> dict[str, str]:
     return chosen
 
 
-def digits_for(last_frame: int) -> int:
-    """Return how many digits every frame number of a cut has: at least four, and the same for all."""
-    return max(MIN_DIGITS, len(str(last_frame)))
+def digits_for(last_frame: int, least: int = MIN_DIGITS) -> int:
+    """Return how many digits every frame number of a cut has: at least so many, and the same for all."""
+    return max(least, len(str(last_frame)))
 
 
 def _cleaned(name: str) -> str:

@@ -2,12 +2,14 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import groupby
 from pathlib import Path
 from typing import Final
 
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.contents import Content
+from kagezou.export.made_files import MadeFile, word_of
 from kagezou.export.names import safe_names
 from kagezou.export.request import ExportRequest
 from kagezou.export.selection import chosen_frames
@@ -29,6 +31,11 @@ class OutputFile:
     sequence: OutputSequence
     frame: int
     path: Path
+
+    def made(self, sha256: str, *, is_new: bool) -> MadeFile:
+        """Return what is told of it when it is there."""
+        subject, label = self.sequence.subject, self.sequence.label
+        return MadeFile(self.path, word_of(subject), label, subject.owner, (self.frame,), sha256, is_new)
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +78,8 @@ class Plan:
 
     @property
     def folders(self) -> tuple[Path, ...]:
-        """The folders of the sequences."""
-        return tuple(sequence.folder for sequence in self.sequences)
+        """The folders of the sequences, each once."""
+        return tuple(dict.fromkeys(sequence.folder for sequence in self.sequences))
 
     def pictures_of(self, sequence: OutputSequence) -> tuple[int, ...]:
         """Return which picture, from 0 in the order in which they appear, a sequence shows on each of its frames."""
@@ -141,6 +148,16 @@ def jobs_of(document: Document, frames: Iterable[int], sequences: tuple[OutputSe
             targets.setdefault(content, []).append(OutputFile(sequence, frame, sequence.file(frame)))
     # A dictionary keeps the key that came first: a picture is drawn from the first frame that shows it.
     return tuple(FrameJob(content, tuple(files)) for content, files in targets.items())
+
+
+def in_order(jobs: Iterable[FrameJob]) -> tuple[FrameJob, ...]:
+    """Return the jobs of one sequence one after the other: a picture that comes again is one more job."""
+    shown = [(target, job) for job in jobs for target in job.targets]
+    shown.sort(key=lambda each: each[0].frame)
+    return tuple(
+        run[0][1].only(tuple(target for target, _ in run))
+        for run in (list(group) for _, group in groupby(shown, key=lambda each: id(each[1])))
+    )
 
 
 def _each_once(jobs: tuple[FrameJob, ...]) -> Iterator[FrameJob]:

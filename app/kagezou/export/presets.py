@@ -1,7 +1,7 @@
-"""Export presets: named ways to export, each a small file of its own in the folder of the user's settings."""
+"""Export presets: named ways to export, each a small file: the user's own, and a studio's, which stay as they are."""
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -12,7 +12,8 @@ from kagezou.export.remembered import choices_of
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.files.json_text import Reader, parse
-from kagezou.io.files.small_files import remove_file, small_text
+from kagezou.io.files.small_files import folder_problems, remove_file, small_text
+from kagezou.locations import PRESET_FOLDERS, studio_folders
 from kagezou.message import Message
 
 SUFFIX: Final = ".json"
@@ -23,11 +24,30 @@ _MAX_NAME: Final = 80
 
 @dataclass(frozen=True, slots=True)
 class Preset:
-    """A way to export, what it is called, and where it lies."""
+    """A way to export, what it is called, where it lies, and whether in a folder of ``KAGEZOU_PRESETS``."""
 
     name: str
     choices: ExportChoices
     path: Path
+    is_studio: bool = False
+
+
+def presets_there(own_folder: Path) -> tuple[tuple[Preset, ...], tuple[Problem, ...]]:
+    """Return the studio's presets and the user's own, and what is wrong with files and folders that cannot be read.
+
+    Of those with one name the user's own counts, else that of the studio's first folder.
+    """
+    studio: dict[str, Preset] = {}
+    problems: list[Problem] = []
+    for folder in studio_folders(PRESET_FOLDERS):
+        problems += folder_problems(folder, PRESET_FOLDERS)
+        found, others = presets_in(folder)
+        problems += others
+        for each in found:
+            studio.setdefault(each.name, replace(each, is_studio=True))
+    own, others = presets_in(own_folder)
+    names = {each.name for each in own}
+    return (*(each for each in studio.values() if each.name not in names), *own), (*problems, *others)
 
 
 def presets_in(folder: Path) -> tuple[tuple[Preset, ...], tuple[Problem, ...]]:

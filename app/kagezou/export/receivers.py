@@ -9,10 +9,10 @@ from kagezou.export.subjects import GROUND, ReceiverSubject
 
 @dataclass(frozen=True, slots=True)
 class Receiver:
-    """The ground or a set piece, and the name of its folder and files."""
+    """The ground or a set piece, and what its files are called after."""
 
     subject: ReceiverSubject
-    label: str
+    name: str
 
 
 def receivers_of(document: Document) -> tuple[Receiver, ...]:
@@ -24,5 +24,5 @@ def receivers_of(document: Document) -> tuple[Receiver, ...]:
         if piece.name == GROUND:
             number = next(each for each in range(2, len(taken) + 3) if f"{GROUND}_{each}" not in taken)
             of_piece[piece.id] = f"{GROUND}_{number}"
-    pieces = (Receiver(ReceiverSubject(piece.id), f"{of_piece[piece.id]}_matte") for piece in document.pieces)
-    return (Receiver(ReceiverSubject(None), f"{names[GROUND]}_matte"), *pieces)
+    pieces = (Receiver(ReceiverSubject(piece.id), of_piece[piece.id]) for piece in document.pieces)
+    return (Receiver(ReceiverSubject(None), names[GROUND]), *pieces)

@@ -1,12 +1,14 @@
 """What is asked for and what came of it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
 from kagezou.errors import UsageProblem
 from kagezou.export.file_kinds import FileCount
+from kagezou.export.file_names import FileNames
+from kagezou.export.made_files import MadeFile
 from kagezou.message import Message
 
 SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
@@ -67,7 +69,11 @@ class ExportRequest:
     united
         Whether the shadows of each look are written as one as well.
     guides
-        Whether the outlines of the set are drawn into the composites, for looking at them.
+        Whether ground, set and feet are drawn as lines into the composites, for looking at them.
+    names
+        How the files are called.
+    anew
+        Files whose pictures are made even where ``skip_existing`` would trust them.
     """
 
     folder: Path
@@ -85,6 +91,8 @@ class ExportRequest:
     receivers: bool = False
     united: bool = False
     guides: bool = False
+    names: FileNames = field(default_factory=FileNames)
+    anew: frozenset[Path] = frozenset()
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:
@@ -171,6 +179,8 @@ class Summary:
         What the user should know, one sentence each.
     counts
         The files by what they are.
+    made
+        The files that are there, in the order in which they were made or found.
     """
 
     files: int
@@ -184,6 +194,7 @@ class Summary:
     seconds: float
     notes: tuple[Message, ...] = ()
     counts: tuple[FileCount, ...] = ()
+    made: tuple[MadeFile, ...] = ()
 
     @property
     def is_whole(self) -> bool:

@@ -7,8 +7,9 @@ from typing import Final
 
 from kagezou.document.model import Document, Layer
 from kagezou.errors import UsageProblem
+from kagezou.export.file_names import Label, NumberedName
 from kagezou.export.layers_of_frame import CLAY_NAMES, OVER, LayerOfFrame
-from kagezou.export.names import digits_for, safe_names
+from kagezou.export.names import safe_names
 from kagezou.export.receivers import receivers_of
 from kagezou.export.request import CLAY, CONTACTS, RECEIVED, RECEIVERS, REFLECTIONS, SHADOWS, TOGETHER, ExportRequest
 from kagezou.export.selection import (
@@ -46,31 +47,30 @@ LAYERED: Final = "layered"
 
 @dataclass(frozen=True, slots=True)
 class OutputSequence:
-    """Numbered files of one subject in a folder of their own.
+    """Numbered files of one subject.
 
     Parameters
     ----------
     subject
         What they show.
     label
-        The name of the folder, and the first part of the files'.
-    folder
-        The folder itself.
-    digits
-        How many the number of each file has.
-    suffix
-        The suffix of the files.
+        What it is called.
+    name
+        How the files are called, and where they lie.
     """
 
     subject: Subject
     label: str
-    folder: Path
-    digits: int
-    suffix: str
+    name: NumberedName
 
-    def file(self, number: int) -> Path:
-        """Return the path of a file."""
-        return self.folder / f"{self.label}_{number:0{self.digits}d}{self.suffix}"
+    @property
+    def folder(self) -> Path:
+        """Where the files lie."""
+        return self.name.folder
+
+    def file(self, frame: int) -> Path:
+        """Return the path of the file for a frame, counted from 1."""
+        return self.name.file(frame)
 
 
 def sequences_of(document: Document, request: ExportRequest) -> tuple[OutputSequence, ...]:
@@ -79,15 +79,18 @@ def sequences_of(document: Document, request: ExportRequest) -> tuple[OutputSequ
     Raises
     ------
     UsageProblem
-        A layer is asked for that the document does not have, or there is nothing to make.
+        A layer is asked for that the document does not have, there is nothing to make, or two sequences would have
+        the same files.
     """
-    layered: list[tuple[str, Subject]] = [(LAYERED, layered_subject(document, request))] if request.layered else []
-    subjects = layered or list(_apart(document, request))
+    whole: list[tuple[Label, Subject]] = []
+    if request.layered:
+        whole.append((Label("", LAYERED), layered_subject(document, request)))
+    subjects = whole or list(_apart(document, request))
     if not subjects:
         raise _nothing()
-    digits = digits_for(document.canvas.length_frames)
+    names = request.names.named([label for label, _ in subjects], document, request.folder, request.suffix)
     return tuple(
-        OutputSequence(each, label, request.folder / label, digits, request.suffix) for label, each in subjects
+        OutputSequence(subject, label.text, name) for (label, subject), name in zip(subjects, names, strict=True)
     )
 
 
@@ -130,7 +133,7 @@ def _named_groups(document: Document, layers: tuple[Layer, ...]) -> Iterator[tup
     """Yield the groups of several of the layers that are laid as one, and what each is called."""
     names = {layer.id: layer.name for layer in layers}
     groups = [group for group in _chosen(cut_groups(document, of_one_color=True).groups, names) if len(group.ids) > 1]
-    yield from zip(_labels(groups, names), groups, strict=True)
+    yield from ((label.text, group) for label, group in zip(_labels(groups, names), groups, strict=True))
 
 
 def _chosen(groups: tuple[CutGroup, ...], names: dict[str, str]) -> list[CutGroup]:
@@ -139,25 +142,25 @@ def _chosen(groups: tuple[CutGroup, ...], names: dict[str, str]) -> list[CutGrou
     return [group for group in kept if group.ids]
 
 
-def _labels(groups: list[CutGroup], names: dict[str, str]) -> list[str]:
+def _labels(groups: list[CutGroup], names: dict[str, str]) -> list[Label]:
     """Return a name for each group: where there are several, each has that of its lowest layer in it.
 
     No other name ends in ``_shadows``.
     """
-    return [UNITED] if len(groups) == 1 else [f"{names[group.ids[0]]}_{UNITED}" for group in groups]
+    return [Label("" if len(groups) == 1 else names[group.ids[0]], UNITED) for group in groups]
 
 
 def _nothing() -> UsageProblem:
     return UsageProblem(Message("there is nothing to render: the project has no visible character layer"))
 
 
-def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Subject]]:
+def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[Label, Subject]]:
     """Yield each sequence that has a folder of its own."""
     layers = chosen_layers(document, request)
     names = safe_names(layer.name for layer in document.layers)
     if request.only in (None, SHADOWS):
         figures = with_shadows(document, request)
-        yield from ((f"{names[layer.name]}_shadow", ShadowSubject(layer.id)) for layer in figures)
+        yield from ((Label(names[layer.name], "shadow"), ShadowSubject(layer.id)) for layer in figures)
     yield from _on_and_beside(document, request, [(layer, names[layer.name]) for layer in layers])
     if request.layers is None:
         yield from _of_set(document, request, names)
@@ -165,32 +168,33 @@ def _apart(document: Document, request: ExportRequest) -> Iterator[tuple[str, Su
         of_layers = {layer.id: names[layer.name] for layer in layers}
         yield from _united(document, of_layers, is_apart=request.only == TOGETHER)
     if request.receivers or request.only == RECEIVERS:
-        yield from ((each.label, each.subject) for each in receivers_of(document))
+        yield from ((Label(each.name, "matte"), each.subject) for each in receivers_of(document))
     if request.composite:
-        yield COMPOSITE, CompositeSubject(request.guides)
+        yield Label("", COMPOSITE), CompositeSubject(request.guides)
 
 
 def _on_and_beside(
     document: Document, request: ExportRequest, named: list[tuple[Layer, str]]
-) -> Iterator[tuple[str, Subject]]:
+) -> Iterator[tuple[Label, Subject]]:
     """Yield what falls on characters, the patches under their feet, and their reflections."""
     if request.only in (None, RECEIVED):
         for layer, name in named:
-            label, ways = f"{name}_received", received_ways(document, layer)
-            yield from ((label + OVER * over, ReceivedSubject(layer.id, way, over)) for over, way in _by_place(ways))
+            for over, way in _by_place(received_ways(document, layer)):
+                yield Label(name, "received" + OVER * over), ReceivedSubject(layer.id, way, over)
     if request.only in (None, CONTACTS):
-        yield from ((f"{name}_contact", ContactSubject(layer.id)) for layer, name in named if ever_has_contact(layer))
+        touching = (each for each in named if ever_has_contact(each[0]))
+        yield from ((Label(name, "contact"), ContactSubject(layer.id)) for layer, name in touching)
     if request.only in (None, REFLECTIONS):
         mirrored = (each for each in named if ever_is_mirrored(each[0]))
-        yield from ((f"{name}_reflection", ReflectionSubject(layer.id)) for layer, name in mirrored)
+        yield from ((Label(name, "reflection"), ReflectionSubject(layer.id)) for layer, name in mirrored)
 
 
-def _of_set(document: Document, request: ExportRequest, names: dict[str, str]) -> Iterator[tuple[str, Subject]]:
+def _of_set(document: Document, request: ExportRequest, names: dict[str, str]) -> Iterator[tuple[Label, Subject]]:
     """Yield the shadow of the set, and sets as they are drawn themselves."""
     if request.only in (None, SHADOWS) and set_ever_casts(document):
-        yield _set_label(document, names), SetShadowSubject()
+        yield Label(_set_name(document, names), "shadow"), SetShadowSubject()
     if request.only in (None, CLAY):
-        yield from ((CLAY_NAMES[is_under], ClaySubject(is_under)) for is_under in ever_clay(document))
+        yield from ((Label("", CLAY_NAMES[is_under]), ClaySubject(is_under)) for is_under in ever_clay(document))
 
 
 def _by_place(ways: tuple[bool, ...]) -> Iterator[tuple[bool, bool]]:
@@ -198,7 +202,7 @@ def _by_place(ways: tuple[bool, ...]) -> Iterator[tuple[bool, bool]]:
     return ((bool(place), way) for place, way in enumerate(ways))
 
 
-def _united(document: Document, names: dict[str, str], *, is_apart: bool) -> Iterator[tuple[str, Subject]]:
+def _united(document: Document, names: dict[str, str], *, is_apart: bool) -> Iterator[tuple[Label, Subject]]:
     """Yield the shadows of each look as one, of the layers in ``names`` (id → name), and those that go together.
 
     With ``is_apart`` these alone, besides groups that are layers of their own.
@@ -208,14 +212,14 @@ def _united(document: Document, names: dict[str, str], *, is_apart: bool) -> Ite
     for label, group in zip(_labels(groups, names), groups, strict=True):
         if group.is_together:
             for over, way in _by_place(group.laid):
-                yield label + OVER * over, TogetherSubject(group.ids, way, over)
+                yield replace(label, kind=label.kind + OVER * over), TogetherSubject(group.ids, way, over)
         elif not is_apart:
             yield label, UnitedSubject(group.ids)
 
 
-def _set_label(document: Document, names: dict[str, str]) -> str:
-    """Return the name of the set's folder and files, which no layer's may be."""
+def _set_name(document: Document, names: dict[str, str]) -> str:
+    """Return the name of the set's files, which no layer's may be."""
     wanted = "set"
     while wanted in names:
         wanted += "_"
-    return f"{safe_names((*(layer.name for layer in document.layers), wanted))[wanted]}_shadow"
+    return safe_names((*(layer.name for layer in document.layers), wanted))[wanted]

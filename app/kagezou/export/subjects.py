@@ -22,9 +22,9 @@ from kagezou.export.layered import LayeredContent
 from kagezou.export.layers_of_frame import LayerOfFrame
 from kagezou.export.mixed_contents import ReceivedContent, TogetherContent
 from kagezou.scene.companions import contact_layer
+from kagezou.scene.guide_lines import guide_lines
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene
-from kagezou.scene.set_outlines import set_lines
 
 SET: Final = "set"
 SET_UNDER: Final = "set_under"
@@ -216,7 +216,7 @@ class ReceiverSubject:
 
 @dataclass(frozen=True, slots=True)
 class CompositeSubject:
-    """Background, shadows and characters in one picture, perhaps with the outlines of the set over them."""
+    """Background, shadows and characters in one picture, perhaps with ground, set and feet as lines over them."""
 
     with_guides: bool = False
 
@@ -227,7 +227,7 @@ class CompositeSubject:
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return the finished picture."""
-        return CompositeContent.of(scene, set_lines(document, frame) if self.with_guides else None)
+        return CompositeContent.of(scene, guide_lines(document, frame) if self.with_guides else None)
 
 
 @dataclass(frozen=True, slots=True)

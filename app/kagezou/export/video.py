@@ -4,7 +4,6 @@ import time
 from contextlib import closing, suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import groupby
 from pathlib import Path
 from typing import Any, Final
 
@@ -14,7 +13,7 @@ from kagezou.export.checks import check_sources
 from kagezou.export.frames import CEL_BUDGET_BYTES, decode, stops_of
 from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
-from kagezou.export.planning import FrameJob, jobs_of
+from kagezou.export.planning import FrameJob, in_order, jobs_of
 from kagezou.export.request import SHADOWS, Cancelled, ExportRequest, Progress
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import OutputSequence, sequences_of
@@ -101,12 +100,7 @@ def video_jobs(document: Document, request: VideoRequest) -> tuple[FrameJob, ...
         The request does not fit the document.
     """
     sequence, frames = _sequence(document, request)
-    shown = [(target, job) for job in jobs_of(document, frames, (sequence,)) for target in job.targets]
-    shown.sort(key=lambda each: each[0].frame)
-    return tuple(
-        replace(run[0][1], targets=tuple(target for target, _ in run))
-        for run in (list(group) for _, group in groupby(shown, key=lambda each: id(each[1])))
-    )
+    return in_order(jobs_of(document, frames, (sequence,)))
 
 
 def _sequence(document: Document, request: VideoRequest) -> tuple[OutputSequence, tuple[int, ...]]:

@@ -3,7 +3,7 @@
 from kagezou.export.ledger import content_hash
 from kagezou.export.pictures import Picture
 from kagezou.export.planning import FrameJob
-from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.atomic import let_go_of_link, write_bytes
 
 
 def write_all(job: FrameJob, picture: Picture) -> str:
@@ -15,6 +15,8 @@ def write_all(job: FrameJob, picture: Picture) -> str:
         A file cannot be written; what was there is still there.
     """
     first, *others = (target.path for target in job.targets)
+    for path in (first, *others):
+        let_go_of_link(path)
     data = picture.write(first)
     for path in others:
         write_bytes(path, data)

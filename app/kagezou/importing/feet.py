@@ -125,6 +125,12 @@ def feet_notes(document: Document, layer_id: str, found: FeetOfLayer) -> tuple[M
             reason=reason.value,
         )
         return (words,)
+    return doubt_notes(document, layer_id)
+
+
+def doubt_notes(document: Document, layer_id: str) -> tuple[Message, ...]:
+    """Return what is said of the drawings of a layer on which it is doubtful which foot carries."""
+    layer = document.layer(layer_id)
     stances = stances_of(document, layer.joins or layer_id)
     doubtful = stances.doubtful if stances is not None and layer.joins is None else ()
     if not doubtful:

@@ -91,6 +91,11 @@ class _Number:
         return self.prefix in _UNNAMED
 
 
+def is_background_name(name: str) -> bool:
+    """Return whether a layer, a file or a folder is called like a background."""
+    return _BACKGROUND.fullmatch(_plain(name)) is not None
+
+
 def characters_in(tree: PsdTree, name: str) -> PsdCharacters:
     """Return what a PSD file called ``name`` brings.
 
@@ -145,7 +150,7 @@ class _Sorting:
             self.hidden.append(node)
             return
         cels = _cels_in(node)
-        if _plain(node.name) and _BACKGROUND.fullmatch(_plain(node.name)) and not cels and _shows(node):
+        if is_background_name(node.name) and not cels and _shows(node):
             self.backgrounds.append(node)
         elif cels:
             self._add(node.name, cels)

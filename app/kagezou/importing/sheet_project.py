@@ -122,9 +122,9 @@ def sources_beside(path: Path, sheet: Timesheet) -> tuple[CharacterSource, ...]:
         if not name or (name in seen and not track.entries):
             continue
         seen.add(name)
-        if (folder := _called(name, folders)) is not None:
+        if (folder := _called(name, folders, path.stem)) is not None:
             found.append(_in_folder(printable(track.name), folder, list(folders.values())))
-        elif (run := _called(name, runs)) is not None:
+        elif (run := _called(name, runs, path.stem)) is not None:
             found.append(CharacterSource(printable(track.name), path.parent, is_timed=True, drawings=run))
         else:
             missing.add(name)
@@ -155,12 +155,14 @@ def _no_drawings(path: Path, sheet: Timesheet) -> InputProblem:
     )
 
 
-def _called(name: str, known: Mapping[str, _Found]) -> _Found | None:
-    """Return what is called so, else the only one whose last word is the name."""
+def _called(name: str, known: Mapping[str, _Found], cut: str) -> _Found | None:
+    """Return what is called so, else the only one whose last word is the name; of several that of the cut's name."""
     if name in known:
         return known[name]
-    ending = [each for title, each in known.items() if re.split(r"[_\-. ]+", title)[-1] == name]
-    return ending[0] if len(ending) == 1 else None
+    ending = {title: each for title, each in known.items() if re.split(r"[_\-. ]+", title)[-1] == name}
+    if len(ending) > 1:
+        ending = {title: each for title, each in ending.items() if title.startswith(_plain(cut))}
+    return next(iter(ending.values())) if len(ending) == 1 else None
 
 
 def _plain(name: str) -> str:

@@ -22,6 +22,7 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.message import Message
 from kagezou.scene.evaluate import camera_at, ground_at, light_at
 from kagezou.scene.figure_card import Moment, card_of
+from kagezou.scene.idle_receivers import idle_receivers
 from kagezou.scene.long_shadows import climbing_words, leaving_words
 from kagezou.scene.overhead import dark_words, joined_words
 from kagezou.scene.pieces import pieces_at
@@ -51,6 +52,8 @@ class MisfitKind(Enum):
     """The head of a long shadow falls beside the picture."""
     CLIMBS = auto()
     """A long shadow runs up the background, whose ground has no perspective."""
+    IDLE = auto()
+    """Something is said to receive what cannot be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +88,8 @@ def misfits_at(document: Document, frame: int) -> tuple[Misfit, ...]:
     on = Moment(document, frame, camera_at(document, frame), ground_at(document, frame))
     shown = [layer for layer in document.layers if layer.joins is None and _is_shown(document, layer, frame)]
     found = ((*_pokes(on, layer), *_slivers(on, layer), *_lighting(on, layer)) for layer in shown)
-    return tuple(misfit for each in found for misfit in each)
+    idle = (Misfit(MisfitKind.IDLE, layer_id, None, words) for layer_id, words in idle_receivers(document))
+    return (*(misfit for each in found for misfit in each), *idle)
 
 
 def misfits_of(document: Document) -> tuple[Misfit, ...]:

@@ -8,7 +8,6 @@ from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
-from kagezou import __version__
 from kagezou.document.model import Document
 from kagezou.io.project.recovery_file import RecoveredWork
 from kagezou.ui.project.autosave import Autosave
@@ -28,6 +27,7 @@ from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.unforeseen import UnforeseenErrors
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.main_window import MainWindow
+from kagezou.version import __version__
 
 _KEEPING = "autosave"
 _RECOVERED = "recovered"

@@ -224,6 +224,10 @@
         <translation>削除(&amp;D)</translation>
     </message>
     <message>
+        <source>&amp;Take From Project…</source>
+        <translation>プロジェクトから取り込む(&amp;T)…</translation>
+    </message>
+    <message>
         <source>Re&amp;name Layer</source>
         <translation>レイヤー名を変更(&amp;N)</translation>
     </message>
@@ -1151,6 +1155,10 @@
         <translation>プロジェクト、タイムシート、PSD、OCA</translation>
     </message>
     <message>
+        <source>Take From Project</source>
+        <translation>プロジェクトから取り込む</translation>
+    </message>
+    <message>
         <source>Whoever saves last wins. The other window is on this computer.</source>
         <translation>後から保存した方が残ります。もう一つのウィンドウはこのコンピューターで開いています。</translation>
     </message>
@@ -1590,6 +1598,10 @@
     <message>
         <source>Every file that was written before is whole and stays.</source>
         <translation>それまでに書き出したファイルはどれも完全で、そのまま残ります。</translation>
+    </message>
+    <message>
+        <source>Finishing the export</source>
+        <translation>書き出しの仕上げ中</translation>
     </message>
     <message>
         <source>Exporting, %1 s left</source>
@@ -4639,10 +4651,6 @@ Drop a folder of cels here.</source>
         <translation>画面でのレイヤーのラベルの色。</translation>
     </message>
     <message>
-        <source>The farm renders the saved project, into {output}: save it before you send the job.</source>
-        <translation>ファームは保存済みのプロジェクトを {output} に書き出します。ジョブを送る前に保存してください。</translation>
-    </message>
-    <message>
         <source>The lamp moves by whole steps of this length, so that pixel art does not shimmer; 0 moves freely.</source>
         <translation>ライトがこの長さの刻みで動き、ドット絵の影がちらつきません。0 で自由に動きます。</translation>
     </message>
@@ -4661,10 +4669,6 @@ Drop a folder of cels here.</source>
     <message>
         <source>The number of the scene, which may have letters.</source>
         <translation>シーン番号（文字も使えます）。</translation>
-    </message>
-    <message>
-        <source>The number that the window shows for the first frame; files and --frame count from 1.</source>
-        <translation>画面で先頭のフレームに表示する番号。ファイルと --frame は 1 から数えます。</translation>
     </message>
     <message>
         <source>The point of the drawing that is laid on the position; drawings turn and grow about it.</source>
@@ -5039,8 +5043,30 @@ Drop a folder of cels here.</source>
         <translation>壊れています：インスタンサーが存在しないものを参照しています</translation>
     </message>
     <message>
+        <source>; kagezou style lists them</source>
+        <translation>。一覧は kagezou style です</translation>
+    </message>
+    <message>
         <source>A column for each layer; effects in the schematic have its blend mode and its opacity.</source>
         <translation>レイヤーごとに列ができます。描画モードと不透明度はスケマティックのエフェクトにあります。</translation>
+    </message>
+    <message>
+        <source>All cuts</source>
+        <translation>すべてのカット</translation>
+    </message>
+    <message>
+        <source>Cuts of {name}</source>
+        <translation>{name} のカット</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <comment>cuts that are shown</comment>
+        <translation>要確認</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <comment>cuts that are shown</comment>
+        <translation>失敗</translation>
     </message>
     <message>
         <source>In Fusion: File &gt; Open…, and choose {file}; DaVinci Resolve imports it as a Fusion composition.</source>
@@ -5049,6 +5075,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>In OpenToonz: File &gt; Load Scene…, and choose {file}.</source>
         <translation>OpenToonz：File &gt; Load Scene… で {file} を選びます。</translation>
+    </message>
+    <message>
+        <source>Kagezou, {time}</source>
+        <translation>Kagezou&#x3000;{time}</translation>
+    </message>
+    <message>
+        <source>Kagezou, {time}; still being made, this page renews itself</source>
+        <translation>Kagezou&#x3000;{time}（処理中です。このページは自動で更新されます）</translation>
     </message>
     <message>
         <source>Lamp</source>
@@ -5064,20 +5098,132 @@ Drop a folder of cels here.</source>
         <translation>OpenToonz</translation>
     </message>
     <message>
+        <source>Order</source>
+        <comment>of cuts</comment>
+        <translation>並び順</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <comment>a link</comment>
+        <translation>出力</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <comment>a link</comment>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
         <source>The blend mode of each is its attribute kagezou:blend; laid in sRGB, not in linear light, they make the picture.</source>
         <translation>各パートの合成モードは属性 kagezou:blend にあります。リニアではなく sRGB で重ねると、元の画になります。</translation>
+    </message>
+    <message>
+        <source>The farm calls {program} and renders the saved project into {output}: save before you send the job.</source>
+        <translation>ファームは {program} を起動し、保存済みのプロジェクトを {output} にレンダリングします。ジョブを送る前に保存してください。</translation>
+    </message>
+    <message>
+        <source>The number that the first frame bears in the window and in files; --frame and --frames count from 1.</source>
+        <translation>ウィンドウとファイルで先頭フレームに付く番号です。--frame と --frames は常に 1 から数えます。</translation>
+    </message>
+    <message>
+        <source>There are no cuts.</source>
+        <translation>カットがありません。</translation>
+    </message>
+    <message>
+        <source>With remarks</source>
+        <comment>cuts that are shown</comment>
+        <translation>メモあり</translation>
     </message>
     <message>
         <source>a frame may take 1 to {most_minutes} minutes, not {minutes}</source>
         <translation>1 フレームにかけられる時間は 1〜{most_minutes} 分です（指定: {minutes}）</translation>
     </message>
     <message>
+        <source>a job has at most {most} cuts, not {cuts}; make several</source>
+        <translation>ひとつのジョブは {most} カットまでです（{cuts} カットあります）。いくつかに分けてください</translation>
+    </message>
+    <message>
+        <source>a number has 1 to {most} digits, not {digits}</source>
+        <translation>番号の桁数は 1 から {most} までです（{digits} は使えません）</translation>
+    </message>
+    <message>
         <source>a scene with a column for each layer</source>
         <translation>レイヤーごとに列を持つシーン</translation>
     </message>
     <message>
+        <source>as they were given</source>
+        <translation>指定した順</translation>
+    </message>
+    <message>
+        <source>being made</source>
+        <comment>a cut</comment>
+        <translation>処理中</translation>
+    </message>
+    <message>
+        <source>cuts</source>
+        <translation>カット</translation>
+    </message>
+    <message>
+        <source>failed ones first</source>
+        <translation>失敗したものから</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>a cut</comment>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>cuts</comment>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>file names {pattern!r}: a brace has no partner</source>
+        <translation>ファイル名 {pattern!r}：波かっこの対応が取れていません</translation>
+    </message>
+    <message>
+        <source>file names {pattern!r}: the digits of a number are said twice</source>
+        <translation>ファイル名 {pattern!r}：番号の桁数が二重に指定されています</translation>
+    </message>
+    <message>
+        <source>file names {pattern!r}: the name of the file needs {{frame}} once</source>
+        <translation>ファイル名 {pattern!r}：ファイル名の部分に {{frame}} が 1 回必要です</translation>
+    </message>
+    <message>
+        <source>file names {pattern!r}: there is no word {word!r}, only {known}</source>
+        <translation>ファイル名 {pattern!r}：{word!r} という語はありません。使えるのは {known} です</translation>
+    </message>
+    <message>
+        <source>file names {pattern!r}: this is no place under the output folder</source>
+        <translation>ファイル名 {pattern!r}：出力フォルダーの中の場所になりません</translation>
+    </message>
+    <message>
+        <source>file names {pattern!r}: {one} and {other} would have the same files; {{layer}} and {{kind}} tell them apart</source>
+        <translation>ファイル名 {pattern!r}：{one} と {other} が同じファイルになります。{{layer}} と {{kind}} で区別してください</translation>
+    </message>
+    <message>
+        <source>files are numbered from 0 to {most}, not from {first}</source>
+        <translation>ファイルの開始番号は 0 から {most} までです（{first} は使えません）</translation>
+    </message>
+    <message>
+        <source>frame {frame}: doubtful</source>
+        <translation>フレーム {frame}：要確認</translation>
+    </message>
+    <message>
         <source>frames are counted from 1 in OpenToonz: its frame 1 is frame {first} here</source>
         <translation>OpenToonz ではフレームを 1 から数えます。OpenToonz のフレーム 1 はここではフレーム {first} です</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <comment>of all cuts</comment>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>handed on to {hook}</source>
+        <translation>{hook} に渡しました</translation>
+    </message>
+    <message>
+        <source>handed on to {hook}: {said}</source>
+        <translation>{hook} に渡しました：{said}</translation>
     </message>
     <message>
         <source>it does not say its {name}; {usual} was taken</source>
@@ -5192,6 +5338,10 @@ Drop a folder of cels here.</source>
         <translation>要素 {names} は使いません</translation>
     </message>
     <message>
+        <source>its files changed while it was made, so it is made again the next time</source>
+        <translation>作っている間にファイルが変わったため、次回もう一度作ります</translation>
+    </message>
+    <message>
         <source>its fourth channel, of which it does not say what it is, was taken as alpha</source>
         <translation>用途の指定がない 4 番目のチャンネルをアルファとみなしました</translation>
     </message>
@@ -5234,6 +5384,18 @@ Drop a folder of cels here.</source>
     <message>
         <source>its morph targets are used with the weights that the file sets at first</source>
         <translation>モーフターゲットには、ファイルの初期ウェイトを使います</translation>
+    </message>
+    <message>
+        <source>its process ended with exit code {code}: {said}</source>
+        <translation>処理が終了コード {code} で終わりました：{said}</translation>
+    </message>
+    <message>
+        <source>its process was ended by {signal}</source>
+        <translation>処理が {signal} で強制終了しました</translation>
+    </message>
+    <message>
+        <source>its project was changed by hand: it stays as it is, and the output is made of it</source>
+        <translation>プロジェクトが手で変更されています。そのまま残し、出力はそこから作りました</translation>
     </message>
     <message>
         <source>its second channel, of which it does not say what it is, was taken as alpha</source>
@@ -5300,6 +5462,16 @@ Drop a folder of cels here.</source>
         <translation>layers.{layer}：セルごとに紙の扱いが違います</translation>
     </message>
     <message>
+        <source>left alone</source>
+        <comment>cuts</comment>
+        <translation>変更なし</translation>
+    </message>
+    <message>
+        <source>left alone, as nothing changed</source>
+        <comment>a cut</comment>
+        <translation>変更がないため、そのまま</translation>
+    </message>
+    <message>
         <source>left out, as they are cut to what is below them: {names}</source>
         <translation>下のレイヤーでクリッピングされているため読み込みませんでした：{names}</translation>
     </message>
@@ -5348,6 +5520,16 @@ Drop a folder of cels here.</source>
         <translation>画像の中で平行な線からは画角が分かりません：{fov}° のままです</translation>
     </message>
     <message>
+        <source>made</source>
+        <comment>a cut</comment>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>made</source>
+        <comment>cuts</comment>
+        <translation>完成</translation>
+    </message>
+    <message>
         <source>markers and notes behind the new end: {count}</source>
         <translation>新しい終わりより後ろのマーカーとメモ：{count} 個</translation>
     </message>
@@ -5392,8 +5574,20 @@ Drop a folder of cels here.</source>
         <translation>統合画像が保存されていないため、レイヤーを比べられませんでした</translation>
     </message>
     <message>
+        <source>no shadow is seen: ground.receives is off, and no set piece receives</source>
+        <translation>影が見えません：地面の「影を受ける」がオフで、影を受けるセットもありません</translation>
+    </message>
+    <message>
+        <source>not handed on to {hook}, as the export is not whole</source>
+        <translation>書き出しが完全でないため、{hook} には渡していません</translation>
+    </message>
+    <message>
         <source>not meant by the pattern: {names}</source>
         <translation>パターンに合わないため使わなかったもの：{names}</translation>
+    </message>
+    <message>
+        <source>not taken: {parts}</source>
+        <translation>取り込みなし：{parts}</translation>
     </message>
     <message>
         <source>not used of it: {names} and {count} more</source>
@@ -5414,6 +5608,14 @@ Drop a folder of cels here.</source>
     <message>
         <source>nothing is drawn</source>
         <translation>何も描かれていません</translation>
+    </message>
+    <message>
+        <source>nothing is known of it: it was not made here, or the machine that did left no word</source>
+        <translation>記録がありません。ここで作られていないか、作ったマシンが記録を残していません</translation>
+    </message>
+    <message>
+        <source>nothing moved in it for too long, so it was ended</source>
+        <translation>長い間まったく進まなかったため、終了させました</translation>
     </message>
     <message>
         <source>numbered frames for any compositing program</source>
@@ -5442,6 +5644,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>of two with one number only one counts: {names}</source>
         <translation>同じ番号のものは一方だけを使います：{names}</translation>
+    </message>
+    <message>
+        <source>of work, cut by cut</source>
+        <translation>処理時間の合計</translation>
     </message>
     <message>
         <source>one PSD or EXR a frame with all layers, to paint on</source>
@@ -5536,12 +5742,26 @@ Drop a folder of cels here.</source>
         <translation>静止</translation>
     </message>
     <message>
+        <source>still to be made</source>
+        <comment>cuts</comment>
+        <translation>未完成</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <comment>a cut</comment>
+        <translation>中断</translation>
+    </message>
+    <message>
         <source>stops at its neighbour; Alt or A goes over it</source>
         <translation>隣で止まります（Alt か A で越えます）</translation>
     </message>
     <message>
         <source>taken as one, of which the newest counts: {names}; older drawings: {old}</source>
         <translation>同じものの版とみなし最新のものを使います：{names}（使わない古いセル：{old} 枚）</translation>
+    </message>
+    <message>
+        <source>taken from {name}: {parts}</source>
+        <translation>{name} から取り込み：{parts}</translation>
     </message>
     <message>
         <source>the anchor of {layer!r} moves by eases for x and for y, which After Effects has not for anchors; it has keys on its frames instead</source>
@@ -5552,12 +5772,20 @@ Drop a folder of cels here.</source>
         <translation>カメラは新しい画面の中央を向くため、遠近のある影が少し変わります</translation>
     </message>
     <message>
+        <source>the command {command!r} has no end: {cause}</source>
+        <translation>コマンド {command!r} が途中で切れています：{cause}</translation>
+    </message>
+    <message>
         <source>the control Height does not move {names}</source>
         <translation>コントロール「Height」では {names} は動きません</translation>
     </message>
     <message>
         <source>the cut ends here</source>
         <translation>カットはここで終わりです</translation>
+    </message>
+    <message>
+        <source>the export is whole, but {what}</source>
+        <translation>書き出しは完全ですが、{what}</translation>
     </message>
     <message>
         <source>the extensions {names} are not used</source>
@@ -5644,12 +5872,20 @@ Drop a folder of cels here.</source>
         <translation>USD を読むプロセスを起動できません</translation>
     </message>
     <message>
+        <source>the same already: {parts}</source>
+        <translation>すでに同じ：{parts}</translation>
+    </message>
+    <message>
         <source>the set is made of {count} parts, more than the {most} that are drawn while you work: left out here, but not of what is exported: {names}</source>
         <translation>セットは {count} 個の部分からできていて、作業中に描ける {most} 個を超えています。ここでは省きますが、書き出しには入ります：{names}</translation>
     </message>
     <message>
         <source>the sides have another proportion: what was the picture is now the middle {width} × {height} px</source>
         <translation>縦横比が異なるため、これまでの画面は中央の {width} × {height} px になります</translation>
+    </message>
+    <message>
+        <source>the slowest first</source>
+        <translation>時間のかかった順</translation>
     </message>
     <message>
         <source>the soft edges of drawn shapes are not done: {names}</source>
@@ -5674,6 +5910,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>there is no character in it whose look could be taken</source>
         <translation>見た目を取り込めるキャラクターがありません</translation>
+    </message>
+    <message>
+        <source>there is no drawing</source>
+        <translation>セルがありません</translation>
     </message>
     <message>
         <source>there is no layer {address!r} in it, but there are: {names}</source>
@@ -5708,6 +5948,10 @@ Drop a folder of cels here.</source>
         <translation>このプロジェクトにプロパティ {path!r} はありません（{near} ではありませんか？）</translation>
     </message>
     <message>
+        <source>there is no style {style!r}{hint}</source>
+        <translation>スタイル {style!r} はありません{hint}</translation>
+    </message>
+    <message>
         <source>there is no such layer</source>
         <translation>そのようなレイヤーはありません</translation>
     </message>
@@ -5722,6 +5966,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>there is nothing to render: the project has no visible character layer</source>
         <translation>レンダリングするものがありません。表示されているキャラクターのレイヤーがありません</translation>
+    </message>
+    <message>
+        <source>there is only a background in it</source>
+        <translation>背景しかありません</translation>
     </message>
     <message>
         <source>these lines cannot be square to each other on one floor</source>
@@ -5776,6 +6024,11 @@ Drop a folder of cels here.</source>
         <translation>動画</translation>
     </message>
     <message>
+        <source>waiting</source>
+        <comment>a cut</comment>
+        <translation>待機中</translation>
+    </message>
+    <message>
         <source>what could be its alpha is 0 everywhere and was taken as unused</source>
         <translation>アルファらしきチャンネルが全面 0 のため、使われていないものとみなしました</translation>
     </message>
@@ -5798,6 +6051,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>what was written reads otherwise</source>
         <translation>書き込んだ内容と読み込んだ内容が一致しません</translation>
+    </message>
+    <message>
+        <source>with doubtful drawings</source>
+        <translation>要確認のセルあり</translation>
     </message>
     <message>
         <source>with {megabytes} MB it is larger than can be read</source>
@@ -5838,6 +6095,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{count} drawings</source>
         <translation>セル {count} 枚</translation>
+    </message>
+    <message>
+        <source>{count} frames at {rate} fps</source>
+        <translation>{count} フレーム・{rate} fps</translation>
     </message>
     <message>
         <source>{count} keyed properties got a key on frame {frame}: {names}</source>
@@ -5892,6 +6153,14 @@ Drop a folder of cels here.</source>
         <translation>頂点が数値でない三角形が {count} 個あり、省きます</translation>
     </message>
     <message>
+        <source>{count} {kind}</source>
+        <translation>{kind} {count}</translation>
+    </message>
+    <message>
+        <source>{failed} of {files} frames failed</source>
+        <translation>{files} フレーム中 {failed} フレームが失敗しました</translation>
+    </message>
+    <message>
         <source>{figure} pokes through {piece} on frame {frame}, which cuts its shadow: more room behind the figure, or upright = 1, keeps it whole</source>
         <translation>フレーム {frame} で {figure} が {piece} を突き抜けていて、影が切れます：キャラクターの後ろをもっと空けるか、upright = 1 にすると切れません</translation>
     </message>
@@ -5904,8 +6173,16 @@ Drop a folder of cels here.</source>
         <translation>{figure}：フレーム {frame} では接地点が 2 つあるため、影が 1 点のときの {percent:.0f} % しか残りません。足または接地点 1 つなら保たれます</translation>
     </message>
     <message>
+        <source>{folder}: it holds {name}, which is no part of a bundle; a bundle needs a folder of its own</source>
+        <translation>{folder}：バンドルではない {name} が入っています。バンドルには専用のフォルダーが必要です</translation>
+    </message>
+    <message>
         <source>{folder}: the drawings of {layer!r} lie there themselves and would be replaced by their copies; please choose another folder</source>
         <translation>{folder}：{layer!r} のセルそのものがここにあり、コピーで置き換えられてしまいます。別のフォルダーを選んでください</translation>
+    </message>
+    <message>
+        <source>{folder}: the job renders there; its bundle needs a folder of its own</source>
+        <translation>{folder}：ジョブの出力先です。バンドルには専用のフォルダーが必要です</translation>
     </message>
     <message>
         <source>{folder}: the pictures of the background lie there themselves and would be replaced by their copies; please choose another folder</source>
@@ -5928,12 +6205,32 @@ Drop a folder of cels here.</source>
         <translation>{frame!r}、{component!r} はフレームと成分（1 からの整数）ではありません</translation>
     </message>
     <message>
+        <source>{hook} cannot be run: {cause}</source>
+        <translation>{hook} を実行できません：{cause}</translation>
+    </message>
+    <message>
+        <source>{hook} failed with code {code}</source>
+        <translation>{hook} が終了コード {code} で失敗しました</translation>
+    </message>
+    <message>
+        <source>{hook} failed with code {code}: {said}</source>
+        <translation>{hook} がコード {code} で失敗しました：{said}</translation>
+    </message>
+    <message>
+        <source>{hook} was stopped; the export is whole</source>
+        <translation>{hook} を止めました。書き出しは完全です</translation>
+    </message>
+    <message>
         <source>{label!r} is no colour of a label: {known}</source>
         <translation>{label!r} はラベルの色ではありません：{known}</translation>
     </message>
     <message>
         <source>{layer} has vector shapes that cannot be drawn</source>
         <translation>{layer} に描画できないベクターシェイプがあります</translation>
+    </message>
+    <message>
+        <source>{layer}: receives is on, but there is no other character whose shadow could fall on it</source>
+        <translation>{layer}：「影を受ける」がオンですが、影を落とすほかのキャラクターがいません</translation>
     </message>
     <message>
         <source>{layer}: the length of wave {number} is keyed, so that the cut does not loop</source>
@@ -5980,6 +6277,10 @@ Drop a folder of cels here.</source>
         <translation>{names}：フレーム {frame} の見た目を、キーなしで取り込みました</translation>
     </message>
     <message>
+        <source>{names}: there is no cut in it</source>
+        <translation>{names}：カットがありません</translation>
+    </message>
+    <message>
         <source>{name} cannot be a part of its own figure</source>
         <translation>{name} は自分自身のキャラクターの部分にはできません</translation>
     </message>
@@ -6002,6 +6303,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{name} {value}{unit}</source>
         <translation>{name} {value}{unit}</translation>
+    </message>
+    <message>
+        <source>{name}: a drawing changed; its feet are those in the project (kagezou feet finds them anew)</source>
+        <translation>{name}：セルが変わりました。足はプロジェクトのものを使っています（kagezou feet で探し直せます）</translation>
     </message>
     <message>
         <source>{name}: a layer holds one character; left out: {names}</source>
@@ -6152,6 +6457,14 @@ Drop a folder of cels here.</source>
         <translation>{path}：「{path_suffix}」では書き出せません。使えるのは {formats} です</translation>
     </message>
     <message>
+        <source>{path}: a folder of cuts in a folder of cuts is not looked into; name it itself</source>
+        <translation>{path}：カットのフォルダーの中にあるカットのフォルダーは読みません。直接指定してください</translation>
+    </message>
+    <message>
+        <source>{path}: a job is not written among the cuts that it makes</source>
+        <translation>{path}：ジョブは、それが作るカットのフォルダーの中には書き込めません</translation>
+    </message>
+    <message>
         <source>{path}: a project cannot name files of a network share it does not lie on; give the share a drive letter or save the project there</source>
         <translation>{path}：プロジェクトは別のネットワーク共有にあるファイルを指せません。共有にドライブ文字を割り当てるか、プロジェクトをそこに保存してください</translation>
     </message>
@@ -6166,6 +6479,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: adjustment layers over drawings are not used: {names}</source>
         <translation>{path}：セルの上の調整レイヤーは使いません：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: beside cuts, and none itself: {names}</source>
+        <translation>{path}：カットの隣にあり、カットではないもの：{names}</translation>
     </message>
     <message>
         <source>{path}: beside it there are no drawings of its columns ({names}): neither folders of these names nor pictures such as A_0001.png nor PSD files with such groups</source>
@@ -6192,8 +6509,20 @@ Drop a folder of cels here.</source>
         <translation>{path}：すべてのレイヤーが非表示か空です</translation>
     </message>
     <message>
+        <source>{path}: it is a drawing of the project and is not written over</source>
+        <translation>{path}：プロジェクトのセルなので上書きしません</translation>
+    </message>
+    <message>
         <source>{path}: it is open in a window on {host}, which will ask before it saves over this</source>
         <translation>{path}：{host} のウィンドウで開かれています。そこで保存するときに、上書きするか確認が出ます</translation>
+    </message>
+    <message>
+        <source>{path}: it means nothing for the kind {kind}</source>
+        <translation>{path}：種類 {kind} では意味がありません</translation>
+    </message>
+    <message>
+        <source>{path}: its values are held, and none lies between two of them</source>
+        <translation>{path}：値はホールドされ、二つの値のあいだはありません</translation>
     </message>
     <message>
         <source>{path}: its {count} pages are its drawings, a frame each</source>
@@ -6240,6 +6569,10 @@ Drop a folder of cels here.</source>
         <translation>{path}：見つからないセルはここにもありません：{names}</translation>
     </message>
     <message>
+        <source>{path}: not taken into the cut: {names}</source>
+        <translation>{path}：カットに取り込まなかったもの：{names}</translation>
+    </message>
+    <message>
         <source>{path}: not there: {names}</source>
         <translation>{path}：ここにないもの：{names}</translation>
     </message>
@@ -6260,6 +6593,10 @@ Drop a folder of cels here.</source>
         <translation>{path}：セルが見つかりません</translation>
     </message>
     <message>
+        <source>{path}: the folder of this cut is empty</source>
+        <translation>{path}：このカットのフォルダーは空です</translation>
+    </message>
+    <message>
         <source>{path}: the kept work is damaged: {cause}</source>
         <translation>{path}：退避した作業が壊れています：{cause}</translation>
     </message>
@@ -6268,8 +6605,16 @@ Drop a folder of cels here.</source>
         <translation>{path}：背景がすでにあるため、レイヤー {layer!r} は読み込みませんでした</translation>
     </message>
     <message>
+        <source>{path}: the output would lie among the drawings of this cut; give it another folder</source>
+        <translation>{path}：出力先がこのカットのセルの中になります。別のフォルダーを指定してください</translation>
+    </message>
+    <message>
         <source>{path}: the set is missing</source>
         <translation>{path}：セットが見つかりません</translation>
+    </message>
+    <message>
+        <source>{path}: there is a cut of its name, so it is made as {name}</source>
+        <translation>{path}：同じ名前のカットがあるため、{name} として作ります</translation>
     </message>
     <message>
         <source>{path}: there is no camera {camera!r} in it, only none at all</source>
@@ -6278,6 +6623,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: there is no camera {camera!r} in it, only {known}</source>
         <translation>{path}：カメラ {camera!r} はありません。あるのは {known} です</translation>
+    </message>
+    <message>
+        <source>{path}: there is no key before frame {frame} to ease from</source>
+        <translation>{path}：フレーム {frame} より前に、イーズの始まりになるキーがありません</translation>
     </message>
     <message>
         <source>{path}: there is no sheet {which!r} in it, but {names}</source>
@@ -6304,6 +6653,10 @@ Drop a folder of cels here.</source>
         <translation>{path}: {note}</translation>
     </message>
     <message>
+        <source>{path}: {text!r} is not JSON: a number, true, &quot;word&quot;, x,y or [x, y] or [[x, y], ...]</source>
+        <translation>{path}：{text!r} は JSON ではありません（数、true、&quot;word&quot;、x,y、[x, y]、[[x, y], ...]）</translation>
+    </message>
+    <message>
         <source>{path}: {text!r} is not a whole number</source>
         <translation>{path}：{text!r} は整数ではありません</translation>
     </message>
@@ -6322,6 +6675,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{place}: {cause}</source>
         <translation>{place}：{cause}</translation>
+    </message>
+    <message>
+        <source>{problem} ({lost})</source>
+        <translation>{problem}（{lost}）</translation>
     </message>
     <message>
         <source>{reason}</source>
@@ -6346,6 +6703,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{style}: {count} properties changed</source>
         <translation>{style}：プロパティ {count} 個を変更しました</translation>
+    </message>
+    <message>
+        <source>{text!r} cannot be named in a job: it has braces</source>
+        <translation>{text!r} には波かっこがあるため、ジョブに書けません</translation>
     </message>
     <message>
         <source>{text!r} is not a number; type 12.5, *2, /3, +10, -=10 or 50%</source>
@@ -6374,6 +6735,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{value} is not {wanted}</source>
         <translation>{value} は使えません（使えるのは {wanted}）</translation>
+    </message>
+    <message>
+        <source>{variable}: {path}: {cause}</source>
+        <translation>{variable}：{path}：{cause}</translation>
     </message>
     <message>
         <source>{wanted}, each within ±{most_coordinate_px:g}</source>
@@ -6467,6 +6832,33 @@ Drop a folder of cels here.</source>
     <message>
         <source>3.  When it is done, close this window: the part is there at once.</source>
         <translation>3.  終わったらこのウィンドウを閉じます。すぐに使えます。</translation>
+    </message>
+</context>
+<context>
+    <name>NamingRows</name>
+    <message>
+        <source>File names</source>
+        <translation>ファイル名</translation>
+    </message>
+    <message>
+        <source>Folders and name of a file: {layer}, {kind}, {name}, {scene}, {cut} and, once, {frame}; {frame:04d} says its digits.</source>
+        <translation>フォルダーとファイル名の書式：{layer}、{kind}、{name}、{scene}、{cut}、それに {frame} を 1 回。{frame:04d} のように桁数を書けます。</translation>
+    </message>
+    <message>
+        <source>as in the cut (%1)</source>
+        <translation>カットと同じ（%1）</translation>
+    </message>
+    <message>
+        <source>Number of the first frame</source>
+        <translation>先頭フレームの番号</translation>
+    </message>
+    <message>
+        <source>The number in the file of the cut&apos;s first frame, such as 1001.</source>
+        <translation>カットの先頭フレームのファイルに付く番号です。例：1001</translation>
+    </message>
+    <message>
+        <source>First number</source>
+        <translation>開始番号</translation>
     </message>
 </context>
 <context>
@@ -6644,6 +7036,14 @@ Drop a folder of cels here.</source>
         <translation>カスタム…</translation>
     </message>
     <message>
+        <source>a command, if any</source>
+        <translation>コマンド（任意）</translation>
+    </message>
+    <message>
+        <source>It runs when everything of an export is there, with a JSON file that says what was made.</source>
+        <translation>書き出しがすべて終わると実行します。何を書き出したかを記した JSON ファイルを渡します。</translation>
+    </message>
+    <message>
         <source>Colour around the picture</source>
         <translation>画面の周囲の色</translation>
     </message>
@@ -6686,6 +7086,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Unsaved work</source>
         <translation>未保存の作業</translation>
+    </message>
+    <message>
+        <source>After an export</source>
+        <translation>書き出しのあと</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6785,6 +7189,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>Choices of your own</source>
         <translation>カスタム設定</translation>
+    </message>
+    <message>
+        <source>%1 (studio)</source>
+        <translation>%1（スタジオ）</translation>
     </message>
     <message>
         <source>Choose one of your presets first.</source>
@@ -7427,6 +7835,10 @@ Drop a folder of cels here.</source>
         <translation>セット</translation>
     </message>
     <message>
+        <source>%1 (studio)</source>
+        <translation>%1（スタジオ）</translation>
+    </message>
+    <message>
         <source>Search by name or keys</source>
         <translation>名前またはキーで検索</translation>
     </message>
@@ -7602,6 +8014,18 @@ Drop a folder of cels here.</source>
         <translation>スタイル %1 を上書きしました</translation>
     </message>
     <message>
+        <source>Has a light of its own</source>
+        <translation>専用のライトがあります</translation>
+    </message>
+    <message>
+        <source>Of the studio: %1</source>
+        <translation>スタジオのもの：%1</translation>
+    </message>
+    <message>
+        <source>%1 (studio)</source>
+        <translation>%1（スタジオ）</translation>
+    </message>
+    <message>
         <source>With its light</source>
         <translation>ライトも使う</translation>
     </message>
@@ -7653,6 +8077,77 @@ Drop a folder of cels here.</source>
     <message>
         <source>Pick a colour</source>
         <translation>色を選択</translation>
+    </message>
+</context>
+<context>
+    <name>TakingDialog</name>
+    <message>
+        <source>Take from %1</source>
+        <translation>%1 から取り込む</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>取り込む</translation>
+    </message>
+    <message>
+        <source>Characters that get a look</source>
+        <translation>見た目を取り込むキャラクター</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>キャラクター</translation>
+    </message>
+    <message>
+        <source>Looks like</source>
+        <translation>見た目の元</translation>
+    </message>
+    <message>
+        <source>It is locked</source>
+        <translation>ロックされています</translation>
+    </message>
+    <message>
+        <source>What will change</source>
+        <translation>変わること</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>ライト(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The light with its keys, and whether shadows unite</source>
+        <translation>ライトとそのキー、影をひとつにまとめるか</translation>
+    </message>
+    <message>
+        <source>L&amp;ooks</source>
+        <translation>見た目(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The looks of the characters&apos; shadows</source>
+        <translation>キャラクターの影の見た目</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>地面(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The ground with its keys, and the camera&apos;s field of view</source>
+        <translation>地面とそのキー、カメラの画角</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>セット(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The set pieces, in the place of those there are</source>
+        <translation>セットの部品（今あるものと入れ替わります）</translation>
+    </message>
+    <message>
+        <source>Take from project</source>
+        <translation>プロジェクトから取り込む</translation>
     </message>
 </context>
 <context>

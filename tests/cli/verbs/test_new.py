@@ -58,3 +58,29 @@ def test_one_of_several_sheets_is_chosen(shell: Shell, tmp_path: Path) -> None:
         assert any(f"of its 2 sheets {used} is used" in line for line in lines_of(shell))
         assert shell.json("info", tmp_path / "p.kage", "--json")["last_frame"] == length
     assert "no sheet 'three' in it" in shell.fails(3, *words, "--sheet", "three")
+
+
+def test_a_template_gives_canvas_light_look_ground_set_and_first_number(shell: Shell, tmp_path: Path) -> None:
+    like = tmp_path / "show.kage"
+    shell.ok("new", "--no-feet", like, "--character", f"B={make_drawings(tmp_path / 'b', 2)}", "--size", "200x100")
+    assert shell("set", like, "canvas.fps=25", "canvas.first_frame=1001", "canvas.name=Show", "canvas.cut=12") == 0
+    assert shell("set", like, "light.kind=sun", "layers.B.shadow.opacity=0.25", "ground.roll=3") == 0
+    assert shell("piece", like, "add", "Wall", "wall") == 0
+    made = tmp_path / "new.kage"
+    shell("new", made, "--character", f"A={make_drawings(tmp_path / 'a', 3)}", "--template", like)
+    values = {
+        path: shell.json("get", made, path)
+        for path in ("canvas.size", "canvas.fps", "canvas.first_frame", "canvas.name", "canvas.cut", "light.kind")
+    }
+    assert list(values.values()) == ["200x100", "25", 1001, "Show", "", "sun"]
+    assert shell.json("get", made, "layers.A.shadow.opacity") == 0.25
+    assert shell.json("get", made, "ground.roll") == 3
+    assert "Wall" in shell.ok("piece", made, "list")
+    sized = tmp_path / "sized.kage"
+    shell("new", sized, "--character", f"A={tmp_path / 'a'}", "--template", like, "--size", "64x48", "--fps", "24")
+    assert (shell.json("get", sized, "canvas.size"), shell.json("get", sized, "canvas.fps")) == ("64x48", "24")
+
+
+def test_a_template_that_is_not_there(shell: Shell, tmp_path: Path) -> None:
+    words = ["--character", f"A={make_drawings(tmp_path / 'a', 1)}", "--template", tmp_path / "no.kage"]
+    assert "no.kage" in shell.fails(7, "new", tmp_path / "p.kage", *words)

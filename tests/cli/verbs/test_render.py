@@ -3,6 +3,7 @@
 import io
 import json
 import subprocess
+import sys
 from itertools import pairwise
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from kagezou.errors import GraphicsProblem
 from kagezou.io.images.reading import read_cel
 from kagezou.message import Message
 from kagezou.render.gpu.context import GraphicsContext
+from tests.batch.cut_folders import timesheet
 from tests.cli.projects import Shell, make_drawings
 
 
@@ -269,6 +271,7 @@ def test_doctor_names_the_packages_of_missing_libraries(monkeypatch: pytest.Monk
         "window": {"qt_platforms": [], "missing_libraries": ["libglib-2.0.so.0", "libxcb-cursor.so.0"]},
         "formats": {"png": "it cannot be used: no"},
         "folders": {"state": "/x cannot be written to: no"},
+        "studio": {},
     }
     said = list(examination.advice(report, can_render=True))
     assert any(line.endswith("libglib2.0-0t64 libxcb-cursor0") for line in said)
@@ -277,3 +280,77 @@ def test_doctor_names_the_packages_of_missing_libraries(monkeypatch: pytest.Monk
     assert any(line.startswith("state: ") for line in said)
     release["VERSION_ID"] = "22.04"
     assert any("libglib2.0-0 " in line for line in examination.advice(report, can_render=True))
+
+
+def test_watching_goes_on_until_it_is_stopped(project: Path, tmp_path: Path) -> None:
+    progress, out = tmp_path / "progress", tmp_path / "out"
+    words = ["render", project, "-o", out, "--watch", "--json", "--progress-file", progress]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "kagezou", *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    first = json.loads(process.stdout.readline())
+    assert (first["changed"], first["written"]) == ([], 3)
+    make_drawings(tmp_path / "hero", count=1, size=(64, 47))
+    second = json.loads(process.stdout.readline())
+    assert (second["changed"], second["written"]) == ([str(tmp_path / "hero" / "walk_0001.png")], 1)
+    (tmp_path / "progress.stop").touch()
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said.splitlines()[-1] == "kagezou: stopped watching; every file that is there is whole"
+    assert "a drawing changed; its feet are those in the project" in said
+
+
+def test_a_sheet_exposes_what_is_rendered_and_the_project_stays(shell: Shell, project: Path, tmp_path: Path) -> None:
+    sheet = timesheet(tmp_path / "s.xdts", {"Hero": [(1, 2), (3, 1)]}, length=4)
+    kept = project.read_bytes()
+    assert shell("render", project, "-o", tmp_path / "out", "--timesheet", sheet, "--json") == 0
+    told = json.loads(shell.out)
+    assert (told["files"], told["drawn"]) == (4, 2)
+    assert project.read_bytes() == kept
+
+
+def test_a_watch_is_no_task_of_a_farm(shell: Shell, project: Path, tmp_path: Path) -> None:
+    assert "do not go together" in shell.fails(2, "render", project, "-o", tmp_path / "o", "--watch", "--openjd")
+
+
+def test_files_are_called_by_a_pattern(shell: Shell, project: Path) -> None:
+    out = project.parent / "out"
+    words = ["render", project, "-o", out, "--composite", "--names", "{layer}_{kind}.{frame:04d}"]
+    assert shell.ok(*words, "--frames", "1-2", "--start-frame", "1001") == f"{out}\n"
+    shell.ok(*words, "--frames", "1", "--start-frame", "0", "--skip-existing")
+    assert sorted(path.name for path in out.glob("*.png")) == [
+        "Hero_shadow.0000.png",
+        "Hero_shadow.1001.png",
+        "Hero_shadow.1002.png",
+        "composite.0000.png",
+        "composite.1001.png",
+        "composite.1002.png",
+    ]
+
+
+def test_files_bear_the_numbers_of_the_cut(shell: Shell, project: Path) -> None:
+    out = project.parent / "out"
+    assert shell("set", project, "canvas.first_frame=101") == 0
+    shell.ok("render", project, "-o", out, "--frames", "2", "--padding", "3")
+    assert [path.name for path in out.glob("*/*.png")] == ["Hero_shadow_102.png"]
+
+
+def test_drawings_are_never_written_over(shell: Shell, project: Path) -> None:
+    drawings = project.parent / "hero"
+    before = {path: path.read_bytes() for path in drawings.iterdir()}
+    said = shell.fails(2, "render", project, "-o", drawings, "--names", "WALK_{frame}")
+    assert "is a drawing of the project and is not written over" in said
+    assert {path: path.read_bytes() for path in drawings.iterdir()} == before
+
+
+def test_a_bundle_lies_beside_the_project_unless_it_is_told_where(shell: Shell, project: Path) -> None:
+    drawings = project.parent / "hero"
+    job = project.with_name(f"{project.stem}_job") / "template.json"
+    assert shell.ok("farm", project, "--program", "kz") == f"{job}\n"
+    assert project.with_name(f"{project.stem}_shadows").as_posix() in job.with_name("parameter_values.json").read_text()
+    other = project.parent / "other"
+    words = ["--bundle", other, "-o", project.parent / "frames", "--start-frame", "1001", "--program", "kagezou"]
+    shell.ok("farm", project, *words)
+    assert '"1001"' in (other / "template.json").read_text()
+    assert "no part of a bundle" in shell.fails(2, "farm", project, "--program", "kz", "--bundle", drawings)

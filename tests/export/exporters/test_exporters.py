@@ -95,6 +95,10 @@ def test_what_the_preview_says_is_what_is_written(
         if found := re.fullmatch(r"([^ ].*)/  (\d+) × (\.\w+)", line):
             files = list((place.folder / found[1]).glob(f"*{found[3]}"))
             assert len(files) == int(found[2]), line
+        if found := re.fullmatch(r"([^ ].*)  × (\d+)", line):
+            first = place.folder / found[1]
+            assert first.is_file()
+            assert len(list(first.parent.glob(f"*{first.suffix}"))) == int(found[2]), line
     there = {path.name for path in place.folder.iterdir() if not path.name.startswith(".")}
     assert {line.split("/")[0] for line in seen if " × " not in line} == there
 

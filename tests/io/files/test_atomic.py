@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from kagezou.errors import DiskFullProblem, OutputProblem
-from kagezou.io.files.atomic import replace_by, sweep_stale, write_bytes
+from kagezou.io.files.atomic import check_writable, let_go_of_link, replace_by, sweep_stale, write_bytes
 
 OLD, NEW = b"old " * 50, b"new" * 70_000
 FAULTS = (errno.ENOSPC, errno.EIO, errno.EACCES)
@@ -324,3 +324,31 @@ def test_killed_at_any_moment_the_file_is_whole(tmp_path: Path) -> None:
         for name in ("p.kage", "p.kage~"):
             content = (tmp_path / name).read_bytes()
             assert hashlib.sha256(content[32:]).digest() == content[:32]
+
+
+@posix_only
+def test_a_folder_is_tried_without_following_any_link(tmp_path: Path) -> None:
+    precious = tmp_path / "precious"
+    precious.write_bytes(OLD)
+    folder = tmp_path / "out"
+    folder.mkdir()
+    for name in (".kagezou-write-test-out", "write-test", ".write-test"):
+        (folder / name).symlink_to(precious)
+    before = sorted(folder.iterdir())
+    check_writable(folder)
+    assert sorted(folder.iterdir()) == before
+    assert precious.read_bytes() == OLD
+    with pytest.raises(OutputProblem):
+        check_writable(tmp_path / "nowhere")
+
+
+@posix_only
+def test_a_link_is_let_go_and_a_file_is_not(tmp_path: Path) -> None:
+    kept, link, gone = tmp_path / "kept", tmp_path / "link", tmp_path / "gone"
+    kept.write_bytes(OLD)
+    link.symlink_to(kept)
+    gone.symlink_to(tmp_path / "nowhere")
+    for path in (kept, link, gone, tmp_path / "nothing"):
+        let_go_of_link(path)
+    assert [path.name for path in tmp_path.iterdir()] == ["kept"]
+    assert kept.read_bytes() == OLD

@@ -336,3 +336,36 @@ def test_a_layer_is_deflated_once_at_the_fastest_level_in_rows_that_are_prepared
     assert [level for _, level in deflated] == [1, 1, 1]
     assert len({place for place, _ in deflated}) == 1
     assert max(sizes) < 40_000
+
+
+_EVERY_LIMIT = """
+import resource, signal, sys
+from pathlib import Path
+import numpy as np
+from kagezou.errors import Problem
+from kagezou.io.images.writing import write_rgba
+
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+path, most = Path(sys.argv[1]), resource.RLIM_INFINITY
+pixels = np.random.default_rng(0).integers(0, 255, (24, 32, 4), dtype=np.uint8)
+write_rgba(path, pixels)
+size = path.stat().st_size
+for limit in sorted({*range(0, size, max(size // 40, 1)), *range(size - 64, size)}):
+    path.unlink(missing_ok=True)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, most))
+    try:
+        write_rgba(path, pixels)
+        print(limit, "of", size)
+    except Problem:
+        pass
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+    assert not list(path.parent.iterdir())
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no limit of a file's size")
+@pytest.mark.parametrize("suffix", [".png", ".tga", ".tif", ".exr"])
+def test_no_byte_of_the_end_may_be_missing(tmp_path: Path, suffix: str) -> None:
+    words = [sys.executable, "-c", _EVERY_LIMIT, str(tmp_path / f"a{suffix}")]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, ""), done.stderr

@@ -86,10 +86,10 @@ def tick(dialog: ExportDialog, words: str) -> None:
 
 
 def test_the_preview_follows_every_choice(dialog: ExportDialog) -> None:
-    assert lines(dialog) == ["Walker_shadow/  6 × .png"]
+    assert lines(dialog) == ["Walker_shadow/Walker_shadow_0001.png  × 6"]
     tick(dialog, "Composite")
     dialog.change(format="exr")
-    assert lines(dialog) == ["Walker_shadow/  6 × .exr", "composite/  6 × .exr"]
+    assert lines(dialog) == ["Walker_shadow/Walker_shadow_0001.exr  × 6", "composite/composite_0001.exr  × 6"]
     assert dialog.options.depth_box.currentData() == 16
     choose(dialog, "After Effects")
     tick(dialog, "near the feet")
@@ -109,7 +109,10 @@ def test_the_preview_follows_every_choice(dialog: ExportDialog) -> None:
     ]
     choose(dialog, "Render farm job")
     assert lines(dialog)[:4] == ["template.json", "parameter_values.json", "asset_references.json", "1 × 10"]
-    assert lines(dialog)[4:] == ["    Walker_shadow/  6 × .exr", "    composite/  6 × .exr"]
+    assert lines(dialog)[4:] == [
+        "    Walker_shadow/Walker_shadow_0001.exr  × 6",
+        "    composite/composite_0001.exr  × 6",
+    ]
     assert dialog.go.isEnabled()
 
 
@@ -126,7 +129,7 @@ def test_only_what_a_kind_knows_is_asked(dialog: ExportDialog) -> None:
 
 def test_mattes_of_what_is_fallen_on_are_written_for_any_compositor(dialog: ExportDialog) -> None:
     tick(dialog, "the ground and every set piece")
-    assert lines(dialog) == ["Walker_shadow/  6 × .png", "ground_matte/  6 × .png"]
+    assert lines(dialog) == ["Walker_shadow/Walker_shadow_0001.png  × 6", "ground_matte/ground_matte_0001.png  × 6"]
 
 
 def test_a_farm_makes_layered_frames_too(dialog: ExportDialog) -> None:
@@ -147,12 +150,12 @@ def test_a_farm_makes_layered_frames_too(dialog: ExportDialog) -> None:
 def test_layered_frames_show_their_layers(dialog: ExportDialog) -> None:
     choose(dialog, "Layered frames")
     assert data_of(dialog.options.format_box) == ["psd", "exr"]
-    assert lines(dialog) == ["layered/  6 × .psd", "    Walker", "    Walker_shadow"]
+    assert lines(dialog) == ["layered/layered_0001.psd  × 6", "    Walker", "    Walker_shadow"]
     assert dialog.options.depth_box.isEnabled()
     assert data_of(dialog.options.depth_box) == [8, 16]
     assert dialog.choices.depth == 8
     pick(dialog.options.format_box, "exr")
-    assert lines(dialog)[0] == "layered/  6 × .exr"
+    assert lines(dialog)[0] == "layered/layered_0001.exr  × 6"
     assert dialog.choices.depth == 16
     assert not dialog.options.depth_box.isEnabled()
     assert dialog.options.depth_box.toolTip() == "EXR has no other depth."
@@ -337,8 +340,11 @@ def test_a_farm_needs_a_saved_project_and_every_export_a_folder(
 
 def test_the_work_area_alone(filled: OpenProject, place: Place) -> None:
     document = review.set_work_area(filled.bridge.document, 2, 4)
-    assert SHADOW_LAYERS.preview(document, ExportChoices(only_work_area=True), place) == ("Walker_shadow/  3 × .png",)
-    assert SHADOW_LAYERS.preview(document, ExportChoices(), place) == ("Walker_shadow/  6 × .png",)
+    for choices, line in (
+        (ExportChoices(only_work_area=True), "Walker_shadow/Walker_shadow_0002.png  × 3"),
+        (ExportChoices(), "Walker_shadow/Walker_shadow_0001.png  × 6"),
+    ):
+        assert SHADOW_LAYERS.preview(document, choices, place) == (line,)
 
 
 def test_nothing_to_export_is_said(open_project: OpenProject, place: Place) -> None:
@@ -590,3 +596,20 @@ class TestPlaces:
         assert place_for(settings, tmp_path / f"{MOST}.kage", "n").folder == tmp_path / "x"
         settings.set_word("export_folders", "{")
         assert place_for(settings, tmp_path / f"{MOST}.kage", "n").folder == tmp_path / "n_export"
+
+
+def test_files_are_called_as_it_is_typed(filled: OpenProject, place: Place, tmp_path: Path) -> None:
+    made = ExportDialog(filled.bridge.document, ExportChoices(), place, tmp_path)
+    naming = made.options.naming
+    naming.pattern.setEditText("{layer}_{kind}.{frame:04d}")
+    naming.start.setValue(1001)
+    assert lines(made) == ["Walker_shadow.1001.png  × 6"]
+    assert (made.choices.names, made.choices.start) == ("{layer}_{kind}.{frame:04d}", 1001)
+    naming.pattern.setEditText("{layer}_{shot}")
+    assert "{shot}" in made.says.text()
+    assert not made.go.isEnabled()
+    assert naming.pattern.currentText() == "{layer}_{shot}"
+    naming.pattern.setEditText("")
+    naming.start.setValue(naming.start.minimum())
+    assert lines(made) == ["Walker_shadow/Walker_shadow_0001.png  × 6"]
+    assert made.go.isEnabled()

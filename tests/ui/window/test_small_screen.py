@@ -32,6 +32,7 @@ from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from kagezou.ui.window.wiring.cut import ask_what_to_take
 from tests.ui.viewing import OwnClipboard
 
 FLOOR = (1280, 720)
@@ -152,6 +153,7 @@ def test_the_guide_and_every_page_of_the_manual_are_whole(qtbot: QtBot, small: M
 DIALOGS: dict[str, Callable[[MainWindow], object]] = {
     "export": lambda window: window.parts.actions["export"].trigger(),
     "cut settings": lambda window: window.parts.actions["cut_settings"].trigger(),
+    "taking": lambda window: ask_what_to_take(window.parts, window.parts.bridge.document, "master"),
     "preferences": lambda window: window.parts.actions["preferences"].trigger(),
     "shortcuts": lambda window: window.parts.actions["shortcuts"].trigger(),
     "edit shortcuts": lambda window: window.parts.actions["edit_shortcuts"].trigger(),

@@ -13,8 +13,8 @@ from kagezou.cli.terminal import Json, give, give_json, one_line
 from kagezou.errors import GraphicsProblem
 
 DESCRIPTION = """\
-Say what this machine has and what it lacks: versions, OpenGL, picture formats, folders, encodings.
-Ends with 0 where shadows can be rendered, else with 6."""
+Say what this machine has and what it lacks: versions, OpenGL, picture formats, folders, what is a studio's own,
+encodings. Ends with 0 where shadows can be rendered, else with 6."""
 EXAMPLES = """\
   kagezou doctor
   kagezou doctor --json
@@ -43,6 +43,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         "window": examination.window(has_display=entry_points.has_display),
         "formats": examination.formats(),
         "folders": examination.folders(),
+        "studio": examination.studio(),
         "text": examination.text(),
     }
     can_render = "renderer" in graphics

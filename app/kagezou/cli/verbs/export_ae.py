@@ -4,13 +4,14 @@ from argparse import Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
-from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
 from kagezou.cli.terminal import give, give_json, note
 from kagezou.errors import UsageProblem
+from kagezou.io.files.processors import processors
 from kagezou.message import Message
 
 if TYPE_CHECKING:
@@ -47,12 +48,15 @@ def add_arguments(parser: Parser) -> None:
         "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
     )
     parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
+    add_after(parser)
     parser.add_argument("--panel", action="store_true", help="print where the panel for After Effects lies")
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Hand off what is asked for."""
+    from kagezou.export.after.hooks import check_command
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.after_effects.export import HandOffRequest
     from kagezou.export.exporters.hand_off import HAND_OFF
     from kagezou.io.files.faults import shown
@@ -64,6 +68,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         return 0
     if options.project is None or options.output is None:
         raise UsageProblem(Message("export-ae needs PROJECT.kage and -o DIR (see kagezou export-ae --help)"))
+    check_command(options.after)
     request = HandOffRequest(
         folder=options.output,
         name=options.name or options.project.stem,
@@ -77,9 +82,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         workers=options.workers or processors(),
     )
     document = load(options.project)
-    with stopping_gently() as interruption, entry_points.line("rendering") as line:
-        done = HAND_OFF.export(document, request, entry_points.open_context, line.update, interruption.is_set)
-    _report(done, as_json=options.json)
+    with stopping_gently() as interruption:
+        with entry_points.line("rendering") as line:
+            done = HAND_OFF.export(document, request, entry_points.open_context, line.update, interruption.is_set)
+        _report(done, as_json=options.json)
+        files, is_whole = HAND_OFF.made_files(done), done.script is not None
+        over = Handover(HAND_OFF.key, document, options.project, files, is_whole, done.notes)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
     return max(verdict(each, interruption) for each in done.exports)
 
 

@@ -4,11 +4,12 @@ from argparse import Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import give, give_json, note, tell
+from kagezou.io.files.processors import processors
 
 if TYPE_CHECKING:
     from kagezou.export.exchange.export import SceneMade
@@ -34,6 +35,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--depth", type=int, choices=(8, 16), default=8, help="bits a channel of the pictures (8)")
     parser.add_argument("--work-area", action="store_true", help="only the frames of the work area")
     parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
+    add_after(parser)
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
 
@@ -41,21 +43,29 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the scene."""
     from dataclasses import replace
 
+    from kagezou.export.after.hooks import check_command
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.choices import ExportChoices, Place
     from kagezou.export.exporters.table import SCENES
     from kagezou.io.project.file import load
 
+    check_command(options.after)
     exporter = next(each for each in SCENES if each.program == options.program)
     document = load(options.project)
     place = Place(options.output, options.project, options.name or options.project.stem)
     choices = ExportChoices(exporter.key, depth=options.depth, only_work_area=options.work_area)
     request = replace(exporter.request(document, choices, place), workers=options.workers or processors())
-    with stopping_gently() as interruption, entry_points.line("rendering") as line:
-        made = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
-    _report(made, as_json=options.json)
-    if made.scene is None:
-        tell("stopped; the scene is written last, when all it needs is there")
-        return interruption.exit_code
+    with stopping_gently() as interruption:
+        with entry_points.line("rendering") as line:
+            made = exporter.export(document, request, entry_points.open_context, line.update, interruption.is_set)
+        _report(made, as_json=options.json)
+        if made.scene is None:
+            tell("stopped; the scene is written last, when all it needs is there")
+            return interruption.exit_code
+        files = exporter.made_files(made)
+        over = Handover(exporter.key, document, options.project, files, is_whole=True, notes=made.notes)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
     return 0
 
 

@@ -3,18 +3,22 @@
 from argparse import Namespace
 from pathlib import Path
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.terminal import give
+from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.naming import add_naming, names_of
+from kagezou.cli.terminal import give, note
+from kagezou.message import Message
 
 DESCRIPTION = """\
-Write an Open Job Description job bundle into DIR: template.json, parameter_values.json, asset_references.json. Run it
-anywhere with `openjd run`, or give it to Deadline Cloud as it is. Its tasks are chunks of frames; frames, output,
-format and the program's name are parameters of the job. Prints the template."""
+Write an Open Job Description job bundle into a folder of its own: template.json, parameter_values.json,
+asset_references.json. Run it anywhere with `openjd run`, or give it to Deadline Cloud as it is. Its tasks are chunks of
+frames; frames, output, format and the program's name are parameters of the job. Prints the template."""
 EXAMPLES = """\
-  kagezou farm walk.kage -o job --output shadows
-  kagezou farm walk.kage -o job --output /mnt/shows/c012/shadows --chunk 24 --format exr --composite
-  kagezou farm walk.kage -o job --layered --format psd
+  kagezou farm walk.kage -o shadows --bundle job
+  kagezou farm walk.kage -o /mnt/shows/c012/shadows --bundle job --chunk 24 --format exr --composite
+  kagezou farm walk.kage --bundle job --layered --format psd
   openjd run job/template.json --step Render -p ProjectFile=$PWD/walk.kage -p OutputDir=$PWD/shadows
   deadline bundle submit job
 """
@@ -23,8 +27,12 @@ EXAMPLES = """\
 def add_arguments(parser: Parser) -> None:
     """Say what can be typed."""
     parser.add_argument("project", type=project_path, metavar="PROJECT.kage", help="the project file")
-    parser.add_argument("-o", "--bundle", type=Path, required=True, metavar="DIR", help="where the bundle is written")
-    parser.add_argument("--output", type=Path, metavar="DIR", help="where the job renders to (PROJECT_shadows)")
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="DIR", help="where the job renders to (PROJECT_shadows beside the project)"
+    )
+    parser.add_argument(
+        "--bundle", type=Path, metavar="DIR", help="where the bundle is written (PROJECT_job beside the project)"
+    )
     parser.add_argument("--chunk", type=whole_number, default=10, metavar="N", help="frames a task (10)")
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
@@ -34,6 +42,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--composite", action="store_true", help="also background, shadows and characters in one")
     parser.add_argument("--receivers", action="store_true", help="also mattes of the ground and every set piece")
     parser.add_argument("--layered", action="store_true", help="each frame one psd or exr with all layers instead")
+    add_naming(parser)
     parser.add_argument(
         "--frame-minutes",
         type=whole_number,
@@ -41,20 +50,33 @@ def add_arguments(parser: Parser) -> None:
         metavar="N",
         help="how long a frame may take before a task is taken for stuck (10)",
     )
-    parser.add_argument("--program", default="kagezou", metavar="NAME", help="how the workers call Kagezou (kagezou)")
+    add_after(parser)
+    parser.add_argument(
+        "--program",
+        metavar="NAME",
+        help="how the workers call Kagezou (kagezou where this machine finds it so, else where it lies here)",
+    )
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the bundle."""
     from kagezou.animation.frames import parse_frames
+    from kagezou.export.after.hooks import check_command
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.exporters.farm_job import FARM_JOB, BundleRequest
     from kagezou.export.farm import TEMPLATE, FarmRequest
+    from kagezou.export.farm_program import USUAL, program_here
     from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
 
+    check_command(options.after)
     project: Path = options.project.absolute()
     output = options.output or project.with_name(f"{project.stem}_shadows")
+    bundle: Path = options.bundle or project.with_name(f"{project.stem}_job")
+    program = options.program or program_here()
+    if options.program is None and program != USUAL:
+        note(Message("the workers call {program}; --program says otherwise", program=program))
     form = options.format or ("psd" if options.layered else "png")
     export = ExportRequest(
         folder=output.absolute(),
@@ -66,10 +88,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         receivers=options.receivers,
         united=options.united,
         layered=options.layered,
+        names=names_of(options),
     )
     document = load(project)
-    job = FarmRequest(project, export, options.chunk, options.program, options.frame_minutes)
-    request = BundleRequest(job, options.bundle)
-    FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
-    give(shown(options.bundle / TEMPLATE))
-    return 0
+    job = FarmRequest(project, export, options.chunk, program, options.frame_minutes)
+    request = BundleRequest(job, bundle)
+    made = FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
+    give(shown(bundle / TEMPLATE))
+    over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
+    with stopping_gently() as interruption:
+        is_over = hand_on_export(over, options.after, interruption.is_set)
+    return 0 if is_over else interruption.exit_code

@@ -1,15 +1,10 @@
 """``kagezou get``: the value of one property as JSON."""
 
 from argparse import Namespace
-from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, give_json
-
-if TYPE_CHECKING:
-    from kagezou.document.address import Address
-    from kagezou.document.model import Document
 
 DESCRIPTION = """\
 Print the value of a property as JSON: with --frame the value there, else the constant, or the list of its keys.
@@ -31,52 +26,16 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load the project and print the value."""
-    from kagezou.document.cut_settings import CutSettings
-    from kagezou.document.cut_words import cut_word_at
-    from kagezou.document.whole_cut import saying_at
+    from kagezou.document.value_words import json_of_keys, json_of_value
     from kagezou.io.project.file import load
+    from kagezou.scene.spoken_values import spoken_value
 
-    document = load(options.project)
-    said = saying_at(document, options.path)
-    about: dict[str, Json] = {"path": options.path, "unit": "", "frame": options.frame}
-    word = cut_word_at(options.path)
-    if word is not None:
-        found = about | {"value": word.value(CutSettings.of(document)), "keys": []}
-    elif said is None:
-        found = about | _of_property(document, options.path, options.frame)
-    else:
-        found = about | {"value": said.value, "keys": []}
-    if options.json:
-        give_json(found)
-    else:
-        give_json(found["keys"] if found["value"] is None else found["value"])
+    found = spoken_value(load(options.project), options.path, options.frame)
+    value = None if found.value is None else json_of_value(found.value)
+    keys = json_of_keys(found.keys)
+    if not options.json:
+        give_json(keys if value is None else value)
+        return 0
+    about: dict[str, Json] = {"path": options.path, "unit": found.unit, "frame": options.frame}
+    give_json(about | {"value": value, "keys": keys} | ({"measured": True} if found.is_measured else {}))
     return 0
-
-
-def _of_property(document: "Document", path: str, frame: int | None) -> dict[str, Json]:
-    """Return unit, value and keys of a property; no value where it is keyed and no frame is asked for."""
-    from kagezou.cli.values import json_of_keys, json_of_value
-    from kagezou.document.address import resolve, track_of
-
-    address = resolve(document, path)
-    track = track_of(document, address)
-    keys: Json = json_of_keys(track)
-    measured = _measured_tilt(document, address, frame or 1)
-    if measured is not None:
-        return {"unit": address.property.unit, "value": measured, "keys": keys, "measured": True}
-    value = json_of_value(track.constant) if frame is None else json_of_value(track.value_at(frame))
-    is_list = track.is_keyed and frame is None
-    return {"unit": address.property.unit, "value": None if is_list else value, "keys": keys}
-
-
-def _measured_tilt(document: "Document", address: "Address", frame: int) -> float | None:
-    """Return the angle that is shown where grounding points tell a body's tilt; None for all else."""
-    from kagezou.document.properties import TILT
-    from kagezou.scene.evaluate import camera_at, ground_at
-    from kagezou.scene.figure_card import card_at
-
-    if address.property is not TILT or address.layer_id is None:
-        return None
-    layer = document.layer(address.layer_id)
-    card = card_at(document, layer, frame, camera_at(document, frame), ground_at(document, frame))
-    return card.tilt_deg if card.is_tilt_measured else None

@@ -2,7 +2,6 @@
 
 from argparse import Namespace
 from collections.abc import Iterator
-from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
@@ -132,19 +131,9 @@ def _background(document: "Document") -> str | None:
 
 def _missing(document: "Document") -> Iterator[str]:
     """Yield the files that are not there, and the layers that are not in their files."""
-    from kagezou.errors import InputProblem
-    from kagezou.io.files.faults import shown
-    from kagezou.io.images.parts import has_part
-    from kagezou.picture_source import PicturePart, file_of
+    from kagezou.importing.missing_files import missing_names
 
-    every = (*(layer.cels for layer in document.layers), document.behind)
-    sources = [drawing.source for cels in every for drawing in cels.drawings]
-    files = [*map(file_of, sources), *(piece.source for piece in document.pieces if piece.source is not None)]
-    yield from (shown(path) for path in dict.fromkeys(files) if not path.is_file())
-    for part in dict.fromkeys(each for each in sources if isinstance(each, PicturePart) and each.path.is_file()):
-        with suppress(InputProblem):  # a broken file is not missing
-            if not has_part(part):
-                yield f"{shown(part.path)} ({part.address})"
+    return missing_names(document)
 
 
 def _lines(document: "Document") -> Iterator[str]:
@@ -205,10 +194,10 @@ def _notes(document: "Document") -> "tuple[Message, ...]":
 
 
 def _property_table(document: "Document") -> Json:
-    from kagezou.cli.values import json_of_keys, json_of_value
     from kagezou.document.address import addresses, path_of, track_of, usual_value
     from kagezou.document.cut_words import CUT_WORDS
     from kagezou.document.property import Kind
+    from kagezou.document.value_words import json_of_keys, json_of_value
     from kagezou.document.whole_cut import sayings
     from kagezou.io.clips.catalogues import messages_in
 
@@ -222,7 +211,7 @@ def _property_table(document: "Document") -> Json:
             "unit": prop.unit,
             "default": json_of_value(usual_value(document, address)),
             "value": None if track.is_keyed else json_of_value(track.constant),
-            "keys": json_of_keys(track),
+            "keys": json_of_keys(track.keys),
             "help": str(prop.help),
             "help_ja": prop.help.formatted(japanese),
         }
@@ -267,11 +256,11 @@ def _said_row(said: "SaidOf", japanese: "Translate") -> Json:
 def _property_lines(document: "Document") -> Iterator[str]:
     import json
 
-    from kagezou.cli.values import json_of_value
     from kagezou.document.address import addresses, path_of, track_of
     from kagezou.document.cut_settings import CutSettings
     from kagezou.document.cut_words import CUT_WORDS
     from kagezou.document.property import Kind
+    from kagezou.document.value_words import json_of_value
     from kagezou.document.whole_cut import sayings
 
     for word in CUT_WORDS:

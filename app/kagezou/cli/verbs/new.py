@@ -3,7 +3,6 @@
 from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,13 +18,10 @@ if TYPE_CHECKING:
     from kagezou.importing.new_cels import CharacterSource
     from kagezou.picture_source import PicturePart
 
-DESCRIPTION = (
-    "Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', "
-    "one picture, or a PSD file with a group of numbered layers; "
-    "a background is one picture, or such a folder or pattern."
-)
+DESCRIPTION = """\
+Make a project. A character is a folder of numbered drawings, a pattern such as 'walk_#.png', one picture, or a PSD file
+with a group of numbered layers; a background is one picture, or such a folder or pattern."""
 _BACKGROUND = "background"
-_RATE = Fraction(24)
 EXAMPLES = """\
   kagezou new walk.kage --character Hero=drawings/hero
   kagezou new walk.kage --character Hero=drawings/body --cel Hero=arm=drawings/arm
@@ -36,6 +32,7 @@ EXAMPLES = """\
   kagezou new cut12.kage --psd cut12.psd
   kagezou new cut12.kage --oca cut12.oca
   kagezou new cut12.kage --character A=cels/A --timesheet cut12.xdts --fps 24 --size 1920x1080
+  kagezou new cut12.kage --character A=cels/A --template show.kage
 """
 
 
@@ -52,6 +49,12 @@ def add_arguments(parser: Parser) -> None:
     )
     parser.add_argument("--size", type=size, metavar="WxH", help="the canvas in px; else that of the pictures")
     parser.add_argument("--fps", type=frame_rate, metavar="RATE", help="frames a second (24, or as an OCA file says)")
+    parser.add_argument(
+        "--template",
+        type=project_path,
+        metavar="FROM.kage",
+        help="a project whose canvas, rate, light, looks, ground and set the new one gets",
+    )
     parser.add_argument(
         "--values",
         type=Path,
@@ -145,37 +148,21 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
 
 def _brought(options: Namespace) -> "Imported":
     """Return the document of all that was named, timed by a sheet where there is one."""
-    from kagezou.importing.oca_project import as_long_as, oca_among
-    from kagezou.importing.sheet_project import check_seen, timed_from_beside
-    from kagezou.importing.staging import CharacterSource, new_document, with_timesheet
+    from kagezou.importing.new_cut import NewCut, columns_of, new_cut
+    from kagezou.importing.staging import CharacterSource
+    from kagezou.io.project.file import load
 
     is_timed = options.timesheet is not None
     sources = [CharacterSource(name, source, is_timed, *figure) for name, source, *figure in options.character]
     sources += [CharacterSource(None, source) for source in (*options.psd, *options.oca)]
     if is_timed and not sources:
-        sources = _beside(options)
+        sources = list(columns_of(options.timesheet, options.sheet))
     sources, background = _of_layers(sources, options.background, options.layer)
-    cut = oca_among(sources)
-    size = options.size or (cut.size_px if cut else None)
-    rate = options.fps or (cut.frame_rate if cut else _RATE)
-    imported = new_document(sources, background=background, size=size, frame_rate=rate)
-    imported = imported if cut is None else as_long_as(imported, cut)
+    template = None if options.template is None else load(options.template)
+    wanted = NewCut(background, options.timesheet, options.sheet, options.size, options.fps, template)
+    imported = new_cut(sources, wanted)
     _check_layers(imported.document, options.layer)
-    if not is_timed:
-        return timed_from_beside(imported, sources)
-    timed = with_timesheet(imported.document, options.timesheet, options.sheet)
-    check_seen(timed.document, options.timesheet)
-    return replace(timed, notes=(*imported.notes, *timed.notes))
-
-
-def _beside(options: Namespace) -> "list[CharacterSource]":
-    """Return the drawings of a timesheet's columns."""
-    from kagezou.importing.sheet_project import sources_beside
-    from kagezou.io.files.spellings import on_disk
-    from kagezou.io.sheets.reading import read_timesheet
-
-    path = on_disk(options.timesheet.absolute())
-    return list(sources_beside(path, read_timesheet(path, options.sheet)))
+    return imported
 
 
 def _of_layers(

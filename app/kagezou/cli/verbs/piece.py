@@ -27,7 +27,7 @@ A mesh is a set from a file (glTF, OBJ, PLY, STL; USD where that package is inst
 follows one of the file's cameras, and the ground goes through the set where the character stands."""
 EXAMPLES = """\
   kagezou piece walk.kage add back wall
-  kagezou piece walk.kage add stairs steps position=[700,820] angle=30 count=5
+  kagezou piece walk.kage add stairs steps position=700,820 angle=30 count=5
   kagezou set walk.kage set.back.angle=20 set.back.casts=true
   kagezou piece walk.kage add street mesh --file street.glb
   kagezou piece walk.kage add street mesh --file street.glb --camera shot_010 --stand 960,870
@@ -165,7 +165,7 @@ def _kinds() -> str:
 
 
 def _values(words: list[str]) -> dict[str, object]:
-    from kagezou.cli.values import value_of_text
+    from kagezou.document.value_words import value_of_text
 
     values: dict[str, object] = {}
     for text in words:

@@ -1,20 +1,26 @@
 """``kagezou render``: shadow layers and composites as numbered frames."""
 
 from argparse import Namespace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.openjd_lines import JobLines
-from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
-from kagezou.cli.terminal import note
+from kagezou.cli.terminal import ProgressLine, note
+from kagezou.errors import UsageProblem
+from kagezou.io.files.processors import processors
 from kagezou.message import Message
 
 if TYPE_CHECKING:
-    from kagezou.export.request import ExportRequest
+    from kagezou.document.model import Document
+    from kagezou.export.after.manifest import Handover
+    from kagezou.export.request import Cancelled, ExportRequest, Summary
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -25,8 +31,10 @@ EXAMPLES = """\
   kagezou render walk.kage -o look --composite --guides --frames 1,13,25        where the set stands
   kagezou render walk.kage -o shadows --layer Hero --format exr
   kagezou render walk.kage -o frames --layered --depth 16
+  kagezou render walk.kage -o shadows --names '{layer}_{kind}.{frame:04d}' --start-frame 1001
   kagezou render walk.kage -o shadows --skip-existing        goes on after an interruption
   kagezou render walk.kage -o shadows --frames 1-10 --openjd        as a task of a farm
+  kagezou render walk.kage -o shadows --composite --watch        makes anew what changes, until Ctrl-C
 """
 
 
@@ -38,6 +46,14 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--layer", action="append", metavar="NAME", help="only this layer; may be given several times")
     parser.add_argument("--format", choices=("png", "tga", "tiff", "exr", "psd"), help="the format (png; layered: psd)")
     parser.add_argument("--depth", choices=("auto", "8", "16"), default="auto", help="bits a channel (8; exr has 16)")
+    _add_contents(parser)
+    add_naming(parser)
+    _add_running(parser)
+    add_after(parser)
+
+
+def _add_contents(parser: Parser) -> None:
+    """Say what else than shadows can be written."""
     parser.add_argument(
         "--united", action="store_true", help="also DIR/shadows/: the shadows of a look as one (several: NAME_shadows/)"
     )
@@ -47,7 +63,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "--guides",
         action="store_true",
-        help="with --composite: outlines and floor lines of the set over it, for looking, not for compositing",
+        help="with --composite: ground, walls, boxes and feet as lines over it, for looking, not for compositing",
     )
     parser.add_argument(
         "--receivers", action="store_true", help="also DIR/ground_matte/ and DIR/PIECE_matte/: where each is seen"
@@ -57,6 +73,10 @@ def add_arguments(parser: Parser) -> None:
         action="store_true",
         help="DIR/layered/ instead: each frame one psd or exr of background, shadows and characters",
     )
+
+
+def _add_running(parser: Parser) -> None:
+    """Say how it may be done."""
     parser.add_argument(
         "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
     )
@@ -64,7 +84,17 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
     )
-    parser.add_argument("--json", action="store_true", help="print one object about what was done")
+    parser.add_argument(
+        "--watch",
+        action="store_true",
+        help="go on until stopped, and make anew what changes on disk: drawings, project, sets, timesheet",
+    )
+    parser.add_argument(
+        "--timesheet", type=Path, metavar="SHEET.xdts", help="expose the drawings as it says; the project stays"
+    )
+    parser.add_argument(
+        "--json", action="store_true", help="print one object about what was done; with --watch one line for each round"
+    )
     parser.add_argument(
         "--openjd", action="store_true", help="print progress and failures as Open Job Description reads them"
     )
@@ -75,36 +105,87 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
+    from kagezou.export.after.hooks import check_command
     from kagezou.render.gpu.context import loading_driver
 
+    check_command(options.after)
     with loading_driver():
         return _render(options, entry_points)
 
 
 def _render(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.export.frames import export_frames
-    from kagezou.io.project.file import load
-    from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
     from kagezou.scene.heavy_sets import heavy_words
 
     form = options.format or ("psd" if options.layered else "png")
     depth, said = _depth(options, form)
     request = _request(options, form, depth)
+    if options.watch:
+        return _watched(options, request, entry_points)
     lines = JobLines() if options.openjd else entry_points.line("rendering")
-    with stopping_gently() as interruption, lines as line:
-        if isinstance(lines, JobLines) and said is not None:
-            lines.say(said)
-        document = load(options.project)
-        if options.path_mapping is not None:
-            document = with_mapped_paths(document, read_rules(options.path_mapping))
-        if (words := heavy_words(document)) is not None:
-            note(words)
-        summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
-        if isinstance(lines, JobLines) and summary.failures:
-            lines.fail(summary.failures[0].message)
-    if not options.openjd:
-        report(summary, as_json=options.json)
+    with stopping_gently() as interruption:
+        with lines as line:
+            if isinstance(lines, JobLines) and said is not None:
+                lines.say(said)
+            document = _document(options)
+            if (words := heavy_words(document)) is not None:
+                note(words)
+            summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
+            if isinstance(lines, JobLines) and summary.failures:
+                lines.fail(summary.failures[0].message)
+        if not options.openjd:
+            report(summary, as_json=options.json)
+        if not hand_on_export(_handover(options, document, summary), options.after, interruption.is_set):
+            return interruption.exit_code
     return verdict(summary, interruption)
+
+
+def _watched(options: Namespace, request: "ExportRequest", entry_points: EntryPoints) -> int:
+    """Render, and render anew what changes, until it is stopped."""
+    from kagezou.cli.watched_render import watched
+    from kagezou.export.frames import export_frames
+
+    if options.openjd:
+        raise UsageProblem(Message("a task of a farm ends: --watch and --openjd do not go together"))
+
+    def export(document: "Document", anew: frozenset[Path], line: ProgressLine, stops: "Cancelled") -> "Summary":
+        asked = replace(request, skip_existing=True, keep_going=True, anew=anew)
+        summary = export_frames(document, asked, entry_points.open_context, line.update, stops)
+        if summary.written:
+            hand_on_export(_handover(options, document, summary), options.after, stops)
+        return summary
+
+    files = [options.project, options.timesheet, options.path_mapping]
+    read_from = tuple(each.absolute() for each in files if each is not None)
+    return watched(lambda: _document(options), read_from, export, entry_points, as_json=options.json)
+
+
+def _handover(options: Namespace, document: "Document", summary: "Summary") -> "Handover":
+    """Return what is told of the frames to whatever runs after."""
+    from kagezou.export.after.manifest import Handover
+    from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
+    from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
+
+    exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
+    files = exporter.made_files(summary)
+    return Handover(exporter.key, document, options.project, files, summary.is_whole, summary.notes)
+
+
+def _document(options: Namespace) -> "Document":
+    """Return what is rendered: the project, with its pictures where they lie here, exposed as a sheet says."""
+    from kagezou.importing.staging import with_timesheet
+    from kagezou.io.project.file import load
+    from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
+
+    document = load(options.project)
+    if options.path_mapping is not None:
+        document = with_mapped_paths(document, read_rules(options.path_mapping))
+    if options.timesheet is not None:
+        timed = with_timesheet(document, options.timesheet)
+        for sentence in timed.notes:
+            note(sentence)
+        document = timed.document
+    return document
 
 
 def _depth(options: Namespace, form: str) -> tuple[int, Message | None]:
@@ -145,4 +226,5 @@ def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
         keep_going=options.keep_going,
+        names=names_of(options),
     )

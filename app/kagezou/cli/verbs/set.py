@@ -12,10 +12,9 @@ from kagezou.errors import UsageProblem
 from kagezou.message import Message
 
 if TYPE_CHECKING:
-    from kagezou.animation.track import Interpolation
-    from kagezou.document.address import Address
     from kagezou.document.cut_words import CutWord
     from kagezou.document.model import Document
+    from kagezou.document.spoken import AsKey
 
 DESCRIPTION = """\
 Set properties. Without --frame a value holds for the whole cut and its keys go; with it, it becomes a key.
@@ -67,33 +66,22 @@ def add_arguments(parser: Parser) -> None:
 @holding_project
 def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 - every verb is called alike
     """Load, change, and write the project if it changed."""
-    from kagezou.animation.track import Interpolation
+    from kagezou.importing.consequences import settled
     from kagezou.io.project.file import load, save
-    from kagezou.scene.heavy_sets import heavy_notes
-    from kagezou.scene.misfits import misfits_of, new_misfits
 
     _check(options)
-    interpolation = None if options.interp is None else Interpolation(options.interp)
+    key = _key(options)
     before = load(options.project)
     on_canvas, others = _canvas_first(options.assignments)
     canvas_set = document = _cut_set(before, on_canvas, options)
     for text in others:
-        document, address = _assigned(document, text, options.frame, interpolation)
-        if options.ease and address is not None:
-            document = _eased(document, address, options.frame)
+        document = _assigned(document, text, key)
     if options.loop_waves:
         document = _looping(document)
     if document is before:
         return 0
-    if _are_moved(canvas_set, document):
-        from kagezou.importing.lighting import relit, turning_note
-
-        document, said = relit(document)
-        turning = turning_note(canvas_set, document)
-        for sentence in said if turning is None else (*said, turning):
-            note(sentence)
-    misfits = new_misfits(misfits_of(before), misfits_of(document))
-    for sentence in (*heavy_notes(before, document), *(misfit.message for misfit in misfits)):
+    document, said = settled(before, canvas_set, document)
+    for sentence in said:
         note(sentence)
     save(document, options.project)
     return 0
@@ -111,21 +99,14 @@ def _check(options: Namespace) -> None:
         raise UsageProblem(Message("--interp says how a key goes on and needs --frame"))
 
 
-def _eased(document: "Document", address: "Address", frame: int) -> "Document":
-    """Return the document with an ease from the key before to the one that was just set."""
-    from kagezou.animation.ease import EASY
-    from kagezou.document.address import path_of, track_of
-    from kagezou.document.ease_edits import set_ease
-    from kagezou.document.key_edits import KeyRef
+def _key(options: Namespace) -> "AsKey | None":
+    """Return the key that values become; None where they hold for the whole cut."""
+    from kagezou.animation.track import Interpolation
+    from kagezou.document.spoken import AsKey
 
-    path = path_of(document, address)
-    before = [key.frame for key in track_of(document, address).keys if key.frame < frame]
-    if not before:
-        raise UsageProblem(Message("{path}: there is no key before frame {frame} to ease from", path=path, frame=frame))
-    if address.property.holds_only:
-        raise UsageProblem(Message("{path}: its values are held, and none lies between two of them", path=path))
-    document = set_ease(document, frozenset({KeyRef(address, before[-1])}), None, (EASY,))
-    return set_ease(document, frozenset({KeyRef(address, frame)}), (EASY,), None)
+    if options.frame is None:
+        return None
+    return AsKey(options.frame, None if options.interp is None else Interpolation(options.interp), options.ease)
 
 
 def _canvas_first(assignments: list[str]) -> tuple[list[tuple["CutWord", str]], list[str]]:
@@ -146,18 +127,16 @@ def _canvas_first(assignments: list[str]) -> tuple[list[tuple["CutWord", str]], 
 
 def _cut_set(document: "Document", words: list[tuple["CutWord", str]], options: Namespace) -> "Document":
     """Return the document with other settings of the cut, and say what comes of them."""
-    from kagezou.cli.values import value_of_text
-    from kagezou.document.cut_settings import CutSettings, with_settings
     from kagezou.document.refitting import Refit
+    from kagezou.document.spoken import with_cut_words
+    from kagezou.document.value_words import value_of_text
 
     if options.drawings is not None and not any(word.path == "canvas.size" for word, _ in words):
         raise UsageProblem(Message("--drawings says what becomes of drawings on another canvas.size, which is needed"))
     if words and options.frame is not None:
         raise UsageProblem(Message("{path} is the same on every frame and has no keys", path=words[0][0].path))
-    settings = CutSettings.of(document)
-    for word, text in words:
-        settings = word.said(settings, value_of_text(word.path, text) if text[:1] in ('"', "[") else text)
-    changed = with_settings(document, settings, Refit(options.drawings or Refit.CENTRE))
+    said = ((word, value_of_text(word.path, text) if text[:1] in ('"', "[") else text) for word, text in words)
+    changed = with_cut_words(document, said, Refit(options.drawings or Refit.CENTRE))
     for sentence in changed.notes:
         note(sentence)
     return changed.document
@@ -178,51 +157,19 @@ def _looping(document: "Document") -> "Document":
     return document
 
 
-def _are_moved(before: "Document", after: "Document") -> bool:
-    """Whether layers move their drawings otherwise than before."""
-    from kagezou.document.figure_properties import PLACEMENT_LINES
-
-    pairs = zip(before.layers, after.layers, strict=True)
-    return any(old.tracks.get(prop.name) != new.tracks.get(prop.name) for old, new in pairs for prop in PLACEMENT_LINES)
-
-
-def _assigned(
-    document: "Document", text: str, frame: int | None, interpolation: "Interpolation | None"
-) -> "tuple[Document, Address | None]":
-    """Return the document after ``PATH=JSON``, and the property; a layer's name may hold an equals sign."""
-    from kagezou.cli.values import NotJson, value_of_text
+def _assigned(document: "Document", text: str, key: "AsKey | None") -> "Document":
+    """Return the document after ``PATH=JSON``; a layer's name may hold an equals sign."""
     from kagezou.document.address import resolve
-    from kagezou.document.edits import set_constant, set_key
-    from kagezou.document.whole_cut import saying_at
+    from kagezou.document.spoken import knows, put
+    from kagezou.document.value_words import value_of_text
 
-    problem: UsageProblem | None = None
-    for path, value in _halves(text):
-        said = saying_at(document, path)
-        if said is not None:
-            return said.changed(value_of_text(path, value), frame), None
-        try:
-            address, raw = resolve(document, path), value_of_text(path, value)
-        except NotJson:
-            raise
-        except UsageProblem as unknown:
-            problem = problem or unknown
-            continue
-        _check_meaning(document, address, path, frame)
-        if frame is None:
-            return set_constant(document, address, raw), address
-        return set_key(document, address, frame, raw, interpolation), address
-    raise problem or UsageProblem(Message("{text!r} is not PATH=JSON, such as light.position=1400,-300,900", text=text))
-
-
-def _check_meaning(document: "Document", address: "Address", path: str, frame: int | None) -> None:
-    """Refuse a property that does nothing for the kind of set piece."""
-    from kagezou.document.piece_kinds import kind_of, matters
-
-    if address.piece_id is None:
-        return
-    kind = kind_of(document.piece(address.piece_id), frame or 1)
-    if not matters(address.property, kind):
-        raise UsageProblem(Message("{path}: it means nothing for the kind {kind}", path=path, kind=kind.value))
+    halves = list(_halves(text))
+    for path, value in halves:
+        if knows(document, path):
+            return put(document, path, value_of_text(path, value), key)
+    if halves:
+        resolve(document, halves[0][0])  # It says which path is near.
+    raise UsageProblem(Message("{text!r} is not PATH=JSON, such as light.position=1400,-300,900", text=text))
 
 
 def _halves(text: str) -> Iterator[tuple[str, str]]:

@@ -66,13 +66,13 @@ def _cut_sheets(options: Namespace, entry_points: EntryPoints) -> int:
     """Draw a sheet for each style, and say what is seen."""
     from kagezou.cli.contact_sheet import roomy
     from kagezou.cli.cut_sheet import cut_sheet
-    from kagezou.cli.verbs.style import named_style, styles_by_name
+    from kagezou.cli.verbs.style import named_style, styles_there
     from kagezou.export.names import safe_names
     from kagezou.importing.feet import document_with_feet
     from kagezou.importing.staging import CharacterSource
     from kagezou.io.images.writing import write_rgba
 
-    styles = [named_style(name) for name in options.style or ()] or list(styles_by_name().values())
+    styles = [named_style(name) for name in options.style or ()] or [each.style for each in styles_there()]
     cuts = []
     for name, source in options.character:
         cut = roomy([CharacterSource(name, source)])

@@ -1,10 +1,9 @@
 """``kagezou style``: puts a named look on characters, keeps the look of one, or lists the looks there are."""
 
 from argparse import Namespace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kagezou.cli.arguments import Parser, did_you_mean, project_path, whole_number
+from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.holding import holding_project
 from kagezou.cli.terminal import give, note, tell
@@ -15,12 +14,13 @@ if TYPE_CHECKING:
     from kagezou.document.model import Document, Layer
     from kagezou.document.style import Style
     from kagezou.document.styling import Styled
+    from kagezou.io.clips.style_files import StyleFile
 
 DESCRIPTION = """\
 Put a style, a named set of the shadow's properties, on one character or on all, and print what it changes. What a
 style does not name goes to its default, so that nothing is left of the style before. Properties that have keys get a
 key on --frame. A style's own light is left out unless it is asked for. Without a style, list those there are: the
-program's own and those of the user."""
+program's own, the studio's from the folders of KAGEZOU_STYLES, and those of the user."""
 EXAMPLES = """\
   kagezou style
   kagezou style walk.kage water
@@ -54,7 +54,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     if options.project is None:
         if options.save is not None:
             raise UsageProblem(Message("--save keeps the look of a character of a project: which project?"))
-        give("\n".join(f"{each.name.en}\t{each.name.in_language('ja')}" for each in styles_by_name().values()))
+        give("\n".join(map(_line, styles_there())))
         return 0
     if options.save is not None:
         _keep(load(options.project), options)
@@ -70,11 +70,18 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     return 0
 
 
+def _line(file: "StyleFile") -> str:
+    """Return a style as it is listed: its names, and whether it is the studio's."""
+    name = file.style.name
+    return f"{name.en}\t{name.in_language('ja')}" + ("\tstudio" if file.is_studio else "")
+
+
 def _keep(document: "Document", options: Namespace) -> None:
     """Keep the look of the one character that is meant."""
     from kagezou.document.style import style_of
     from kagezou.io.clips.style_files import path_of_style, save_style
     from kagezou.io.files.faults import shown
+    from kagezou.locations import own_style_folder
 
     if options.style is not None:
         raise UsageProblem(Message("put on a style, or keep one with --save, not both at once"))
@@ -82,7 +89,7 @@ def _keep(document: "Document", options: Namespace) -> None:
     if len(layers) > 1:
         names = ", ".join(repr(layer.name) for layer in layers)
         raise UsageProblem(Message("the look of which character? --layer names one of {names}", names=names))
-    folder = _own_folder()
+    folder = own_style_folder()
     style = style_of(document, layers[0].id, options.frame, options.save, with_scene=options.with_light)
     path = path_of_style(folder, style)
     if path.exists():
@@ -112,9 +119,9 @@ def _styled(document: "Document", style: "Style", options: Namespace) -> "Styled
 
 def _say(before: "Document", styled: "Styled") -> None:
     """Give a line for each property that is seen otherwise than before, and say what there is to know."""
-    from kagezou.cli.values import text_of_value
     from kagezou.document.address import path_of
     from kagezou.document.styling import notes_on
+    from kagezou.document.value_words import text_of_value
     from kagezou.scene.misfits import misfits_of, new_misfits
 
     for change in styled.changes:
@@ -134,29 +141,20 @@ def named_style(name: str) -> "Style":
     UsageProblem
         There is none.
     """
-    styles = styles_by_name()
-    wanted = name.casefold()
-    for each in styles.values():
-        if wanted in (each.name.en.casefold(), each.name.in_language("ja").casefold()):
-            return each
-    hint = did_you_mean(name, list(styles)) or Message("; kagezou style lists them")
-    raise UsageProblem(Message("there is no style {style!r}{hint}", style=name, hint=hint))
+    from kagezou.io.clips import style_files
+
+    return style_files.named_style(name, styles_there())
 
 
-def styles_by_name() -> "dict[str, Style]":
-    """Return the bundled styles and one's own by their English names; files that cannot be read are told."""
-    from kagezou.io.clips.style_files import bundled_styles, own_styles
+def styles_there() -> "tuple[StyleFile, ...]":
+    """Return the styles there are; files and folders that cannot be read are told."""
+    from kagezou.io.clips import style_files
+    from kagezou.locations import own_style_folder
 
-    own, problems = own_styles(_own_folder())
+    found, problems = style_files.styles_there(own_style_folder())
     for problem in problems:
         tell(str(problem))
-    return {each.style.name.en: each.style for each in (*bundled_styles(), *own)}
-
-
-def _own_folder() -> Path:
-    import platformdirs
-
-    return Path(platformdirs.user_config_path("kagezou", appauthor=False)) / "styles"
+    return found
 
 
 def _meant(document: "Document", name: str | None) -> "list[Layer]":

@@ -3,11 +3,12 @@
 from argparse import Namespace
 from pathlib import Path
 
+from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import give, give_json, note, tell
+from kagezou.io.files.processors import processors
 
 DESCRIPTION = """\
 Write the finished picture as a video: .mp4 is H.264 to look at, .mov is ProRes 4444 with alpha, both in BT.709. With
@@ -27,34 +28,42 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--frames", metavar="LIST", help="such as 1-48 or 3,7,10-20 (the whole cut)")
     parser.add_argument("--layer", metavar="NAME", help="only the shadow of this layer")
     parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and convert pictures")
+    add_after(parser)
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the video."""
     from kagezou.animation.frames import parse_frames
+    from kagezou.export.after.hooks import check_command
+    from kagezou.export.after.manifest import Handover
     from kagezou.export.exporters.video_file import VIDEO_FILE
     from kagezou.export.video import VideoRequest
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
     from kagezou.scene.heavy_sets import heavy_words
 
+    check_command(options.after)
     request = VideoRequest(
         path=options.output,
         frames=None if options.frames is None else parse_frames(options.frames),
         layer=options.layer,
         workers=options.workers or processors(),
     )
-    with stopping_gently() as interruption, entry_points.line("filming") as line:
-        document = load(options.project)
-        if (words := heavy_words(document)) is not None:
-            note(words)
-        done = VIDEO_FILE.export(document, request, entry_points.open_context, line.update, interruption.is_set)
-    if not done.is_whole:
-        tell("stopped; the video is not written")
-        return interruption.exit_code
-    if options.json:
-        give_json({"file": shown(done.path), "frames": done.frames, "seconds": round(done.seconds, 3)})
-    else:
-        give(shown(done.path))
+    with stopping_gently() as interruption:
+        with entry_points.line("filming") as line:
+            document = load(options.project)
+            if (words := heavy_words(document)) is not None:
+                note(words)
+            done = VIDEO_FILE.export(document, request, entry_points.open_context, line.update, interruption.is_set)
+        if not done.is_whole:
+            tell("stopped; the video is not written")
+            return interruption.exit_code
+        if options.json:
+            give_json({"file": shown(done.path), "frames": done.frames, "seconds": round(done.seconds, 3)})
+        else:
+            give(shown(done.path))
+        over = Handover(VIDEO_FILE.key, document, options.project, VIDEO_FILE.made_files(done), is_whole=True)
+        if not hand_on_export(over, options.after, interruption.is_set):
+            return interruption.exit_code
     return 0

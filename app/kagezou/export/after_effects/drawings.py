@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from kagezou.document.model import Canvas, Cels, Drawing
 from kagezou.errors import Stopped
+from kagezou.export.file_names import NumberedName
 from kagezou.export.names import digits_for
 from kagezou.geometry.box import centred_offset
 from kagezou.io.files.atomic import write_bytes
@@ -132,15 +133,15 @@ def copied(cels: Cels, name: str, folder: Path, copying: Copying, step: Step) ->
     drawings = [cels.drawings[index] for index in indices]
     infos = [probe(drawing.source) for drawing in drawings]
     size = _size_of(infos, copying)
-    digits = digits_for(len(indices))
-    targets = [folder / f"{name}_{number:0{digits}d}.png" for number in range(1, len(indices) + 1)]
+    names = NumberedName(folder, f"{name}_", ".png", digits_for(len(indices)))
+    targets = [names.file(number) for number in range(1, len(indices) + 1)]
     pool = ThreadPoolExecutor(copying.workers)
     try:
         work = zip(drawings, infos, targets, repeat(size), repeat(copying), strict=False)
         _counted([pool.submit(_copy, *each) for each in work], step)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
-    remove_beyond(folder, name, digits, len(indices))
+    remove_beyond(names, len(indices))
     return CelFootage(targets[0], len(indices), {index: place for place, index in enumerate(indices)}, size)
 
 
@@ -165,11 +166,11 @@ def copied_still(cels: Cels, target: Path, copying: Copying, step: Step) -> CelF
     return CelFootage(target, 1, {index: 0}, size)
 
 
-def remove_beyond(folder: Path, name: str, digits: int, count: int) -> None:
+def remove_beyond(name: NumberedName, count: int) -> None:
     """Remove files of an earlier, longer hand-off: After Effects takes every number that follows on."""
-    for path in folder.iterdir():
-        found = re.fullmatch(re.escape(name) + r"_([0-9]+)\.[a-z]+", path.name)
-        if found and len(found[1]) == digits and int(found[1]) > count:
+    for path in name.folder.iterdir():
+        found = re.fullmatch(re.escape(name.before) + r"([0-9]+)\.[a-z]+", path.name)
+        if found and len(found[1]) == name.digits and int(found[1]) > count:
             path.unlink()
 
 

@@ -21,7 +21,11 @@ from kagezou.export.after_effects.shown_drawings import BACKGROUND, Shown, notes
 from kagezou.export.after_effects.transforms import notes_on_transforms
 from kagezou.export.checks import check_sources
 from kagezou.export.file_kinds import BACKGROUNDS, DRAWINGS, MATTE_FRAMES, SCRIPT, FileCount, added_up
+from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
+from kagezou.export.made_files import BACKGROUND as BACKGROUND_FILE
+from kagezou.export.made_files import DRAWING, MATTE, MadeFile, numbered_from
+from kagezou.export.made_files import SCRIPT as SCRIPT_FILE
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
@@ -100,6 +104,8 @@ class HandedOff:
         What the user should know, one sentence each.
     counts
         The files by what they are: frames, copies and the script.
+    made
+        The same one by one.
     """
 
     script: Path | None
@@ -107,6 +113,7 @@ class HandedOff:
     notes: tuple[Message, ...]
     seconds: float
     counts: tuple[FileCount, ...]
+    made: tuple[MadeFile, ...]
 
 
 def export_to_after_effects(
@@ -132,7 +139,8 @@ def export_to_after_effects(
     if not any(summary.cancelled for summary in summaries):
         with suppress(Stopped):
             script, notes = run.finish()
-    return HandedOff(script, summaries, notes, time.monotonic() - started, run.counts(summaries, script))
+    counts, made = run.counts(summaries, script), run.made(summaries, script)
+    return HandedOff(script, summaries, notes, time.monotonic() - started, counts, made)
 
 
 def _check(document: Document) -> None:
@@ -174,6 +182,7 @@ class _ScriptRun:
         self._staying = staying_in(self._drawings, copies=request.copies)
         self._copying = tuple(each for each in self._drawings if each.owner not in self._staying)
         self._copied: Counter[Message] = Counter()
+        self._copies_made: dict[str, CelFootage] = {}
         # The script is a step of its own, the last.
         self._all = sum(plan.files for plan in plans) + sum(each.count for each in self._copying) + 1
         self.footage: dict[tuple[Rendering, str], RenderedFootage] = {}
@@ -226,10 +235,27 @@ class _ScriptRun:
         copied = [FileCount(kind, count, 0) for kind, count in self._copied.items()]
         return added_up((*drawn, *copies, *copied, FileCount(SCRIPT, int(script is not None), 1)))
 
+    def made(self, summaries: tuple[Summary, ...], script: Path | None) -> tuple[MadeFile, ...]:
+        """Return the files that are there; of copies those of layers that are copied to the end."""
+        frames = (
+            replace(each, kind=MATTE) if rendering.is_matte else each
+            for rendering, summary in zip(self.renderings, summaries, strict=True)
+            for each in summary.made
+        )
+        copies = (
+            MadeFile(path, BACKGROUND_FILE if owner == BACKGROUND else DRAWING, footage.first.parent.name, owner)
+            for owner, footage in self._copies_made.items()
+            for path in numbered_from(footage.first, footage.count)
+        )
+        return (*frames, *copies, *(() if script is None else (MadeFile(script, SCRIPT_FILE),)))
+
     def _copies(self) -> dict[str, CelFootage]:
         """Copy what cannot be taken from where it lies; raises Stopped between two files."""
-        copied = {each.owner: each.copy(partial(self._copied_one, _kind_of_copies(each))) for each in self._copying}
-        return {owner: footage for owner, footage in copied.items() if footage is not None}
+        for each in self._copying:
+            footage = each.copy(partial(self._copied_one, _kind_of_copies(each)))
+            if footage is not None:
+                self._copies_made[each.owner] = footage
+        return dict(self._copies_made)
 
     def _copied_one(self, kind: Message) -> bool:
         """Take note of a copy; return whether to go on."""
@@ -247,6 +273,7 @@ class _ScriptRun:
             workers=request.workers,
             once=request.per_drawing,
             only=rendering.only,
+            names=FileNames(first=1),
         )
 
     def _note_footage(self, rendering: Rendering) -> None:
@@ -256,7 +283,7 @@ class _ScriptRun:
         for sequence in filter(rendering.takes, sequences_of(document, request)):
             pictures = None if plan is None else plan.pictures_of(sequence)
             count = document.canvas.length_frames if pictures is None else max(pictures) + 1
-            remove_beyond(sequence.folder, sequence.label, sequence.digits, count)
+            remove_beyond(sequence.name, count)
             self.footage[rendering, sequence.subject.owner] = RenderedFootage(sequence.file(1), count, pictures)
 
 

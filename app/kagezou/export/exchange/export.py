@@ -16,6 +16,8 @@ from kagezou.export.exchange.stack import SceneTarget
 from kagezou.export.file_kinds import LAYER_PICTURES, SCENE, FileCount
 from kagezou.export.frames import CEL_BUDGET_BYTES, decode, stops_of
 from kagezou.export.layered import LayeredContent
+from kagezou.export.made_files import SCENE as SCENE_FILE
+from kagezou.export.made_files import MadeFile
 from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import Plan, planned
@@ -80,6 +82,8 @@ class SceneMade:
         How many files were written.
     notes
         What the user should know, one sentence each.
+    made
+        The files one by one.
     """
 
     scene: Path | None
@@ -87,6 +91,7 @@ class SceneMade:
     written: int
     notes: tuple[Message, ...]
     seconds: float
+    made: tuple[MadeFile, ...] = ()
 
 
 def export_scene(
@@ -120,7 +125,8 @@ def export_scene(
     pictures = run.gathered.files
     counts = (FileCount(LAYER_PICTURES, pictures, pictures), FileCount(SCENE, int(scene is not None), 1))
     written = pictures + int(scene is not None)
-    return SceneMade(scene, counts, written, notes, time.monotonic() - started)
+    made = (*run.gathered.made(), *(() if scene is None else (MadeFile(scene, SCENE_FILE),)))
+    return SceneMade(scene, counts, written, notes, time.monotonic() - started, made)
 
 
 def scene_layers(plan: Plan) -> tuple[Who, ...]:
@@ -203,7 +209,7 @@ class _SceneRun:
     def _prepare(self) -> None:
         """See whether there is room and whether the folder can be written to."""
         folder = self.gathered.folder / self.gathered.pictures
-        sequences = tuple(replace(each, folder=folder) for each in self.plan.sequences)
+        sequences = tuple(replace(each, name=replace(each.name, folder=folder)) for each in self.plan.sequences)
         prepare_folders(self.request.frames_wanted, Plan(self.plan.jobs, sequences, {}))
 
     def _step(self, count: int) -> None:

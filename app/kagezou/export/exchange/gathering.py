@@ -11,6 +11,7 @@ import numpy as np
 from kagezou.document.model import Canvas
 from kagezou.export.exchange.drawn import DrawnLayer, Who
 from kagezou.export.exchange.stack import Stack, StackLayer
+from kagezou.export.made_files import PICTURE, MadeFile
 from kagezou.export.names import digits_for, safe_names
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
@@ -150,6 +151,12 @@ class Gathered:
                 write_bytes(path, data)
                 self._paths[who, number] = path
             yield
+
+    def made(self) -> Iterator[MadeFile]:
+        """Yield the pictures that are there; where every frame has one, with its frame of the document."""
+        for (who, number), path in self._paths.items():
+            frames = (number - self.canvas.first_frame + 1,) if self.every_frame else ()
+            yield MadeFile(path, PICTURE, self._labels[who], frames=frames)
 
     def remove_others(self) -> None:
         """Remove numbered pictures of an earlier, longer export from the folders: some programs take them all."""

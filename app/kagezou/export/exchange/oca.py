@@ -8,9 +8,9 @@ import json
 from collections.abc import Iterator
 from typing import Any, Final
 
-from kagezou import __version__
 from kagezou.export.exchange.stack import SceneTarget, SceneText, Stack, StackLayer, held
 from kagezou.message import Message
+from kagezou.version import __version__
 
 _SPEC: Final = "1.1.0"
 

@@ -10,6 +10,7 @@ from typing import Generic, TypeVar
 from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.file_kinds import FileCount
+from kagezou.export.made_files import MadeFile
 from kagezou.export.request import Cancelled, Progress
 from kagezou.extras import Extra
 from kagezou.message import Message
@@ -31,6 +32,7 @@ class Option(StrEnum):
     MATTES = "mattes"
     CONTROLS = "controls"
     CHUNK = "chunk"
+    NAMES = "names"
     VIDEO_LAYER = "video_layer"
 
 
@@ -54,6 +56,8 @@ class ExportOutcome:
         What the user should know, one sentence each.
     next_steps
         What to do with it in the program that it is for.
+    made
+        The files one by one.
     """
 
     counts: tuple[FileCount, ...]
@@ -63,6 +67,7 @@ class ExportOutcome:
     where: Path
     notes: tuple[Message, ...] = ()
     next_steps: tuple[Message, ...] = ()
+    made: tuple[MadeFile, ...] = ()
 
     @property
     def files(self) -> int:
@@ -174,6 +179,10 @@ class Exporter(ABC, Generic[Request, Made]):
         """Return what came of it, as every kind of export tells it."""
 
     @abstractmethod
+    def made_files(self, made: Made) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+
+    @abstractmethod
     def next_steps(self, document: Document, choices: ExportChoices, place: Place) -> tuple[Message, ...]:
         """Return what to do with it in the program that it is for, in two or three short sentences."""
 
@@ -197,7 +206,8 @@ class Exporter(ABC, Generic[Request, Made]):
 
         def work(open_context: OpenContext, progress: Progress, cancelled: Cancelled) -> ExportOutcome:
             request = self.request(document, choices, place)
-            came = self.outcome(self.export(document, request, open_context, progress, cancelled), place)
+            made = self.export(document, request, open_context, progress, cancelled)
+            came = replace(self.outcome(made, place), made=self.made_files(made))
             return replace(came, next_steps=self.steps_after(came, document, choices, place))
 
         return work

@@ -10,7 +10,9 @@ from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import frames_request, sequence_lines
 from kagezou.export.farm import ASSETS, PARAMETERS, TEMPLATE, FarmRequest, write_bundle
+from kagezou.export.farm_program import program_here
 from kagezou.export.file_kinds import JOB_FILES, FileCount
+from kagezou.export.made_files import JOB, MadeFile
 from kagezou.export.request import LAYERED_SUFFIXES, SUFFIXES, Cancelled, Progress
 from kagezou.export.selection import chosen_frames
 from kagezou.io.files.faults import shown
@@ -55,7 +57,7 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
             raise UsageProblem(Message("a farm renders a saved project; save this one first"))
         output = place.project.with_name(f"{place.project.stem}_shadows")
         export = frames_request(document, choices, output, is_layered=self.is_layered(choices))
-        return BundleRequest(FarmRequest(place.project, export, choices.chunk), place.folder)
+        return BundleRequest(FarmRequest(place.project, export, choices.chunk, program_here()), place.folder)
 
     def export(
         self,
@@ -75,14 +77,20 @@ class FarmJob(Exporter[BundleRequest, tuple[Path, ...]]):
         counts = (FileCount(JOB_FILES, len(made), len(made)),)
         return ExportOutcome(counts, len(made), cancelled=False, problem=None, where=place.folder)
 
+    def made_files(self, made: tuple[Path, ...]) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return tuple(MadeFile(path.absolute(), JOB) for path in made)
+
     def next_steps(self, document: Document, choices: ExportChoices, place: Place) -> tuple[Message, ...]:
         """Return how the job is sent, and where its frames go."""
-        output = shown(self.request(document, choices, place).job.export.folder)
+        job = self.request(document, choices, place).job
+        output = shown(job.export.folder)
         return (
             Message("AWS Deadline Cloud: deadline bundle submit {folder}", folder=shown(place.folder)),
             Message("Other farms: openjd run {template} --step Render", template=shown(place.folder / TEMPLATE)),
             Message(
-                "The farm renders the saved project, into {output}: save it before you send the job.",
+                "The farm calls {program} and renders the saved project into {output}: save before you send the job.",
+                program=job.program,
                 output=output,
             ),
         )
@@ -103,6 +111,7 @@ FARM_JOB: Final = FarmJob(
             Option.RECEIVERS,
             Option.ONLY_WORK_AREA,
             Option.CHUNK,
+            Option.NAMES,
         )
     ),
 )

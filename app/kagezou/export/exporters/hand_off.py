@@ -10,6 +10,7 @@ from kagezou.export.after_effects.renderings import renderings_of
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import workers
+from kagezou.export.made_files import MadeFile
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
 from kagezou.export.request import Cancelled, ExportRequest, Progress
@@ -77,6 +78,10 @@ class HandOffExporter(Exporter[HandOffRequest, HandedOff]):
             notes=made.notes,
         )
 
+    def made_files(self, made: HandedOff) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return made.made
+
     def next_steps(self, _document: Document, _choices: ExportChoices, place: Place) -> tuple[Message, ...]:
         """Return how the script is run, and what it does."""
         return (
@@ -110,7 +115,7 @@ def _rendered(document: Document, choices: ExportChoices, place: Place) -> Itera
         if choices.per_drawing and not rendering.is_matte:
             plan = planned(version, request)
             counts = ((each, f"{max(plan.pictures_of(each)) + 1} × ") for each in plan.sequences)
-        yield from (f"{rendering.folder}/{each.label}/  {count}{each.suffix}" for each, count in counts)
+        yield from (f"{rendering.folder}/{each.label}/  {count}{request.suffix}" for each, count in counts)
 
 
 def _copied(document: Document, choices: ExportChoices) -> Iterator[str]:

@@ -4,9 +4,11 @@ import os
 from pathlib import Path
 
 from kagezou.document.model import Document
-from kagezou.export.choices import ExportChoices, Place
+from kagezou.export.choices import AS_CUT, ExportChoices, Place
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome
+from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
+from kagezou.export.made_files import MadeFile
 from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import sequences_of
@@ -43,6 +45,10 @@ class NumberedFrames(Exporter[ExportRequest, Summary]):
             notes=made.notes,
         )
 
+    def made_files(self, made: Summary) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return made.made
+
 
 def frames_request(document: Document, choices: ExportChoices, folder: Path, *, is_layered: bool) -> ExportRequest:
     """Return what numbered frames are asked for with.
@@ -65,6 +71,7 @@ def frames_request(document: Document, choices: ExportChoices, folder: Path, *, 
         skip_existing=choices.skip_existing,
         workers=workers(),
         layered=is_layered,
+        names=FileNames(choices.names, None if choices.start == AS_CUT else choices.start),
     )
 
 
@@ -82,6 +89,7 @@ def workers() -> int:
 
 
 def sequence_lines(document: Document, request: ExportRequest) -> tuple[str, ...]:
-    """Return a line for each sequence of a request: its folder, and how many files it gets of which suffix."""
-    length = len(chosen_frames(document, request))
-    return tuple(f"{each.label}/  {length} × {each.suffix}" for each in sequences_of(document, request))
+    """Return a line for each sequence of a request: its first file, and how many there are."""
+    frames = chosen_frames(document, request)
+    files = [each.file(frames[0]).relative_to(request.folder) for each in sequences_of(document, request)]
+    return tuple(f"{path.as_posix()}  × {len(frames)}" for path in files)

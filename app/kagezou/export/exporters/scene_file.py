@@ -12,6 +12,7 @@ from kagezou.export.exchange.gathering import labels_of
 from kagezou.export.exchange.stack import SceneTarget
 from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Option
 from kagezou.export.exporters.numbered_frames import frames_chosen, workers
+from kagezou.export.made_files import MadeFile
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
 from kagezou.export.request import Cancelled, Progress
@@ -89,6 +90,10 @@ class SceneFile(Exporter[SceneRequest, SceneMade]):
             where=made.scene or place.folder,
             notes=made.notes,
         )
+
+    def made_files(self, made: SceneMade) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return made.made
 
     def next_steps(self, _document: Document, _choices: ExportChoices, place: Place) -> tuple[Message, ...]:
         """Return how the scene is opened."""

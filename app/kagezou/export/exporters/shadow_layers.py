@@ -51,6 +51,7 @@ SHADOW_LAYERS: Final = ShadowLayers(
             Option.COMPOSITE,
             Option.RECEIVERS,
             Option.ONLY_WORK_AREA,
+            Option.NAMES,
             Option.SKIP_EXISTING,
         )
     ),

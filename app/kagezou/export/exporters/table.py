@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any, Final
 
-from kagezou.export.choices import ExportChoices
+from kagezou.export.choices import AS_CUT, ExportChoices
 from kagezou.export.exporters.blender_scene import BLENDER_SCENE
 from kagezou.export.exporters.exporter import Exporter
 from kagezou.export.exporters.farm_job import FARM_JOB
@@ -16,6 +16,7 @@ from kagezou.export.exporters.oca_scene import OCA_SCENE
 from kagezou.export.exporters.opentoonz_scene import OPENTOONZ_SCENE
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.video_file import VIDEO_FILE
+from kagezou.export.file_names import MAX_FIRST
 from kagezou.export.request import DEPTHS
 
 AnyExporter = Exporter[Any, Any]
@@ -57,4 +58,5 @@ def sound(choices: ExportChoices) -> ExportChoices:
     formats = exporter_of(choices).formats(choices)
     form = choices.format if choices.format in formats else formats[0]
     depth = choices.depth if choices.depth in depths_of(form) else depths_of(form)[0]
-    return replace(choices, format=form, depth=depth, chunk=min(max(choices.chunk, 1), MAX_CHUNK))
+    chunk, start = min(max(choices.chunk, 1), MAX_CHUNK), min(max(choices.start, AS_CUT), MAX_FIRST)
+    return replace(choices, format=form, depth=depth, chunk=chunk, start=start)

@@ -8,6 +8,8 @@ from kagezou.export.exporters.exporter import Exporter, ExportOutcome, Lack, Opt
 from kagezou.export.exporters.importing_steps import laying_step, rate_words
 from kagezou.export.exporters.numbered_frames import frames_chosen, workers
 from kagezou.export.file_kinds import VIDEO, FileCount
+from kagezou.export.made_files import VIDEO as VIDEO_WORD
+from kagezou.export.made_files import MadeFile
 from kagezou.export.names import safe_names
 from kagezou.export.request import Cancelled, Progress
 from kagezou.export.video import VideoRequest, VideoSummary, export_video, video_jobs
@@ -68,6 +70,10 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
         counts = (FileCount(VIDEO, there, 1),)
         where = made.path if made.is_whole else made.path.parent
         return ExportOutcome(counts, there, cancelled=not made.is_whole, problem=None, where=where)
+
+    def made_files(self, made: VideoSummary) -> tuple[MadeFile, ...]:
+        """Return the files that are there, one by one."""
+        return (MadeFile(made.path, VIDEO_WORD),) if made.is_whole else ()
 
     def next_steps(self, document: Document, choices: ExportChoices, _place: Place) -> tuple[Message, ...]:
         """Return what the video is good for."""

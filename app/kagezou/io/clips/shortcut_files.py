@@ -1,18 +1,18 @@
-"""Files of shortcuts: the sets that come with the program, and those the user hands on."""
+"""Files of shortcuts: the sets that come with the program, a studio's, and those the user hands on."""
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 
 from kagezou.document.local_name import LocalName
-from kagezou.errors import InputProblem, ProjectProblem
+from kagezou.errors import InputProblem, Problem, ProjectProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
 from kagezou.io.files.json_text import JsonRow, Reader, formatted, parse
-from kagezou.io.files.small_files import small_text
-from kagezou.locations import resource_folder
+from kagezou.io.files.small_files import folder_problems, small_text
+from kagezou.locations import SHORTCUT_FOLDERS, resource_folder, studio_folders
 from kagezou.message import Message
 
 SUFFIX = ".json"
@@ -38,17 +38,46 @@ class KeySet:
         What people read.
     keys
         The keys that differ from the table's.
+    is_studio
+        Whether it lies in a folder of ``KAGEZOU_SHORTCUTS``.
     """
 
     code: str
     name: LocalName
     keys: Keys
+    is_studio: bool = False
 
 
 def bundled_key_sets() -> tuple[KeySet, ...]:
     """Return the sets that come with the program, the program's own first."""
     folder = resource_folder() / "shortcuts"
     return tuple(load_key_set(path) for path in sorted(folder.iterdir()) if path.suffix == SUFFIX)
+
+
+def key_sets_there() -> tuple[tuple[KeySet, ...], tuple[Problem, ...]]:
+    """Return the program's sets and the studio's, and what is wrong with files and folders that cannot be read.
+
+    A set of the studio's takes the place of one of the program's, or of a later folder's, with the same file name.
+    """
+    sets = {each.code: each for each in bundled_key_sets()}
+    problems: list[Problem] = []
+    for folder in reversed(studio_folders(SHORTCUT_FOLDERS)):
+        problems += folder_problems(folder, SHORTCUT_FOLDERS)
+        for path in _files(folder):
+            try:
+                found = load_key_set(path)
+            except Problem as problem:
+                problems.append(problem)
+            else:
+                sets[found.code] = replace(found, is_studio=True)
+    return tuple(sets.values()), tuple(problems)
+
+
+def _files(folder: Path) -> list[Path]:
+    try:
+        return sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
+    except OSError:
+        return []
 
 
 def load_key_set(path: Path) -> KeySet:

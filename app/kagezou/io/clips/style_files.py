@@ -1,11 +1,12 @@
-"""Style files: those that come with the program, and the user's own beside them.
+"""Style files: those that come with the program, over them a studio's, and the user's own over both.
 
 A file may name as few lines as it likes; a line of the look that it does not name has its default.
 """
 
 import json
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
 
@@ -17,8 +18,8 @@ from kagezou.errors import InputProblem, Problem, ProjectProblem, UsageProblem
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import shown
 from kagezou.io.files.json_text import Reader, parse
-from kagezou.io.files.small_files import small_text
-from kagezou.locations import resource_folder
+from kagezou.io.files.small_files import folder_problems, small_text
+from kagezou.locations import STYLE_FOLDERS, resource_folder, studio_folders
 from kagezou.message import Message
 
 SUFFIX = ".json"
@@ -35,11 +36,57 @@ class StyleFile:
     path: Path
     is_own: bool
     """Whether it is the user's, and may be taken away."""
+    is_studio: bool = False
+    """Whether it lies in a folder of ``KAGEZOU_STYLES``."""
 
 
 def bundled_styles() -> tuple[StyleFile, ...]:
     """Return the styles that come with the program."""
     return tuple(StyleFile(load_style(path), path, is_own=False) for path in _files(resource_folder() / "styles"))
+
+
+def styles_there(own_folder: Path) -> tuple[tuple[StyleFile, ...], tuple[Problem, ...]]:
+    """Return all styles there are, and what is wrong with files and folders that cannot be read.
+
+    Of those with one name the user's own counts, else the first one of the studio's, else the program's.
+    """
+    studio, problems = studio_styles()
+    own, others = own_styles(own_folder)
+    by_name: dict[str, StyleFile] = {}
+    for each in (*bundled_styles(), *reversed(studio), *own):
+        by_name[each.style.name.en.casefold()] = each
+    ordered = (*bundled_styles(), *studio, *own)
+    return tuple(each for each in ordered if by_name[each.style.name.en.casefold()] == each), (*problems, *others)
+
+
+def studio_styles() -> tuple[tuple[StyleFile, ...], tuple[Problem, ...]]:
+    """Return the styles in the folders of ``KAGEZOU_STYLES``, those of the first before the others, and problems."""
+    found: list[StyleFile] = []
+    problems: list[Problem] = []
+    for folder in studio_folders(STYLE_FOLDERS):
+        problems += folder_problems(folder, STYLE_FOLDERS)
+        styles, others = own_styles(folder)
+        found += (replace(each, is_own=False, is_studio=True) for each in styles)
+        problems += others
+    return tuple(found), tuple(problems)
+
+
+def named_style(name: str, there: Iterable[StyleFile]) -> Style:
+    """Return the style of a name, in English or Japanese, whatever its case.
+
+    Raises
+    ------
+    UsageProblem
+        There is none.
+    """
+    styles = [each.style for each in there]
+    wanted = name.casefold()
+    for each in styles:
+        if wanted in (each.name.en.casefold(), each.name.in_language("ja").casefold()):
+            return each
+    near = get_close_matches(name, [each.name.en for each in styles], n=1)
+    hint: Message | str = f"; did you mean {near[0]}?" if near else Message("; kagezou style lists them")
+    raise UsageProblem(Message("there is no style {style!r}{hint}", style=name, hint=hint))
 
 
 def own_styles(folder: Path) -> tuple[tuple[StyleFile, ...], tuple[Problem, ...]]:
@@ -126,7 +173,7 @@ def loads_style(text: str) -> Style | None:
 def _files(folder: Path) -> list[Path]:
     try:
         return sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
-    except FileNotFoundError:
+    except OSError:
         return []
 
 

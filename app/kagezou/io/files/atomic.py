@@ -59,6 +59,24 @@ def write_bytes(path: Path, data: bytes | memoryview, *, keep_previous: bool = F
         _sync_folder(target.parent)
 
 
+def check_writable(folder: Path) -> None:
+    """Make a file in a folder and take it away again.
+
+    Raises
+    ------
+    DiskFullProblem, OutputProblem
+        The folder refuses.
+    """
+    temp = _part_path(folder / "write-test", "")
+    with _reporting(folder), _discarding(temp):
+        descriptor = os.open(temp, _CREATE, 0o666)
+        try:
+            _write_all(descriptor, memoryview(b"can be written to"))
+        finally:
+            os.close(descriptor)
+        temp.unlink()
+
+
 def replace_by(path: Path, write: Callable[[Path], None]) -> None:
     """Let ``write`` fill a temporary file beside ``path`` and put it in place when it returns.
 
@@ -81,6 +99,19 @@ def replace_by(path: Path, write: Callable[[Path], None]) -> None:
             os.close(descriptor)
         _replace(temp, target)
         _sync_folder(target.parent)
+
+
+def let_go_of_link(path: Path) -> None:
+    """Take away a link where a file of the program's own is to lie, so that what it leads to stays as it is.
+
+    Raises
+    ------
+    OutputProblem
+        The system refuses.
+    """
+    with _reporting(path):
+        if path.is_symlink():
+            path.unlink()
 
 
 def sweep_stale(folder: Path) -> int:

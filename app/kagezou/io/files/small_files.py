@@ -33,6 +33,17 @@ def small_text(path: Path, most_bytes: int, too_large: Message) -> str:
         raise ProjectProblem(Message("it is not UTF-8 text")) from error
 
 
+def folder_problems(folder: Path, variable: str) -> tuple[InputProblem, ...]:
+    """Return what is wrong with a folder that a variable of the environment names; nothing where it can be read."""
+    try:
+        next(folder.iterdir(), None)
+    except (OSError, ValueError) as error:  # a NUL in the name
+        cause = cause_of(error) if isinstance(error, OSError) else str(error)
+        words = Message("{variable}: {path}: {cause}", variable=variable, path=shown(folder), cause=cause)
+        return (InputProblem(words),)
+    return ()
+
+
 def remove_file(path: Path) -> None:
     """Remove a file; one that is not there is removed already.
 

@@ -24,6 +24,7 @@ from kagezou.io.images.oiio_errors import first_line, text_of
 from kagezou.io.images.oiio_header import STRAIGHT, exr_layers, full_pages, header_of
 from kagezou.io.images.picture_size import LARGEST_PICTURE_MB, check_size
 from kagezou.io.pixels import riff
+from kagezou.io.pixels.completeness import is_written_whole
 from kagezou.io.pixels.png_chunks import png_chunks
 from kagezou.io.pixels.signatures import LARGEST_SIDE_PX, checked_format
 from kagezou.message import Message
@@ -178,12 +179,17 @@ def write_verified(temp: Path, pixels: Pixels, settings: Mapping[str, Any], show
         The writer complains, or what it wrote reads back differently.
     """
     configure()
-    cause = _written(temp, pixels, settings) or _differs(temp, pixels)
+    cause = _written(temp, pixels, settings) or _differs(temp, pixels) or lacks_end(temp)
     if not cause:
         return
     if shutil.disk_usage(temp.parent).free < pixels.nbytes:
         raise disk_full(shown_as)
     raise output_problem(shown_as, Message("cannot be written: {cause}", cause=cause))
+
+
+def lacks_end(temp: Path) -> str:
+    """Return that a file ends too early, or an empty text; a reader may not need what is missing."""
+    return "" if is_written_whole(temp) else "its end never reached the disk"
 
 
 def disk_full(shown_as: Path) -> DiskFullProblem:

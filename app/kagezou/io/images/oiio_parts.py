@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from kagezou.io.files.faults import output_problem
 from kagezou.io.images.oiio_errors import first_line
-from kagezou.io.images.oiio_guard import configure, disk_full
+from kagezou.io.images.oiio_guard import configure, disk_full, lacks_end
 from kagezou.message import Message
 
 BLEND: Final = "kagezou:blend"
@@ -68,6 +68,7 @@ def write_parts_verified(temp: Path, size_px: tuple[int, int], parts: Sequence[E
     """
     configure()
     cause = _written(temp, [_spec(part, size_px) for part in parts], parts) or _differs(temp, parts)
+    cause = cause or lacks_end(temp)
     if not cause:
         return
     if shutil.disk_usage(temp.parent).free < sum(part.light.nbytes for part in parts):

@@ -42,6 +42,13 @@ def _pillow() -> Any:
     return Image
 
 
+def encode_jpeg(rgb: Pixels, quality: int) -> bytes:
+    """Return the JPEG of a picture, (H, W, 3) ``uint8`` sRGB; ``quality`` is 1 to 95."""
+    stream = io.BytesIO()
+    _pillow().fromarray(np.ascontiguousarray(rgb)).save(stream, "JPEG", quality=quality, optimize=True)
+    return stream.getvalue()
+
+
 @contextmanager
 def pillow_problems(path: Path) -> Iterator[None]:
     """Turn whatever Pillow raises into one sentence about ``path``."""

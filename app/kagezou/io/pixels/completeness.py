@@ -16,6 +16,7 @@ from kagezou.message import Message
 
 _PNG_END: Final = b"\0\0\0\0IEND\xaeB`\x82"
 _PNG_SIGNATURE_BYTES: Final = 8
+_TGA_END: Final = b"TRUEVISION-XFILE.\0"
 _JPEG_END: Final = b"\xff\xd9"
 _JPEG_SCAN: Final = 0xDA
 _BMP_PLAIN: Final = frozenset({0, 3, 6})
@@ -36,6 +37,25 @@ def check_end(path: Path) -> None:
         ends = False
     if not ends:
         raise input_problem(path, Message("the file is cut short"))
+
+
+def is_written_whole(path: Path) -> bool:
+    """Return whether a picture file that was just written has all that its format ends with.
+
+    More is asked than of a file to be read, which may lack what no reader needs: a writer puts it there, and where it
+    is missing the last bytes never reached the disk. OSError where the file cannot be read.
+    """
+    check = {**_CHECKS, "targa": _tga_has_footer}.get(FORMATS.get(path.suffix.lower(), ""))
+    with path.open("rb") as stream:
+        try:
+            return check is None or check(stream, os.fstat(stream.fileno()).st_size)
+        except (struct.error, IndexError):
+            return False
+
+
+def _tga_has_footer(stream: BinaryIO, size: int) -> bool:
+    stream.seek(max(size - len(_TGA_END), 0))
+    return stream.read() == _TGA_END
 
 
 def _png_ends(stream: BinaryIO, size: int) -> bool:

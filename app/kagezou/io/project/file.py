@@ -15,7 +15,7 @@ from typing import Final
 from kagezou.document import invariants
 from kagezou.document.model import Document
 from kagezou.errors import ProjectProblem
-from kagezou.io.files.atomic import write_bytes
+from kagezou.io.files.atomic import sweep_stale, write_bytes
 from kagezou.io.files.faults import cause_of, shown
 from kagezou.io.files.json_text import Reader, formatted, parse
 from kagezou.io.files.spellings import on_disk
@@ -80,6 +80,7 @@ def save(document: Document, path: Path) -> FileState:
         raise ProjectProblem(Message("{path}: cannot be saved: {cause}", path=shown(path), cause=problem)) from problem
     data = text.encode("utf-8")
     write_bytes(path, data, keep_previous=True)
+    sweep_stale(folder)
     # Of what was written, not of what lies there by now.
     return FileState(len(data), hashlib.sha256(data).hexdigest(), int(time.time()))
 

@@ -12,9 +12,9 @@ from enum import IntEnum
 from types import MappingProxyType
 from typing import Final
 
-from kagezou import __version__
 from kagezou.io.files.json_text import Reader
 from kagezou.message import Message
+from kagezou.version import __version__
 
 FORMAT_NAME: Final = "kagezou-project"
 

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from kagezou import __version__
 from kagezou.animation.ease import Ease
 from kagezou.animation.track import Key, Track
 from kagezou.document.model import BroughtLight, Cels, Document, Drawing, Exposure, Layer, Piece, Tracks
@@ -18,6 +17,7 @@ from kagezou.io.project.paths import stored_path
 from kagezou.io.project.review import review_tree
 from kagezou.io.project.versions import CURRENT, FORMAT_NAME, Tree
 from kagezou.picture_source import Paper
+from kagezou.version import __version__
 
 
 def tree_of(document: Document, folder: Path) -> Tree:

@@ -22,6 +22,10 @@ class GraphicsContext(Protocol):
         """What draws; the context must be current."""
         ...
 
+    def make_current(self) -> None:
+        """Make the context current again on the thread that entered it; one that is closed is left alone."""
+        ...
+
     def __enter__(self) -> Self:
         """Make the context current on this thread."""
         ...

@@ -68,8 +68,8 @@ class EglContext:
         return read_info()
 
     def make_current(self) -> None:
-        """Make the context current on the calling thread."""
-        if not self._egl.eglMakeCurrent(self._display, None, None, self._context):
+        """Make the context current on the calling thread; one that is closed is left alone."""
+        if self._context is not None and not self._egl.eglMakeCurrent(self._display, None, None, self._context):
             raise GraphicsProblem(
                 Message("the OpenGL context cannot be used on this thread (EGL error {self})", self=self._error())
             )

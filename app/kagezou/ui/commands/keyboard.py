@@ -4,13 +4,13 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from kagezou.errors import ProjectProblem
-from kagezou.io.clips.shortcut_files import bundled_key_sets, keys_from_text, text_of_keys
+from kagezou.io.clips.shortcut_files import key_sets_there, keys_from_text, text_of_keys
 from kagezou.ui.commands.actions import Actions
 from kagezou.ui.commands.shortcut_editor import ShortcutEditor
 from kagezou.ui.commands.shortcut_scheme import Shortcuts, table_of
 from kagezou.ui.commands.shortcut_sheet import ShortcutSheet
 from kagezou.ui.system.settings import Settings
-from kagezou.ui.system.words import named
+from kagezou.ui.system.words import named, translated
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 
 _SET, _OWN = "shortcut_set", "own_shortcuts"
@@ -36,7 +36,9 @@ class Keyboard(QObject):
         self._window = window
         self._actions = actions
         self._settings = settings
-        self._sets = bundled_key_sets()
+        self._sets, problems = key_sets_there()
+        if problems:
+            bar.say("studio shortcuts", "\n".join(map(translated, problems)), Severity.WARNING)
         self._sheet: ShortcutSheet | None = None
         self.shortcuts = self._remembered(bar)
         actions.set_keys(self.shortcuts.keys)

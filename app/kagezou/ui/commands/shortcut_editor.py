@@ -59,7 +59,8 @@ class ShortcutEditor(QDialog):
         self.sets = QComboBox()
         self.sets.setAccessibleName(self.tr("Set"))
         for each in sets:
-            self.sets.addItem(named(each.name))
+            name = named(each.name)
+            self.sets.addItem(self.tr("%1 (studio)").replace("%1", name) if each.is_studio else name)
         self.field = QLineEdit()
         self.field.setPlaceholderText(self.tr("Search by name or keys"))
         self.field.setAccessibleName(self.tr("Search by name or keys"))

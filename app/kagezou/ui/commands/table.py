@@ -51,15 +51,7 @@ class Command:
 
 @dataclass(frozen=True, slots=True)
 class CommandGroup:
-    """Commands under one heading.
-
-    Parameters
-    ----------
-    source
-        The heading's English words.
-    commands
-        What stands under it.
-    """
+    """Commands under one heading, whose English words are ``source``."""
 
     source: str
     commands: tuple[Command, ...]
@@ -101,6 +93,7 @@ def edit_commands() -> tuple[Command, ...]:
         Command("delete", translate("Commands", "&Delete"), ("Del", "Backspace")),
         Command("copy_look", translate("Commands", "&Copy Look"), ("Ctrl+Alt+C",)),
         Command("paste_look", translate("Commands", "&Paste Look"), ("Ctrl+Alt+V",)),
+        Command("take_from", translate("Commands", "&Take From Project…")),
         Command("rename_layer", translate("Commands", "Re&name Layer"), ("F2",)),
         Command("transform_cel", translate("Commands", "&Transform Cel"), ("Ctrl+T",), checkable=True),
         Command("find_feet", translate("Commands", "Find &Feet")),

@@ -9,6 +9,7 @@ from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices
 from kagezou.export.exporters.exporter import Option
 from kagezou.export.exporters.table import MAX_CHUNK, depths_of, exporter_of
+from kagezou.ui.export.naming_row import NamingRows
 
 GAP_PX = 8
 """Between a label and its field."""
@@ -29,6 +30,7 @@ _ROWS: Final = {
     Option.MATTES: 4,
     Option.RECEIVERS: 5,
     Option.CHUNK: 6,
+    Option.NAMES: 7,
     Option.CONTROLS: 9,
 }
 """The place of each, which nothing that is offered with it has; the mattes go on in the rows below theirs."""
@@ -53,7 +55,7 @@ class ExportOptions(QWidget):
         self.format_box.setAccessibleName(self.tr("Format"))
         self.depth_box.setAccessibleName(self.tr("Depth"))
         self.video_box.setAccessibleName(self.tr("Picture"))
-        self.chunk = QSpinBox()
+        self.chunk, self.naming = QSpinBox(), NamingRows(document.canvas.first_frame)
         self._ticks: dict[Option, QCheckBox] = {}
         self._mattes: dict[str, QCheckBox] = {}
         self._shown_for: list[tuple[QWidget, Option]] = []
@@ -87,6 +89,7 @@ class ExportOptions(QWidget):
         self.chunk.blockSignals(True)
         self.chunk.setValue(choices.chunk)
         self.chunk.blockSignals(False)
+        self.naming.show_choices(choices)
 
     def _lay_out(self) -> None:
         self.format_box.activated.connect(lambda: self.changed.emit({"format": self.format_box.currentData()}))
@@ -122,6 +125,9 @@ class ExportOptions(QWidget):
         self.chunk.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.chunk.valueChanged.connect(lambda value: self.changed.emit({"chunk": value}))
         self._put(self.chunk, Option.CHUNK)
+        self.naming.changed.connect(self.changed)
+        for below, naming in enumerate(self.naming.rows):
+            self._put(naming, Option.NAMES, below)
         trusting = self.tr("Leave frames alone that would come out the same")
         self._add(trusting, Option.SKIP_EXISTING)
         self._keep_room()

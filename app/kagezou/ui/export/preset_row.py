@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QLabel, QPus
 
 from kagezou.errors import Problem
 from kagezou.export.choices import ExportChoices
-from kagezou.export.presets import Preset, presets_in, remove_preset, rename_preset, save_preset
+from kagezou.export.presets import Preset, presets_there, remove_preset, rename_preset, save_preset
 from kagezou.ui.export.options import GAP_PX
 from kagezou.ui.system.words import translated
 
@@ -47,7 +47,7 @@ class PresetRow(QWidget):
 
     def reload(self) -> None:
         """Read the presets again."""
-        self._presets, problems = presets_in(self._folder)
+        self._presets, problems = presets_there(self._folder)
         for problem in problems:
             self.failed.emit(translated(problem))
         self._show()
@@ -64,13 +64,13 @@ class PresetRow(QWidget):
     def rename(self, name: str) -> None:
         """Give the chosen preset another name."""
         chosen = self._chosen
-        if chosen is not None:
+        if chosen is not None and not chosen.is_studio:
             self._try(lambda: rename_preset(self._folder, chosen, name))
 
     def remove(self) -> None:
         """Take the chosen preset away; the dialog stays as it is."""
         chosen = self._chosen
-        if chosen is not None:
+        if chosen is not None and not chosen.is_studio:
             self._try(lambda: remove_preset(chosen))
 
     @property
@@ -92,11 +92,13 @@ class PresetRow(QWidget):
         elif all(each.choices != self._choices for each in self._presets):
             self.box.addItem(self.tr("Choices of your own"), None)
         for each in self._presets:
-            self.box.addItem(each.name, each)
+            words = self.tr("%1 (studio)").replace("%1", each.name) if each.is_studio else each.name
+            self.box.addItem(words, each)
         kept = next((row for row, each in enumerate(self._presets) if each.choices == self._choices), None)
         self.box.setCurrentIndex(0 if kept is None else kept)
         self.box.setEnabled(bool(self._presets))
-        reason = "" if self._chosen is not None else self.tr("Choose one of your presets first.")
+        is_own = self._chosen is not None and not self._chosen.is_studio
+        reason = "" if is_own else self.tr("Choose one of your presets first.")
         for button in (self.rename_button, self.remove_button):
             button.setEnabled(not reason)
             button.setToolTip(reason)

@@ -118,7 +118,10 @@ class Exporting(QWidget):
         began_s, before = self._pace[0]
         now_s = monotonic()
         self._pace.append((now_s, finished))
-        if not self._stopping:
+        if not self._stopping and finished >= whole:
+            # Files are read back, and what comes after an export runs.
+            self._words.setText(self.tr("Finishing the export"))
+        elif not self._stopping:
             left_s = (now_s - began_s) * (whole - finished) / max(finished - before, 1)
             self._words.setText(self._time_words(left_s))
 

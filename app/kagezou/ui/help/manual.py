@@ -73,6 +73,14 @@ class Pages(QTextBrowser):
                 return picture.scaledToWidth(_PICTURE_PX, Qt.TransformationMode.SmoothTransformation)
         return found
 
+    def doSetSource(
+        self,
+        name: QUrl | str,
+        type: QTextDocument.ResourceType = QTextDocument.ResourceType.UnknownResource,  # noqa: A002 - as Qt calls it
+    ) -> None:
+        super().doSetSource(name, type)
+        _set_apart(self.document())
+
     def open(self, name: str, term: str = "") -> None:
         """Show a page, and bring where it explains a term to the top; without one, its beginning."""
         self.setSource(QUrl(f"{name}.md"), QTextDocument.ResourceType.MarkdownResource)
@@ -112,6 +120,22 @@ class Pages(QTextBrowser):
         self.setExtraSelections([selection])
         top = self.document().documentLayout().blockBoundingRect(block).top()
         self.verticalScrollBar().setValue(int(top - _MARGIN_PX))
+
+
+def _set_apart(document: QTextDocument) -> None:
+    """Set the lines of programs apart from the text, and let long ones go on below, so that nothing is scrolled."""
+    block, is_first = document.begin(), True
+    while block.isValid():
+        shape, after = block.blockFormat(), block.next()
+        if shape.nonBreakableLines():
+            is_last = not after.isValid() or not after.blockFormat().nonBreakableLines()
+            shape.setNonBreakableLines(False)
+            shape.setLeftMargin(_MARGIN_PX)
+            shape.setTopMargin(_MARGIN_PX / 2 if is_first else 0)
+            shape.setBottomMargin(_MARGIN_PX / 2 if is_last else 0)
+            QTextCursor(block).setBlockFormat(shape)
+            is_first = is_last
+        block = after
 
 
 class Manual(QWidget):

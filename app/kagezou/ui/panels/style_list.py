@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QListWidgetItem, QVBoxLayo
 from kagezou.document.style import style_of
 from kagezou.document.styling import put_style
 from kagezou.errors import Problem
-from kagezou.io.clips.style_files import StyleFile, bundled_styles, own_styles, path_of_style, save_style
+from kagezou.io.clips.style_files import StyleFile, path_of_style, save_style, styles_there
 from kagezou.io.files.small_files import remove_file
 from kagezou.ui.panels.style_name import StyleName
 from kagezou.ui.panels.style_pictures import StylePictures, Wanted
@@ -22,6 +22,9 @@ _PAUSE_MS = 500
 """Pictures are drawn anew when the hand has rested this long."""
 
 _LIGHT_FLAG = "styles_bring_light"
+
+_SIGN_OF_STUDIO = "◇ "
+"""Before the name of a style of the studio's; there is no room for a word."""
 
 
 class StyleList(QWidget):
@@ -76,16 +79,18 @@ class StyleList(QWidget):
 
     def reload(self) -> None:
         """Read the styles again."""
-        own, problems = own_styles(self._folder)
+        self._files, problems = styles_there(self._folder)
         for problem in problems:
             self.failed.emit(translated(problem))
-        self._files = (*bundled_styles(), *own)
         self.list.look_away()
         self.list.clear()
         blank = QPixmap(self.list.iconSize())
         blank.fill(Qt.GlobalColor.transparent)
         for each in self._files:
-            item = QListWidgetItem(named(each.style.name))
+            item = QListWidgetItem(
+                _SIGN_OF_STUDIO + named(each.style.name) if each.is_studio else named(each.style.name)
+            )
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, self._words(each))
             item.setToolTip(self._hint(each))
             item.setSizeHint(self.list.gridSize())
             item.setIcon(QIcon(blank))
@@ -132,8 +137,18 @@ class StyleList(QWidget):
         self._rest.start()
 
     def _hint(self, file: StyleFile) -> str:
+        lines = [named(file.style.name)]
+        if file.style.scene:
+            lines.append(self.tr("Has a light of its own"))
+        if file.is_studio:
+            of_studio = self.tr("Of the studio: %1").replace("%1", str(file.path.parent))
+            lines.append(_SIGN_OF_STUDIO + of_studio)
+        return "\n".join(lines)
+
+    def _words(self, file: StyleFile) -> str:
+        """Return what is said of a style where its picture is not seen."""
         name = named(file.style.name)
-        return f"{name}\n{self.tr('Has a light of its own')}" if file.style.scene else name
+        return self.tr("%1 (studio)").replace("%1", name) if file.is_studio else name
 
     def _made_light(self) -> QCheckBox:
         made = QCheckBox(self.tr("With its light"))

@@ -58,6 +58,12 @@ class Dialogs:
         chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("project"), filters)
         return self._remembered("project", chosen)
 
+    def project_to_take_from(self) -> Path | None:
+        """Ask for the project file that something is taken from."""
+        title = QCoreApplication.translate("Dialogs", "Take From Project")
+        chosen, _ = QFileDialog.getOpenFileName(self._parent, title, self._folder("project"), self._project_filter())
+        return self._remembered("project", chosen)
+
     def project_to_save(self, suggested: str) -> Path | None:
         """Ask where to save."""
         title = QCoreApplication.translate("Dialogs", "Save Project As")

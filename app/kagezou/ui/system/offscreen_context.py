@@ -53,6 +53,11 @@ class OffscreenContext:
         """What draws; the context must be current."""
         return read_info()
 
+    def make_current(self) -> None:
+        """Make the context current again on the thread that entered it; one that is closed is left alone."""
+        if self._context is not None and not self._context.makeCurrent(self._surface):
+            raise GraphicsProblem(Message("the graphics driver gives no OpenGL context beside the window"))
+
     def __enter__(self) -> Self:
         context = QOpenGLContext()
         context.setFormat(surface_format())

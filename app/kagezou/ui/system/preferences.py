@@ -16,7 +16,7 @@ _MB: Final = 1 << 20
 MOST_LETTERS: Final = 64
 """Of a name under a note."""
 
-_MEMORY, _SURROUND, _AUTHOR = "memory_mb", "surround", "author"
+_MEMORY, _SURROUND, _AUTHOR, _AFTER_EXPORT = "memory_mb", "surround", "author", "after_export"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,11 +31,14 @@ class Preferences:
         The colour around the picture, ``#rrggbb``.
     author
         Who signs notes; empty for whoever the system says sits here.
+    after_export
+        The command that runs after an export; empty for that of the environment, if any.
     """
 
     memory_mb: int
     surround: str
     author: str = ""
+    after_export: str = ""
 
     @property
     def signature(self) -> str:
@@ -69,6 +72,7 @@ def preferences_in(settings: Settings) -> Preferences:
         min(max(known, LEAST_MEMORY_MB), most_memory_mb()),
         color.name() if color.isValid() else usual.surround,
         settings.word(_AUTHOR, "")[:MOST_LETTERS],
+        settings.word(_AFTER_EXPORT, ""),
     )
 
 
@@ -77,6 +81,7 @@ def remember_preferences(settings: Settings, preferences: Preferences) -> None:
     settings.set_word(_MEMORY, str(preferences.memory_mb))
     settings.set_word(_SURROUND, preferences.surround)
     settings.set_word(_AUTHOR, preferences.author)
+    settings.set_word(_AFTER_EXPORT, preferences.after_export)
 
 
 def _user() -> str:

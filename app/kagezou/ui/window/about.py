@@ -6,8 +6,8 @@ from platform import python_version
 from PySide6.QtCore import QCoreApplication, QSize, Qt, qVersion
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
-from kagezou import __version__
 from kagezou.ui.system.icons import application_icon
+from kagezou.version import __version__
 
 
 def about_dialog(parent: QWidget, graphics: str) -> QDialog:

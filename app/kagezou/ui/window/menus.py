@@ -19,7 +19,7 @@ from kagezou.ui.viewport.resolution import Resolution
 
 _SEPARATOR = ""
 _EDITING = (
-    *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", _SEPARATOR),
+    *("undo", "redo", _SEPARATOR, "copy_look", "paste_look", "take_from", _SEPARATOR),
     *("rename_layer", "delete", _SEPARATOR, "edit_shortcuts", "preferences"),
 )
 _ON_KEYS = (

@@ -1,5 +1,6 @@
 """The preferences of the program: every choice takes effect at once, the language when the dialog is closed."""
 
+import os
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -20,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from kagezou.export.after.hooks import COMMAND_VARIABLE
 from kagezou.ui.system.language import languages
 from kagezou.ui.system.preferences import (
     LEAST_MEMORY_MB,
@@ -64,6 +66,7 @@ class PreferencesDialog(QDialog):
         self.swatch = Swatch()
         self.memory = QSpinBox()
         self.author = QLineEdit(self._preferences.author)
+        self.after_export = QLineEdit(self._preferences.after_export)
         self.folders = {purpose: QLineEdit(settings.settled_folder(purpose)) for purpose in _FOLDERS}
         self._fill()
         self._lay_out()
@@ -87,6 +90,10 @@ class PreferencesDialog(QDialog):
         self.memory.setSuffix(" MB")
         self.memory.setValue(self._preferences.memory_mb)
         self.author.setMaxLength(MOST_LETTERS)
+        self.after_export.setPlaceholderText(os.environ.get(COMMAND_VARIABLE) or self.tr("a command, if any"))
+        self.after_export.setToolTip(
+            self.tr("It runs when everything of an export is there, with a JSON file that says what was made.")
+        )
         self.author.setPlaceholderText(replace(self._preferences, author="").signature)
 
     def _connect(self) -> None:
@@ -96,6 +103,9 @@ class PreferencesDialog(QDialog):
         self.memory.valueChanged.connect(lambda value: self._prefer(replace(self._preferences, memory_mb=value)))
         self.author.editingFinished.connect(
             lambda: self._prefer(replace(self._preferences, author=self.author.text().strip()))
+        )
+        self.after_export.editingFinished.connect(
+            lambda: self._prefer(replace(self._preferences, after_export=self.after_export.text().strip()))
         )
         for purpose, field in self.folders.items():
             field.editingFinished.connect(lambda purpose=purpose: self._settle(purpose))
@@ -173,6 +183,7 @@ class PreferencesDialog(QDialog):
         form.addRow(self.tr("Memory for drawings"), in_row(self.memory, most, None))
         form.addRow(self.tr("Name under notes"), in_row(self.author, None))
         form.addRow(self.tr("Unsaved work"), self._kept_row())
+        form.addRow(self.tr("After an export"), in_row(self.after_export))
         for purpose, words in _folder_words().items():
             form.addRow(words, self._folder_row(purpose, words))
         for box, words in (
@@ -181,6 +192,7 @@ class PreferencesDialog(QDialog):
             (self.surround, self.tr("Around the picture")),
             (self.memory, self.tr("Memory for drawings")),
             (self.author, self.tr("Name under notes")),
+            (self.after_export, self.tr("After an export")),
         ):
             box.setAccessibleName(words)
         self.says = QLabel()

@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QApplication
 
+from kagezou.export.after.work import HandedOnWork
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.exporter import ExportOutcome
 from kagezou.export.exporters.table import exporter_of
@@ -16,6 +17,7 @@ from kagezou.ui.export.places import place_for, remember_place
 from kagezou.ui.export.result import ExportResult
 from kagezou.ui.panels.style_use import put_on
 from kagezou.ui.project.cut_names import output_name
+from kagezou.ui.system.preferences import preferences_in
 from kagezou.ui.system.words import named, translated
 from kagezou.ui.viewport.frame_painter import Broken
 from kagezou.ui.widgets.message_bar import Severity
@@ -190,7 +192,9 @@ def _export(parts: Parts) -> None:
     def start(choices: ExportChoices, chosen: Place) -> None:
         settings.set_word("export_plan", dumps_choices(choices))
         remember_place(settings, chosen)
-        parts.exporting.start(exporter_of(choices).work(document, choices, chosen))
+        work = exporter_of(choices).work(document, choices, chosen)
+        command = preferences_in(settings).after_export or None
+        parts.exporting.start(HandedOnWork(work, choices.kind, document, chosen.project, command))
 
     dialog.chosen.connect(start)
     dialog.open()

@@ -1,13 +1,15 @@
-"""Values of properties as people and programs read them."""
+"""Values of properties as people and programs write and read them: the words of every door but the window's."""
 
 import json
 import re
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final, NoReturn
 
-from kagezou.animation.track import Interpolation, Track, Value
-from kagezou.cli.terminal import Json
+from kagezou.animation.track import Interpolation, Key, Value
 from kagezou.errors import UsageProblem
 from kagezou.message import Message
+
+Json = str | int | float | bool | None | Sequence["Json"] | Mapping[str, "Json"]
 
 _COORDINATES: Final = re.compile(r"[-+]?[0-9]+(?:\.[0-9]+)?(?:\s*,\s*[-+]?[0-9]+(?:\.[0-9]+)?){1,2}")
 """Two or three numbers without brackets, which many shells keep for themselves."""
@@ -16,7 +18,7 @@ _COORDINATES: Final = re.compile(r"[-+]?[0-9]+(?:\.[0-9]+)?(?:\s*,\s*[-+]?[0-9]+
 def json_of_value(value: Value) -> Json:
     """Return a value as JSON; whole numbers without a point, so that they read as they were typed."""
     match value:
-        case bool() | str():
+        case int() | str():
             return value
         case float():
             return int(value) if value.is_integer() else value
@@ -29,10 +31,10 @@ def text_of_value(value: Value) -> str:
     return json.dumps(json_of_value(value), ensure_ascii=False)
 
 
-def json_of_keys(track: Track) -> list[Json]:
-    """Return the keys of a track, in order of their frames."""
+def json_of_keys(given: Iterable[Key]) -> list[Json]:
+    """Return keys in the order in which they are given."""
     keys: list[Json] = []
-    for key in track.keys:
+    for key in given:
         entry: dict[str, Json] = {
             "frame": key.frame,
             "value": json_of_value(key.value),
@@ -65,8 +67,13 @@ def value_of_text(path: str, text: str) -> object:
         bare = text.removeprefix("#")
         if text and bare.isascii() and bare.replace("_", "").isalnum():
             return text
-        words = '{path}: {text!r} is not JSON: a number, true, "word", x,y or [x, y] or [[x, y], ...]'
-        raise NotJson(Message(words, path=path, text=text[:60])) from None
+        raise NotJson(
+            Message(
+                '{path}: {text!r} is not JSON: a number, true, "word", x,y or [x, y] or [[x, y], ...]',
+                path=path,
+                text=text[:60],
+            )
+        ) from None
     return value
 
 

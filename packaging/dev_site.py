@@ -1,0 +1,107 @@
+"""The manual as a website in both languages, with references made from the program itself.
+
+``python3 packaging/dev.py site`` calls it. Pages are those that the program shows; beside them stand a reference of all
+commands, from what each says of itself, and the description of the project file. Nothing of it is written twice.
+"""
+
+import importlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+ROOT: Final = Path(__file__).resolve().parents[1]
+SITE: Final = ROOT / "packaging" / "site"
+LANGUAGES: Final = {"en": "English", "ja": "日本語"}
+_TITLES: Final = {
+    "en": ("Commands", "Every command of the command line, as `kagezou help COMMAND` says it.", "Project file"),
+    "ja": (
+        "コマンド",
+        "コマンドラインの全コマンドです。説明文は `kagezou help COMMAND` と同じ英語です。",
+        "プロジェクトファイル",
+    ),
+}
+_WIDTH: Final = "100"
+
+
+def write_pages(folder: Path, language: str) -> tuple[str, ...]:
+    """Write what the website of a language is made of, and return the names of its pages in their order."""
+    from PySide6.QtCore import QCoreApplication
+
+    from kagezou.ui.help.pages import FIRST, pages_in, with_properties
+    from kagezou.ui.system.language import Language
+    from kagezou.ui.window.wiring.help import sections
+
+    speaking = Language(QCoreApplication.instance() or QCoreApplication([]))
+    speaking.speak(language)
+    folder.mkdir(parents=True)
+    pages = pages_in(language)
+    texts = {name: with_properties(page.text, sections()) for name, page in pages.items()}
+    texts["commands"] = "\n".join(commands_page(language))
+    texts["project-file"] = _project_file(language)
+    others = [name for name in texts if name != FIRST]
+    texts[FIRST] += "\n```{toctree}\n:hidden:\n\n" + "\n".join(others) + "\n```\n"
+    for name, text in texts.items():
+        (folder / f"{name}.md").write_text(_scripts_named(text), encoding="utf-8")
+    speaking.fall_silent()
+    return tuple(texts)
+
+
+def commands_page(language: str) -> Iterator[str]:
+    """Yield the lines of the reference of commands."""
+    from kagezou.cli.arguments import Parser
+    from kagezou.cli.main import VERBS
+
+    title, says, _ = _TITLES[language]
+    words = VERBS if language == "en" else json.loads((SITE / "commands_ja.json").read_text(encoding="utf-8"))
+    yield from (f"# {title}", "", says, "")
+    os.environ["COLUMNS"] = _WIDTH
+    for verb in VERBS:
+        module = importlib.import_module(f"kagezou.cli.verbs.{verb.replace('-', '_')}")
+        parser = Parser(verb, module.DESCRIPTION, module.EXAMPLES)
+        module.add_arguments(parser)
+        yield from (f"## kagezou {verb}", "", words[verb], "", "```text", parser.format_help().rstrip(), "```", "")
+
+
+def _project_file(language: str) -> str:
+    from kagezou.io.project.format import description
+
+    text = description()
+    return (
+        text if language == "en" else re.sub(r"^# .*$", f"# {_TITLES[language][2]} (.kage)", text, count=1, flags=re.M)
+    )
+
+
+def _scripts_named(text: str) -> str:
+    """Return a page whose links to example scripts lead to where the website has them."""
+    return text.replace("](../scripts/", "](scripts/").replace("](../pictures/", "](pictures/")
+
+
+def build(out: Path) -> None:
+    """Make the website anew; subprocess.CalledProcessError where a page or a link is broken."""
+    sources = out.with_name(f"{out.name}-pages")
+    for folder in (out, sources):
+        shutil.rmtree(folder, ignore_errors=True)
+    for language in LANGUAGES:
+        write_pages(sources / language, language)
+        for beside in ("pictures", "scripts"):
+            shutil.copytree(ROOT / "docs" / beside, sources / language / beside)
+        command = ["-m", "sphinx", "-q", "-W", "-b", "html", "-c", str(SITE), "-D", f"language={language}"]
+        subprocess.run([sys.executable, *command, str(sources / language), str(out / language)], check=True)
+    links = "".join(f'<li><a href="{code}/index.html">{name}</a></li>' for code, name in LANGUAGES.items())
+    (out / "index.html").write_text(
+        '<!doctype html><meta charset="utf-8"><title>Kagezou</title><script>location.replace((navigator.language'
+        f'.startsWith("ja") ? "ja" : "en") + "/index.html")</script><ul>{links}</ul>\n',
+        encoding="utf-8",
+    )
+    (out / ".nojekyll").write_bytes(b"")
+    shutil.rmtree(sources)
+
+
+if __name__ == "__main__":
+    build(Path(sys.argv[1]) if sys.argv[1:] else ROOT / "build" / "site")

@@ -1,0 +1,14 @@
+"""How Sphinx makes the website; the language is given on its command line."""
+
+project = "Kagezou"
+author = "Kagezou"
+extensions = ["myst_parser"]
+myst_heading_anchors = 3
+html_theme = "furo"
+html_title = "Kagezou"
+html_show_sphinx = False
+html_copy_source = False
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#3b5b8c", "color-brand-content": "#3b5b8c"},
+    "dark_css_variables": {"color-brand-primary": "#9db8e6", "color-brand-content": "#9db8e6"},
+}

@@ -1,0 +1,5 @@
+"""What the tests of batches share."""
+
+from tests.cli.conftest import shell
+
+__all__ = ["shell"]

@@ -1,0 +1,47 @@
+"""The manual as a website: its pages before Sphinx makes them."""
+
+import json
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+import dev_site
+from kagezou.cli.main import VERBS
+from kagezou.ui.system.language import Language
+
+
+@pytest.mark.parametrize("language", dev_site.LANGUAGES)
+def test_the_website_has_every_page_and_leads_nowhere_else(
+    language: str, tmp_path: Path, english: Language, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    names = dev_site.write_pages(tmp_path / language, language)
+    english.speak("en")
+    assert {"index", "commands", "project-file", "light"} <= set(names)
+    beside = {
+        f"{folder}/{path.name}"
+        for folder in ("pictures", "scripts")
+        for path in (dev_site.ROOT / "docs" / folder).iterdir()
+    }
+    for name in names:
+        text = (tmp_path / language / f"{name}.md").read_text(encoding="utf-8")
+        assert "<!-- properties" not in text
+        for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", re.sub(r"```.*?```|`[^`]*`", "", text, flags=re.DOTALL)):
+            assert target.startswith("http") or target.removesuffix(".md") in names or target in beside, (name, target)
+
+
+def test_every_command_is_explained_in_both_languages() -> None:
+    words = json.loads((dev_site.SITE / "commands_ja.json").read_text(encoding="utf-8"))
+    assert list(words) == list(VERBS)
+    assert all(any(ord(sign) > 0x3000 for sign in each) for each in words.values())
+
+
+def test_the_reference_shows_what_a_command_says_itself(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    lines = "\n".join(dev_site.commands_page("en"))
+    assert "## kagezou render" in lines
+    assert "--start-frame N" in lines
+    assert capsys.readouterr().out == ""
+    assert str(tmp_path) not in lines
+    assert sys.prefix not in lines
