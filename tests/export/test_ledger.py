@@ -13,6 +13,7 @@ from kagezou.export.planning import FrameJob, planned
 from kagezou.export.request import ExportRequest
 from kagezou.io.project.file import load, save
 from tests.export.small_cuts import cut, with_values
+from tests.io.files.file_times import wait_for_another_time
 
 
 @pytest.fixture
@@ -109,6 +110,19 @@ def test_a_fingerprint_changes_with_the_files_it_is_made_of(tmp_path: Path, docu
     path.unlink()
     seen.add(fingerprint(job, request))
     assert len(seen) == 3
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no time of the system's own for a change")
+def test_a_fingerprint_changes_with_content_of_the_same_size_and_time(tmp_path: Path, document: Document) -> None:
+    job, request = first_job(document, tmp_path), ExportRequest(tmp_path)
+    path = tmp_path / "drawings" / "a_0001.png"
+    seen, before, data = fingerprint(job, request), path.stat(), bytearray(path.read_bytes())
+    data[-1] ^= 1
+    wait_for_another_time(path)
+    path.write_bytes(data)
+    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert (path.stat().st_size, path.stat().st_mtime_ns) == (before.st_size, before.st_mtime_ns)
+    assert fingerprint(job, request) != seen
 
 
 def test_a_fingerprint_changes_with_the_program(

@@ -10,12 +10,13 @@ from kagezou.batch.orders import Orders
 from kagezou.document.model import Document
 from kagezou.export.ledger import engine
 from kagezou.io.clips.style_files import dumps_style
+from kagezou.io.files.file_stamp import FileStamp, stamp_of
 from kagezou.io.project.file_state import state_of
 
 _DEEP: Final = 4
 """So many folders below that of a cut its drawings may lie."""
 
-_FileState = tuple[str, int, int]
+_FileState = tuple[str, *FileStamp]
 
 
 def made_of(cut: Path, folders: Iterable[str], orders: Orders) -> str:
@@ -59,6 +60,6 @@ def _of_entries(folder: Path, deep: int, stem: str | None) -> Iterator[_FileStat
                         yield from _of_folder(Path(entry.path), deep - 1)
                 elif entry.is_file():
                     found = entry.stat()
-                    yield entry.path, found.st_size, found.st_mtime_ns
+                    yield entry.path, *stamp_of(found)
     except OSError:
-        yield str(folder), -1, -1
+        yield str(folder), -1, -1, -1

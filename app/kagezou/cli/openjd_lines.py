@@ -2,9 +2,12 @@
 
 import sys
 import time
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from kagezou.message import Message
+
+if TYPE_CHECKING:
+    from kagezou.export.request import Summary
 
 _EVERY_S = 0.5
 
@@ -42,9 +45,12 @@ class JobLines:
         """Tell what is worth knowing of the task."""
         self._tell("status", str(words))
 
-    def fail(self, problem: Message) -> None:
-        """Tell why the task is not whole."""
-        self._tell("fail", str(problem))
+    def sum_up(self, summary: "Summary") -> None:
+        """Tell what is worth knowing of what was made, and why the task is not whole where it is not."""
+        for sentence in summary.notes:
+            self.say(sentence)
+        for failure in summary.failures[:1]:
+            self._tell("fail", str(failure.message))
 
     def _tell(self, what: str, text: str) -> None:
         # A session reads line by line: one sentence is one line.

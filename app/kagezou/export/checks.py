@@ -13,7 +13,7 @@ from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.images.parts import has_part
 from kagezou.io.sets.mesh_cache import is_mesh
 from kagezou.message import Message
-from kagezou.picture_source import PicturePart
+from kagezou.picture_source import PicturePart, PictureSource, file_of
 
 LISTED: Final = 50
 """So many missing files are named in full; of more, the number is."""
@@ -41,6 +41,26 @@ def missing_parts(jobs: Iterable[FrameJob]) -> tuple[PicturePart, ...]:
         each for job in jobs for each in job.content.sources.pictures if isinstance(each, PicturePart)
     )
     return tuple(part for part in needed if not has_part(part))
+
+
+def missing_pictures(jobs: Iterable[FrameJob]) -> tuple[PictureSource, ...]:
+    """Return the pictures that are needed and are not there, files and layers of files, each once, in order of need.
+
+    Raises
+    ------
+    InputProblem
+        A file of which a layer is needed cannot be read at all.
+    """
+    return missing_pictures_of(dict.fromkeys(each for job in jobs for each in job.content.sources.pictures))
+
+
+def missing_pictures_of(sources: Iterable[PictureSource]) -> tuple[PictureSource, ...]:
+    """Return those pictures that are not there, in their order; InputProblem as above."""
+    return tuple(
+        each
+        for each in sources
+        if not _is_file(file_of(each)) or (isinstance(each, PicturePart) and not has_part(each))
+    )
 
 
 def check_sources(jobs: Collection[FrameJob]) -> None:

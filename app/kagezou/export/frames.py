@@ -16,8 +16,9 @@ from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.made_files import MadeFile
 from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import Outcome, PipelineSteps, flow, window_for
-from kagezou.export.planning import FrameJob, OutputFile, Plan, planned
+from kagezou.export.planning import FrameJob, OutputFile, Plan
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
+from kagezou.export.stand_ins import planned_without_missing
 from kagezou.export.writing import write_all
 from kagezou.io.files.atomic import sweep_stale
 from kagezou.io.images.cel_cache import CelCache
@@ -48,7 +49,7 @@ def export_frames(
     """
     started = time.monotonic()
     request = replace(request, folder=request.folder.absolute())
-    plan = planned(document, request)
+    plan = planned_without_missing(document, request)
     if not request.keep_going:
         check_sources(plan.jobs)
     check_targets(plan)

@@ -16,6 +16,7 @@ from kagezou.export.planning import FrameJob
 from kagezou.export.request import ExportRequest
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
+from kagezou.io.files.file_stamp import FileStamp, stamp_of
 from kagezou.locations import shader_folder
 from kagezou.version import __version__
 
@@ -106,7 +107,7 @@ def fingerprint(job: FrameJob, request: ExportRequest) -> str:
     """Return a text that changes with anything that decides the bytes of a picture.
 
     That is: its content down to the last digit, size, format and depth, the program's version and shaders, and the
-    state of the drawings' files (size and time of change; a missing file has none).
+    state of the drawings' files (size and times of change; a missing file has none).
     """
     states = [_state(path) for path in job.content.sources.files]
     canvas = job.content.scene.canvas
@@ -114,12 +115,12 @@ def fingerprint(job: FrameJob, request: ExportRequest) -> str:
     return hashlib.sha256(repr(parts).encode("utf-8", "backslashreplace")).hexdigest()
 
 
-def _state(path: Path) -> tuple[int, int] | None:
+def _state(path: Path) -> FileStamp | None:
     try:
         found = path.stat()
     except (OSError, ValueError):
         return None
-    return found.st_size, found.st_mtime_ns
+    return stamp_of(found)
 
 
 @cache

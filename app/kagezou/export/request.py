@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from enum import StrEnum
 from pathlib import Path
 from typing import Final
 
@@ -31,6 +32,14 @@ TOGETHER: Final = "together"
 RECEIVERS: Final = "receivers"
 """What may be asked for alone: shadows on the ground and the set, what characters cast on each other, the patches under
 their feet, their reflections, sets drawn as clay, shadows that go over together, or where ground and set are seen."""
+
+
+class Missing(StrEnum):
+    """What is made of a frame whose drawing is missing: nothing at all, the frame without it, or with its neighbour."""
+
+    FAIL = "fail"
+    EMPTY = "empty"
+    HOLD = "hold"
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +83,8 @@ class ExportRequest:
         How the files are called.
     anew
         Files whose pictures are made even where ``skip_existing`` would trust them.
+    missing
+        What stands in for a drawing that is not there.
     """
 
     folder: Path
@@ -93,6 +104,7 @@ class ExportRequest:
     guides: bool = False
     names: FileNames = field(default_factory=FileNames)
     anew: frozenset[Path] = frozenset()
+    missing: Missing = Missing.FAIL
 
     def __post_init__(self) -> None:
         if self.layered and self.format not in LAYERED_SUFFIXES:

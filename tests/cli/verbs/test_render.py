@@ -59,6 +59,19 @@ def test_render_names_every_missing_drawing(shell: Shell, project: Path) -> None
     assert said.startswith("2 drawings are missing: ")
 
 
+@pytest.mark.parametrize(("way", "words"), [("empty", "left empty"), ("hold", "the nearest drawing is held")])
+def test_what_stands_in_for_a_missing_drawing_is_said(shell: Shell, project: Path, way: str, words: str) -> None:
+    (project.parent / "hero" / "walk_0002.png").unlink()
+    call = ["render", project, "-o", project.parent / "out", "--missing", way]
+    told = f"Hero: missing, so {words} on frames 2: walk_0002.png"
+    assert shell(*call) == 0
+    assert shell.said == f"kagezou: note: {told}\n"
+    assert shell(*call, "--json") == 0
+    assert json.loads(shell.out)["notes"] == [told]
+    assert shell(*call, "--openjd") == 0
+    assert f"openjd_status: {told}\n" in shell.out
+
+
 def test_render_that_keeps_going_says_what_failed(shell: Shell, project: Path) -> None:
     (project.parent / "hero" / "walk_0002.png").write_bytes(b"no picture")
     assert shell("render", project, "-o", project.parent / "out", "--keep-going", "--json") == 8

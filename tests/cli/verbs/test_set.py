@@ -96,6 +96,28 @@ def test_a_project_that_a_window_has_open_is_changed_and_that_is_said(shell: She
     assert shell.ok("get", project, "layers.Hero.shadow.opacity").strip() == "0.5"
 
 
+@pytest.mark.parametrize(
+    ("verb", "words"),
+    [
+        ("piece", ["add", "back", "wall"]),
+        ("style", ["natural"]),
+        ("new", ["--character", "Hero=hero", "--force", "--no-feet"]),
+        ("retake", ["Hero=hero"]),
+        ("apply", ["--light"]),
+    ],
+)
+def test_every_verb_that_writes_a_project_says_that_a_window_has_it_open(
+    shell: Shell, project: Path, monkeypatch: pytest.MonkeyPatch, verb: str, words: list[str]
+) -> None:
+    """Two instances on one project: the command line looks at the window's lock, whatever it writes."""
+    monkeypatch.chdir(project.parent)
+    project.with_name(f".{project.name}.lock").write_text("1\nkagezou\nstudio-7\n", encoding="utf-8")
+    before = [project] if verb != "apply" else [project, project]
+    assert shell(verb, *before, *words) == 0, shell.said
+    assert "open in a window on studio-7" in shell.said
+    assert not list(project.parent.glob(".*.edit"))
+
+
 def test_places_need_no_brackets(shell: Shell, project: Path) -> None:
     shell.ok("set", project, "light.position=10,-20.5,+30", "ground.position=1, 2")
     assert shell.json("get", project, "light.position") == [10, -20.5, 30]

@@ -1,4 +1,5 @@
 import os
+import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -10,6 +11,7 @@ from kagezou.errors import InputProblem
 from kagezou.io.images import cel_cache
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Cel, Matte, read_cel, read_matte
+from tests.io.files.file_times import wait_for_another_time
 from tests.io.images import picture_files as files
 
 
@@ -78,6 +80,27 @@ def test_an_edited_file_is_read_again(tmp_path: Path, reads: Reads) -> None:
     assert cache.cel(path).rgba[0, 0, 0] == 101
     assert cache.nbytes == 500
     assert len(reads.paths) == 2
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no time of the system's own for a change")
+@pytest.mark.parametrize("is_replaced", [False, True])
+def test_other_content_of_the_same_size_and_time_is_read_again(tmp_path: Path, *, is_replaced: bool) -> None:
+    """Size and time of a file say what they said, and the content is another one: a copy that keeps times."""
+    cache, path = CelCache(), draw(tmp_path / "a.png", 100)
+    before = path.stat()
+    assert cache.cel(path).rgba[0, 0, 0] == 100
+    other = draw(tmp_path / "b.png", 101)
+    data = other.read_bytes()
+    assert len(data) == before.st_size, "otherwise this tests nothing"
+    wait_for_another_time(path)
+    if is_replaced:
+        os.utime(other, ns=(before.st_atime_ns, before.st_mtime_ns))
+        other.replace(path)
+    else:
+        path.write_bytes(data)
+        os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert path.stat().st_mtime_ns == before.st_mtime_ns
+    assert cache.cel(path).rgba[0, 0, 0] == 101
 
 
 def test_the_least_lately_used_goes_first(tmp_path: Path, reads: Reads) -> None:

@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kagezou.errors import InputProblem
+from kagezou.io.files.file_stamp import FileStamp
 from kagezou.io.sets import bounded_bytes, mesh_cache
 from kagezou.io.sets.mesh_cache import MeshCache, SetContents, is_mesh, read_set
 from tests.io.sets import set_files
@@ -216,7 +217,7 @@ def test_many_threads_get_one_reading(tmp_path: Path, monkeypatch: pytest.Monkey
     cache, readings = MeshCache(), []
     asked = threading.Semaphore(0)
 
-    def state_of(wanted: Path) -> tuple[int, int]:
+    def state_of(wanted: Path) -> FileStamp:
         asked.release()
         return bounded_bytes.state_of(wanted)
 

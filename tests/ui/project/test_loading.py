@@ -26,6 +26,7 @@ from kagezou.ui.project import loading
 from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.project.load import Load
 from kagezou.ui.project.loading import Loading
+from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.reading_ahead import played_drawings
 from kagezou.ui.viewport import reading
 from kagezou.ui.window.main_window import MainWindow
@@ -164,6 +165,22 @@ def test_a_load_that_fails_says_one_sentence(qtbot: QtBot, walking: MainWindow, 
 
     assert walking.parts.bar.text.endswith("empty: there is no picture in this folder")
     assert walking.parts.open_project.bridge.document is document
+
+
+def test_files_outside_the_projects_folder_are_said_when_it_is_opened_first(
+    qtbot: QtBot, window: MainWindow, filled: OpenProject, tmp_path: Path
+) -> None:
+    project = tmp_path / "sent" / "walk.kage"
+    project.parent.mkdir()
+    project_file.save(filled.bridge.document, project)
+    said: list[str] = []
+    filled.noted.connect(lambda note: said.append(str(note)))
+    for _ in range(2):
+        window.parts.project.open_path(project)
+        qtbot.waitUntil(lambda: filled.path == project and not window.parts.project.loading.is_running)
+        filled.clear()
+    assert len(said) == 1
+    assert "outside the project's folder" in said[0]
 
 
 def test_what_is_dropped_while_another_loads_comes_after_it(

@@ -18,6 +18,7 @@ from kagezou.ui.system import unforeseen
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.widgets.message_bar import MessageBar, Severity
 from kagezou.ui.window.main_window import MainWindow
+from kagezou.version import __version__
 
 
 def test_every_context_is_asked_to_be_opengl_3_3_core(qapp: QApplication) -> None:
@@ -100,6 +101,8 @@ def test_unforeseen_errors_are_written_down_and_said(
     assert said[1] == "A_0001.png: it is not there"
     assert "ZeroDivisionError" in said[2]
     text = (tmp_path / "window.log").read_text(encoding="utf-8")
+    assert f"Kagezou {__version__}, Python" in text.splitlines()[0]
+    assert "is sent nowhere" in text.splitlines()[0]
     assert "Qt minds something" in text
     assert "ZeroDivisionError" in text
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import held_project
 from kagezou.cli.terminal import give, give_json, note, one_line, tell
 from kagezou.errors import Problem, UsageProblem
 from kagezou.message import Message
@@ -66,16 +67,11 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
 
 def _applied(path: Path, source: "Document", parts: "frozenset[Part]", *, is_kept: bool) -> bool:
     from kagezou.document.taking import taken
-    from kagezou.io.files.exclusive import exclusive
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load, save
-    from kagezou.io.project.open_elsewhere import open_elsewhere
 
     load(path)  # Before a lock is made beside a project that is not there.
-    said = open_elsewhere(path)
-    if said is not None:
-        note(said)
-    with exclusive(path.resolve()):
+    with held_project(path):
         before = load(path)
         done = taken(before, source, parts)
         for sentence in done.notes:

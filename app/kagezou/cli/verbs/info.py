@@ -2,6 +2,7 @@
 
 from argparse import Namespace
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, project_path
@@ -43,14 +44,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:  # noqa: ARG001 -
     document = load(options.project)
     if options.json:
         table = {"properties": _property_table(document)} if options.properties else {}
-        give_json({**_about(document), **table}, indent=2)
+        give_json({**_about(document, options.project), **table}, indent=2)
     else:
-        for line in _property_lines(document) if options.properties else _lines(document):
+        for line in _property_lines(document) if options.properties else _lines(document, options.project):
             give(one_line(line))
     return FILES_MISSING if any(True for _ in _missing(document)) else 0
 
 
-def _about(document: "Document") -> dict[str, Json]:
+def _about(document: "Document", project: Path) -> dict[str, Json]:
     from kagezou.document.piece_kinds import kind_of
     from kagezou.document.properties import OF_LAYER
 
@@ -72,7 +73,7 @@ def _about(document: "Document") -> dict[str, Json]:
         "linked": [name for name in OF_LAYER if name in document.linked],
         "keyed": [_keyed(document, address) for address in _keyed_addresses(document)],
         "missing": list(_missing(document)),
-        "notes": [str(note) for note in _notes(document)],
+        "notes": [str(note) for note in _notes(document, project)],
         "remarks": {"all": len(document.notes), "open": sum(not each.is_done for each in document.notes)},
     }
 
@@ -136,7 +137,7 @@ def _missing(document: "Document") -> Iterator[str]:
     return missing_names(document)
 
 
-def _lines(document: "Document") -> Iterator[str]:
+def _lines(document: "Document", project: Path) -> Iterator[str]:
     from kagezou.animation.frames import format_frames
     from kagezou.document.address import path_of, track_of
     from kagezou.document.piece_kinds import kind_of
@@ -171,26 +172,28 @@ def _lines(document: "Document") -> Iterator[str]:
     for address in _keyed_addresses(document):
         frames = format_frames(key.frame for key in track_of(document, address).keys)
         yield f"keys        {path_of(document, address)} on {frames}"
-    yield from _doubtful_lines(document)
+    yield from _doubtful_lines(document, project)
 
 
-def _doubtful_lines(document: "Document") -> Iterator[str]:
+def _doubtful_lines(document: "Document", project: Path) -> Iterator[str]:
     """Yield what people noted, what is missing, and what of the files is not used."""
     if document.notes:
         left = sum(not each.is_done for each in document.notes)
         yield f"remarks     {len(document.notes)}, {left} of them open (kagezou notes)"
     for name in _missing(document):
         yield f"missing     {name}"
-    for note in _notes(document):
+    for note in _notes(document, project):
         yield f"note        {note}"
 
 
-def _notes(document: "Document") -> "tuple[Message, ...]":
-    """Return what the readers of its files did not use or had to assume."""
+def _notes(document: "Document", project: Path) -> "tuple[Message, ...]":
+    """Return what the readers of its files did not use or had to assume, and which lie elsewhere."""
     from kagezou.importing.file_notes import notes_on_files
+    from kagezou.importing.outside_files import note_on_outside_files
     from kagezou.io.sets.mesh_cache import MeshCache
 
-    return notes_on_files(document, MeshCache())
+    outside = note_on_outside_files(document, project)
+    return (*notes_on_files(document, MeshCache()), *(() if outside is None else (outside,)))
 
 
 def _property_table(document: "Document") -> Json:

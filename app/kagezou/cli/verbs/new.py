@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, frame_rate, named_part, named_source, project_path, size
 from kagezou.cli.entry_points import EntryPoints
+from kagezou.cli.holding import held_project
 from kagezou.cli.terminal import note
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.message import Message
@@ -140,7 +141,11 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         found = _on_feet(document, entry_points)
         document = found.document
         notes += found.notes
-    save(document, path)
+    if path.exists():
+        with held_project(path):
+            save(document, path)
+    else:
+        save(document, path)
     for sentence in notes:
         note(sentence)
     return 0

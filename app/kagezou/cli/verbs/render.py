@@ -85,6 +85,13 @@ def _add_running(parser: Parser) -> None:
         "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
     )
     parser.add_argument(
+        "--missing",
+        choices=("fail", "empty", "hold"),
+        default="fail",
+        help="where a drawing is not there: make nothing (fail), the frame without it, or with the drawing before it "
+        "(else after it); said on stderr",
+    )
+    parser.add_argument(
         "--watch",
         action="store_true",
         help="go on until stopped, and make anew what changes on disk: drawings, project, sets, timesheet",
@@ -131,8 +138,8 @@ def _render(options: Namespace, entry_points: EntryPoints) -> int:
             if (words := heavy_words(document)) is not None:
                 note(words)
             summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
-            if isinstance(lines, JobLines) and summary.failures:
-                lines.fail(summary.failures[0].message)
+            if isinstance(lines, JobLines):
+                lines.sum_up(summary)
         if not options.openjd:
             report(summary, as_json=options.json)
         if not hand_on_export(_handover(options, document, summary), options.after, interruption.is_set):
@@ -210,7 +217,7 @@ def _depth(options: Namespace, form: str) -> tuple[int, Message | None]:
 
 def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
     from kagezou.animation.frames import parse_frames
-    from kagezou.export.request import ExportRequest
+    from kagezou.export.request import ExportRequest, Missing
 
     return ExportRequest(
         folder=options.output,
@@ -227,4 +234,5 @@ def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
         workers=options.workers or processors(),
         keep_going=options.keep_going,
         names=names_of(options),
+        missing=Missing(options.missing),
     )

@@ -9,6 +9,7 @@ from typing import Final, Literal, Protocol
 
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.file_stamp import FileStamp, stamp_of
 from kagezou.io.images.reading import Cel, Matte, read_cel, read_matte
 from kagezou.message import Message
 from kagezou.picture_source import PictureSource, file_of
@@ -23,12 +24,11 @@ class _Key:
 
     kind: _Kind
     source: PictureSource
-    size: int
-    mtime_ns: int
+    stamp: FileStamp
 
     def of(self, kind: _Kind) -> "_Key":
         """Return the key of the same state of the file as another kind."""
-        return _Key(kind, self.source, self.size, self.mtime_ns)
+        return _Key(kind, self.source, self.stamp)
 
 
 class CelSource(Protocol):
@@ -50,7 +50,7 @@ class CelSource(Protocol):
 class CelCache:
     """Drawings read from files, bounded by memory, the least lately used going first; any thread may ask.
 
-    A picture is known by its file's path, size and time of change, and its part of the file, so an edited one is read
+    A picture is known by its file's path, size and times of change, and its part of the file, so an edited one is read
     again. Two threads that ask for one drawing wait for one decoding. A failure is reported to those who waited for
     it and then forgotten.
 
@@ -207,4 +207,4 @@ def _key(kind: _Kind, source: PictureSource) -> _Key:
         raise input_problem(path, error) from error
     except ValueError as error:  # a NUL in the name
         raise input_problem(path, Message("it cannot be a file name")) from error
-    return _Key(kind, source, state.st_size, state.st_mtime_ns)
+    return _Key(kind, source, stamp_of(state))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol
 from numpy.typing import NDArray
 
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.file_stamp import FileStamp, stamp_of
 from kagezou.io.images.header import Header
 from kagezou.io.images.plain_png import plain_png
 from kagezou.io.pixels.signatures import FORMATS, checked_format
@@ -27,7 +28,7 @@ _KEPT_BYTES: Final = 256 << 20
 _LARGEST_FILE_BYTES: Final = 512 << 20
 _LARGE_TARGA_BYTES: Final = 256 << 20
 _FILMS: Final = frozenset({"png", "webp", "gif"})
-_State = tuple[Path, int, int]
+_State = tuple[Path, *FileStamp]
 
 
 class OpenPicture(Protocol):
@@ -81,7 +82,7 @@ class _OpenFiles:
         checked_format(path, whole=False)
         try:
             status = path.stat()
-            state = (path, status.st_size, status.st_mtime_ns)
+            state = (path, *stamp_of(status))
             with self._lock:
                 for other in [known for known in self._kept if known[0] == path and known != state]:
                     del self._kept[other]

@@ -15,6 +15,7 @@ from typing import Any, Final
 
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.file_stamp import FileStamp, stamp_of
 from kagezou.io.psd.comparing import follow_clipped_groups
 from kagezou.io.psd.notes import notes_on
 from kagezou.io.psd.pixels import PsdPixels, merged_pixels, part_pixels
@@ -31,7 +32,7 @@ _MOST_NODES: Final = 20000
 _LONGEST_ADDRESS: Final = 4096
 """Longer ones could not be kept in a project."""
 
-_State = tuple[Path, int, int]
+_State = tuple[Path, *FileStamp]
 
 
 class _Opened:
@@ -132,7 +133,7 @@ class _OpenFiles:
             raise input_problem(path, error) from error
         except ValueError as error:  # a NUL in the name
             raise input_problem(path, Message("it cannot be a file name")) from error
-        state = (path, status.st_size, status.st_mtime_ns)
+        state = (path, *stamp_of(status))
         with self._lock:
             for other in [known for known in self._kept if known[0] == path and known != state]:
                 del self._kept[other]

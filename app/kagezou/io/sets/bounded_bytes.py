@@ -4,13 +4,14 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.file_stamp import FileStamp, stamp_of
 from kagezou.message import Message
 
 MAX_BYTES: Final = 512 << 20
 
 
-def state_of(path: Path) -> tuple[int, int]:
-    """Return size and time of change of a set's file.
+def state_of(path: Path) -> FileStamp:
+    """Return size and times of change of a set's file.
 
     Raises
     ------
@@ -29,7 +30,7 @@ def state_of(path: Path) -> tuple[int, int]:
         raise input_problem(
             path, Message("it is larger than {megabytes} MB, too large for a set", megabytes=MAX_BYTES >> 20)
         )
-    return state.st_size, state.st_mtime_ns
+    return stamp_of(state)
 
 
 def bytes_of(path: Path) -> bytes:

@@ -14,6 +14,7 @@ import numpy as np
 from kagezou.geometry.mesh import Mesh
 from kagezou.geometry.mesh_making import mesh_of
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.file_stamp import FileStamp
 from kagezou.io.sets.bounded_bytes import bytes_of, state_of
 from kagezou.io.sets.triangle_count import MAX_TRIANGLES, too_many
 from kagezou.message import Message
@@ -28,7 +29,7 @@ _GLTF: Final = (".glb", ".gltf")
 _USD: Final = (".usd", ".usda", ".usdc", ".usdz")
 _FARTHEST: Final = 1e9
 
-_State = tuple[Path, int, int]
+_State = tuple[Path, *FileStamp]
 """A file, its size and its time of change."""
 
 

@@ -18,6 +18,7 @@ from kagezou.errors import InputProblem
 from kagezou.extras import USD
 from kagezou.geometry.set_camera import SetCamera
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.file_stamp import FileStamp
 from kagezou.io.sets.bounded_bytes import state_of
 from kagezou.io.sets.triangles import Triangles
 from kagezou.io.sets.usd_contents import UsdContents, load_contents
@@ -32,7 +33,7 @@ _USUAL_RATE: Final = Fraction(24)
 _TAKEN: Final = Triangles(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
 """In place of triangles that were handed out: whoever got them keeps them."""
 
-_State = tuple[Path, int, int]
+_State = tuple[Path, *FileStamp]
 
 
 class _Readings:

@@ -266,6 +266,7 @@ def help_commands() -> tuple[Command, ...]:
         Command("first_cut", translate("Commands", "&Guided First Cut")),
         Command("command_search", translate("Commands", "&Find Command…"), ("Ctrl+Shift+P",)),
         Command("shortcuts", translate("Commands", "&Keyboard Shortcuts"), ("Shift+F1", "Ctrl+/")),
+        Command("support_report", translate("Commands", "Copy &Support Report")),
         Command("missing_parts", translate("Commands", "Missing Parts…")),
         Command("about", translate("Commands", "&About Kagezou")),
     )

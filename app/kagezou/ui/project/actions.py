@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from kagezou.errors import Problem
 from kagezou.geometry.set_camera import SetCamera
+from kagezou.importing.outside_files import note_on_outside_files
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.importing.staging import CharacterSource
 from kagezou.io.oca.reading import oca_file
@@ -89,7 +90,7 @@ class ProjectActions(QObject):
         holder = self._lock.holder_of(path)
         if holder and not self.dialogs.open_twice(path.name, holder):
             return False
-        return self._load(_then(self._open_project.open(path), lambda: self._remember(path)))
+        return self._load(_then(self._open_project.open(path), lambda: self._opened(path)))
 
     def save(self) -> bool:
         """Save where it was saved before, or ask; false if it is not saved after that."""
@@ -193,6 +194,14 @@ class ProjectActions(QObject):
             self._remember(self._open_project.path)
             self.done.emit(self.tr("Saved %1").replace("%1", self._open_project.path.name))
         return saved
+
+    def _opened(self, path: Path) -> None:
+        """Remember a project, and say of one that is new here which files of other folders it reads."""
+        if path.absolute() not in self._settings.recent:
+            note = note_on_outside_files(self._open_project.bridge.document, path)
+            if note is not None:
+                self._open_project.noted.emit(note)
+        self._remember(path)
 
     def _remember(self, path: Path) -> None:
         self._settings.remember_project(path)

@@ -1,18 +1,21 @@
 """What nobody foresaw: errors that reach the top and Qt's own warnings are written down and said, never swallowed."""
 
 import logging
+import platform
 import sys
 import threading
 import traceback
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
+from typing import Final
 
 from platformdirs import user_log_path
-from PySide6.QtCore import QMessageLogContext, QObject, QtMsgType, Signal, qInstallMessageHandler
+from PySide6.QtCore import QMessageLogContext, QObject, QtMsgType, Signal, qInstallMessageHandler, qVersion
 
 from kagezou.errors import Problem
 from kagezou.ui.system.words import translated
+from kagezou.version import __version__
 
 _LEVELS = {
     QtMsgType.QtDebugMsg: logging.DEBUG,
@@ -22,6 +25,7 @@ _LEVELS = {
     QtMsgType.QtFatalMsg: logging.CRITICAL,
 }
 LOG_BYTES = 1 << 20
+LOG_NAME: Final = "window.log"
 
 log = logging.getLogger("kagezou")
 
@@ -74,11 +78,19 @@ def _log_to_file() -> Path | None:
     log.setLevel(logging.INFO)
     log.addHandler(logging.StreamHandler())
     try:
-        path = user_log_path("kagezou", appauthor=False, ensure_exists=True) / "window.log"
+        path = user_log_path("kagezou", appauthor=False, ensure_exists=True) / LOG_NAME
         handler = RotatingFileHandler(path, maxBytes=LOG_BYTES, backupCount=2, encoding="utf-8")
     except OSError as error:
         log.warning("no log file: %s", error)
         return None
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(message)s"))
     log.addHandler(handler)
+    # Only into the file: who started the program from a terminal did not ask for it.
+    handler.handle(log.makeRecord(log.name, logging.INFO, "", 0, _beginning(), (), None))
     return path
+
+
+def _beginning() -> str:
+    """Return what stands first for each start: what runs, and what becomes of the file."""
+    versions = f"Kagezou {__version__}, Python {platform.python_version()}, Qt {qVersion()}, {platform.platform()}"
+    return f"{versions}; this log stays on this computer, is sent nowhere, and may hold names of your files"

@@ -29,6 +29,7 @@ from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_me
 from kagezou.ui.window.wiring.review import connect_review
 from kagezou.ui.window.wiring.set_import import connect_set_import
 from kagezou.ui.window.wiring.sets import connect_set
+from kagezou.ui.window.wiring.support import connect_support
 from kagezou.ui.window.wiring.time import (
     connect_curves,
     connect_drawings,
@@ -236,6 +237,7 @@ class MainWindow(QMainWindow):
         connect_timeline(parts)
         connect_curves(parts, self.docks.layout)
         connect_messages(parts)
+        connect_support(parts)
 
 
 def _files(event: QDropEvent) -> list[Path]:

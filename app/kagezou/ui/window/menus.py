@@ -36,7 +36,10 @@ _ON_LAYERS = (
     *("layer_replace", "layer_relink", "layer_folder", _SEPARATOR),
     *("layer_duplicate", _SEPARATOR, "layer_lock", "layer_solo"),
 )
-_ON_HELP = ("manual", "first_cut", _SEPARATOR, "command_search", "shortcuts", _SEPARATOR, "missing_parts", "about")
+_ON_HELP = (
+    *("manual", "first_cut", _SEPARATOR, "command_search", "shortcuts", _SEPARATOR),
+    *("missing_parts", "support_report", "about"),
+)
 _NUDGES = ("keys_back", "keys_on", "keys_back_10", "keys_on_10")
 
 

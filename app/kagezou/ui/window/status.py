@@ -1,6 +1,8 @@
 """The status bar: a hint at the left, canvas, zoom and what draws at the right."""
 
-from PySide6.QtCore import Qt
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QLabel, QStatusBar, QToolButton, QWidget
 
 from kagezou.scene.figure_card import feet_at
@@ -30,6 +32,7 @@ class Status(QStatusBar):
     def __init__(self, bridge: Bridge, extra: QWidget) -> None:
         super().__init__()
         self._bridge = bridge
+        self._memory_words: Callable[[], str] = str
         self._hint = QLabel()
         self._height = QLabel()
         self._height.setToolTip(self.tr("How high the figure is over the ground on this frame"))
@@ -65,6 +68,18 @@ class Status(QStatusBar):
         for place, count in counts.items():
             words = words.replace(place, str(count))
         self._work.setText(words)
+
+    def watch_memory(self, words: Callable[[], str]) -> None:
+        """Say under the hand, on the zoom, what ``words`` returns at that moment."""
+        self._memory_words = words
+        self._zoom.setToolTip(words())
+        self._zoom.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Make the words of a label anew as they are about to be shown."""
+        if event.type() is QEvent.Type.ToolTip and watched is self._zoom:
+            self._zoom.setToolTip(self._memory_words())
+        return super().eventFilter(watched, event)
 
     def say(self, words: str) -> None:
         """Say for a while that something is done."""
