@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 from kagezou.cli.arguments import Parser, size, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, ProgressLine, give, give_json
+from kagezou.errors import UsageProblem
 from kagezou.io.files.processors import processors
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.cli.bench.operations import Measured
@@ -22,6 +24,7 @@ EXAMPLES = """\
   kagezou bench
   kagezou bench --json --size 1920x1080
   kagezou bench --input drawings/hero
+  kagezou bench --window
 """
 DEFAULT_SIZE = (1000, 1000)
 
@@ -33,6 +36,9 @@ def add_arguments(parser: Parser) -> None:
         "--size", type=size, metavar="WxH", help="the canvas in px (1000x1000, or that of the drawings)"
     )
     parser.add_argument("--workers", type=whole_number, metavar="N", help="threads of the export")
+    parser.add_argument(
+        "--window", action="store_true", help="measure the window instead, by events of the X server: drags and playing"
+    )
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
@@ -44,6 +50,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.render.renderer import Renderer
 
     workers = options.workers or processors()
+    if options.window:
+        return _measure_window(options, workers, entry_points)
     with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
         document = _document(options, Path(folder), workers)
         cels = CelCache()
@@ -75,6 +83,22 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     wide = f"two layers of {pair.canvas.width_px} x {pair.canvas.height_px} px"
     for words, rate in (("export", export), (f"export of {wide}", export_two)):
         give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
+    return 0
+
+
+def _measure_window(options: Namespace, workers: int, entry_points: EntryPoints) -> int:
+    """Measure the window and report."""
+    from kagezou.cli.bench.window import documents, lines, report
+
+    if entry_points.measure_window is None:
+        raise UsageProblem(Message("there is no display, so the window cannot be measured"))
+    with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
+        device, answers = entry_points.measure_window(*documents(Path(folder, "drawings"), workers))
+    if options.json:
+        give_json({"gl_renderer": device, "window": report(answers)})
+        return 0
+    for line in (device, *lines(answers)):
+        give(line)
     return 0
 
 
