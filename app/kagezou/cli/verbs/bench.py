@@ -49,9 +49,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.io.images.cel_cache import CelCache
     from kagezou.render.renderer import Renderer
 
-    workers = options.workers or processors()
     if options.window:
-        return _measure_window(options, workers, entry_points)
+        return _measure_window(options, entry_points)
+    workers = options.workers or processors()
     with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
         document = _document(options, Path(folder), workers)
         cels = CelCache()
@@ -63,8 +63,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             drawn = operations.measured(document, renderer, write_hills(Path(folder, "hills.ply")))
             renderer.close()
         cels.clear()
-        one = (document.layers[0].name,)
-        export = throughput.measured(document, one, Path(folder, "one"), workers, entry_points.open_context)
+        one = document.layers[0].name
+        export = throughput.measured(document, (one,), Path(folder, "one"), workers, entry_points.open_context)
         pair = _pair(options, Path(folder), workers)
         both = tuple(layer.name for layer in pair.layers)
         export_two = throughput.measured(pair, both, Path(folder, "two"), workers, entry_points.open_context)
@@ -81,19 +81,25 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     for each in drawn.operations:
         give(f"  {each.name:<16} {each.median_ms:7.2f} ms {each.fps:8.0f} fps {each.ratio:6.1f} copies")
     wide = f"two layers of {pair.canvas.width_px} x {pair.canvas.height_px} px"
-    for words, rate in (("export", export), (f"export of {wide}", export_two)):
-        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
+    _give_rates({"export": export, f"export of {wide}": export_two})
     return 0
 
 
-def _measure_window(options: Namespace, workers: int, entry_points: EntryPoints) -> int:
+def _give_rates(exports: "dict[str, Throughput]") -> None:
+    for words, rate in exports.items():
+        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
+
+
+def _measure_window(options: Namespace, entry_points: EntryPoints) -> int:
     """Measure the window and report."""
     from kagezou.cli.bench.window import documents, lines, report
 
     if entry_points.measure_window is None:
         raise UsageProblem(Message("there is no display, so the window cannot be measured"))
     with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
-        device, answers = entry_points.measure_window(*documents(Path(folder, "drawings"), workers))
+        device, answers = entry_points.measure_window(
+            *documents(Path(folder, "drawings"), options.workers or processors())
+        )
     if options.json:
         give_json({"gl_renderer": device, "window": report(answers)})
         return 0

@@ -22,7 +22,7 @@ class Paint:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class Response:
     """How a window answered.
 
     Parameters
@@ -84,7 +84,7 @@ class Watch(QObject):
         )
 
 
-def answer(name: str, paints: Sequence[Paint], took_s: float, sent: Sequence[Sent] = ()) -> Answer:
+def response(name: str, paints: Sequence[Paint], took_s: float, sent: Sequence[Sent] = ()) -> Response:
     """Return figures of the paintings in a time; a painting answers the last move that the window had seen."""
     rate = len(paints) / took_s
     late = []
@@ -94,8 +94,8 @@ def answer(name: str, paints: Sequence[Paint], took_s: float, sent: Sequence[Sen
         if causes:
             late.append((paint.at_s - causes[-1]) * 1000)
     if len(late) < 2:
-        return Answer(name, rate)
-    return Answer(name, rate, median(late), quantiles(late, n=20)[-1])
+        return Response(name, rate)
+    return Response(name, rate, median(late), quantiles(late, n=20)[-1])
 
 
 def _application() -> QCoreApplication:

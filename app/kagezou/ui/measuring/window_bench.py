@@ -14,7 +14,7 @@ from kagezou.document.model import Document
 from kagezou.session.session import Session
 from kagezou.tools.handle import place_in_view
 from kagezou.ui.application import make_application
-from kagezou.ui.measuring.paints import Answer, Watch, answer
+from kagezou.ui.measuring.paints import Response, Watch, response
 from kagezou.ui.measuring.pointer import Hand, Place
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.clipboard import SystemClipboard
@@ -27,7 +27,7 @@ EVERY_S = 1 / 100
 PLAYED_S = 5.0
 
 
-def measured(walk: Document, crowd: Document) -> tuple[str, tuple[Answer, ...]]:
+def measured(walk: Document, crowd: Document) -> tuple[str, tuple[Response, ...]]:
     """Return what draws, and how the window answers.
 
     Parameters
@@ -89,7 +89,7 @@ def _pass(seconds: float, is_over: Callable[[], bool] = lambda: False) -> None:
         time.sleep(0.0005)
 
 
-def _dragged(window: MainWindow, hand: Hand, name: str, places: list[Place], seen: Callable[[], object]) -> Answer:
+def _dragged(window: MainWindow, hand: Hand, name: str, places: list[Place], seen: Callable[[], object]) -> Response:
     """Drag along places and return how it was answered."""
     for step in (lambda: hand.go(places[:1], 0.2), lambda: hand.press(down=True)):
         step()
@@ -105,7 +105,7 @@ def _dragged(window: MainWindow, hand: Hand, name: str, places: list[Place], see
     _pass(5.0, lambda: hand.is_done)
     hand.sent()
     _pass(0.5)
-    return answer(name, paints, took_s, sent)
+    return response(name, paints, took_s, sent)
 
 
 def _around(middle: Place, across: int, up: int) -> list[Place]:
@@ -114,14 +114,14 @@ def _around(middle: Place, across: int, up: int) -> list[Place]:
     return [(middle[0] + round(across * math.sin(t)), middle[1] + round(up * math.sin(2 * t))) for t in turns]
 
 
-def _light_drag(window: MainWindow, hand: Hand, name: str) -> Answer:
+def _light_drag(window: MainWindow, hand: Hand, name: str) -> Response:
     viewport, bridge = window.parts.viewport, window.parts.bridge
     light = next(each for each in viewport.controller.handles.handles if each.id.startswith("light"))
     (x, y), _ = place_in_view(light, viewport.viewpoint.view, viewport.viewpoint.size)
     return _dragged(window, hand, name, _around(_on_screen(viewport, (x, y)), 90, 30), lambda: bridge.document)
 
 
-def _playback(window: MainWindow, name: str) -> Answer:
+def _playback(window: MainWindow, name: str) -> Response:
     player, bridge = window.parts.time.player, window.parts.bridge
     player.start()
     # Once through and more, so that whatever can be kept is.
@@ -131,10 +131,10 @@ def _playback(window: MainWindow, name: str) -> Answer:
     paints = watch.finish()
     player.stop()
     _pass(0.3)
-    return answer(name, paints, PLAYED_S)
+    return response(name, paints, PLAYED_S)
 
 
-def _scrubbing(window: MainWindow, hand: Hand) -> tuple[Answer, ...]:
+def _scrubbing(window: MainWindow, hand: Hand) -> tuple[Response, ...]:
     ruler, bridge = window.parts.time.timeline.ruler, window.parts.bridge
     length = ruler.width() - 40
     places = [
@@ -143,7 +143,7 @@ def _scrubbing(window: MainWindow, hand: Hand) -> tuple[Answer, ...]:
     return (_dragged(window, hand, "scrubbing, playhead", places, lambda: bridge.frame),)
 
 
-def _curve_drag(window: MainWindow, hand: Hand) -> Answer:
+def _curve_drag(window: MainWindow, hand: Hand) -> Response:
     bridge = window.parts.bridge
     ids = [layer.id for layer in bridge.document.layers]
     bridge.session.select(ids[0], (), frozenset(ids[1:]))
