@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 from kagezou.cli.arguments import Parser, size, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, ProgressLine, give, give_json
+from kagezou.errors import UsageProblem
 from kagezou.io.files.processors import processors
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.cli.bench.operations import Measured
@@ -24,6 +26,7 @@ EXAMPLES = """\
   kagezou bench --json --size 1920x1080
   kagezou bench --input drawings/hero
   kagezou bench --peers        beside other programs that do the same
+  kagezou bench --window
 """
 DEFAULT_SIZE = (1000, 1000)
 
@@ -40,6 +43,9 @@ def add_arguments(parser: Parser) -> None:
         action="store_true",
         help="also beside ffmpeg and OpenCV, where they are installed: PNG drawings only",
     )
+    parser.add_argument(
+        "--window", action="store_true", help="measure the window instead, by events of the X server: drags and playing"
+    )
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
@@ -50,6 +56,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.io.images.cel_cache import CelCache
     from kagezou.render.renderer import Renderer
 
+    if options.window:
+        return _measure_window(options, entry_points)
     workers = options.workers or processors()
     with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
         document = _document(options, Path(folder), workers)
@@ -62,8 +70,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             drawn = operations.measured(document, renderer, write_hills(Path(folder, "hills.ply")))
             renderer.close()
         cels.clear()
-        one = (document.layers[0].name,)
-        export = throughput.measured(document, one, Path(folder, "one"), workers, entry_points.open_context)
+        one = document.layers[0].name
+        export = throughput.measured(document, (one,), Path(folder, "one"), workers, entry_points.open_context)
         pair = _pair(options, Path(folder), workers)
         both = tuple(layer.name for layer in pair.layers)
         export_two = throughput.measured(pair, both, Path(folder, "two"), workers, entry_points.open_context)
@@ -80,9 +88,31 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         return 0
     _give_drawn(f"{name}, {size_px[0]} x {size_px[1]} px", drawn)
     wide = f"two layers of {pair.canvas.width_px} x {pair.canvas.height_px} px"
-    for words, rate in (("export", export), (f"export of {wide}", export_two)):
-        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
+    _give_rates({"export": export, f"export of {wide}": export_two})
     _give_peers(*(peers or ((), ())))
+    return 0
+
+
+def _give_rates(exports: "dict[str, Throughput]") -> None:
+    for words, rate in exports.items():
+        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
+
+
+def _measure_window(options: Namespace, entry_points: EntryPoints) -> int:
+    """Measure the window and report."""
+    from kagezou.cli.bench.window import documents, lines, report
+
+    if entry_points.measure_window is None:
+        raise UsageProblem(Message("there is no display, so the window cannot be measured"))
+    with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
+        device, answers = entry_points.measure_window(
+            *documents(Path(folder, "drawings"), options.workers or processors())
+        )
+    if options.json:
+        give_json({"gl_renderer": device, "window": report(answers)})
+        return 0
+    for line in (device, *lines(answers)):
+        give(line)
     return 0
 
 
