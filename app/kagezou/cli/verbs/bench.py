@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from kagezou.cli.bench.peers import Compared
     from kagezou.cli.bench.throughput import Throughput
     from kagezou.document.model import Document
+    from kagezou.io.images.cel_cache import CelCache
 
 DESCRIPTION = """\
 Measure each operation from the changed document to the finished picture, beside one plain copy of a whole picture,
@@ -62,16 +63,15 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
         document = _document(options, Path(folder), workers)
         cels = CelCache()
-        for drawing in document.layers[0].cels.drawings:
-            cels.cel(drawing.source)
+        _read_all(document, cels)
         with entry_points.open_context() as context:
             renderer = Renderer(cels)
             name = context.info.renderer
             drawn = operations.measured(document, renderer, write_hills(Path(folder, "hills.ply")))
             renderer.close()
         cels.clear()
-        one = document.layers[0].name
-        export = throughput.measured(document, (one,), Path(folder, "one"), workers, entry_points.open_context)
+        one = (document.layers[0].name,)
+        export = throughput.measured(document, one, Path(folder, "one"), workers, entry_points.open_context)
         pair = _pair(options, Path(folder), workers)
         both = tuple(layer.name for layer in pair.layers)
         export_two = throughput.measured(pair, both, Path(folder, "two"), workers, entry_points.open_context)
@@ -87,10 +87,15 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         give_json({"gl_renderer": name, "size": [*size_px], **_report(drawn), **rates, "workers": workers})
         return 0
     _give_drawn(f"{name}, {size_px[0]} x {size_px[1]} px", drawn)
-    wide = f"two layers of {pair.canvas.width_px} x {pair.canvas.height_px} px"
-    _give_rates({"export": export, f"export of {wide}": export_two})
+    wide_px = f"{pair.canvas.width_px} x {pair.canvas.height_px} px"
+    _give_rates({"export": export, f"export of two layers of {wide_px}": export_two})
     _give_peers(*(peers or ((), ())))
     return 0
+
+
+def _read_all(document: "Document", cels: "CelCache") -> None:
+    for drawing in document.layers[0].cels.drawings:
+        cels.cel(drawing.source)
 
 
 def _give_rates(exports: "dict[str, Throughput]") -> None:
