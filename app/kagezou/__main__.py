@@ -15,6 +15,7 @@ from kagezou.cli.streams import open_closed_streams
 from kagezou.cli.terminal import speak_plainly, tell
 from kagezou.contexts import has_display, open_context
 from kagezou.errors import GraphicsProblem, Problem
+from kagezou.own_process import ran_as_child
 
 PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb", ".oca")
 """What the window opens: projects, and the timesheets and files of layers that drawing programs hand over."""
@@ -29,6 +30,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     gc.set_threshold(_UNCOLLECTED)
     open_closed_streams()
+    if ran_as_child(words):
+        return 0
     speak_plainly()
     try:
         words = given_words(words)
