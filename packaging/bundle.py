@@ -1,10 +1,10 @@
 """A program that needs no Python: one folder made by PyInstaller for the system this runs on, tried, and packed.
 
-``python3 packaging/bundle.py [--with video usd gradients] [--out DIR]`` makes an environment of its own in build/bundle,
-the folder, then tries it: the doctor, three frames of the demo byte for byte as the sources make them, and the window on
-a screen of its own. What passes is packed: on Linux as ``.tar.xz``, as a script that unpacks itself, and as ``.deb`` where
-dpkg-deb is; on Windows as ``.zip`` (packaging/windows/kagezou.iss makes the installer of the folder); on macOS as
-``.dmg``. Sizes are printed.
+``python3 packaging/bundle.py [--with video usd gradients] [--out DIR]`` makes an environment of its own in
+build/bundle, the folder, then tries it: the doctor, three frames of the demo and a hand-over byte for byte as the
+sources make them, a batch, and the window on a screen of its own. What passes is packed: on Linux as ``.tar.xz``, as a
+script that unpacks itself, and as ``.deb`` where dpkg-deb is; on Windows as ``.zip`` (packaging/windows/kagezou.iss
+makes the installer of the folder); on macOS as ``.dmg``. Sizes are printed.
 """
 
 import argparse
@@ -31,6 +31,12 @@ _TERMINATED: Final = 143
 _OF_SCREEN: Final = ("DISPLAY", "XDG_RUNTIME_DIR", "QT_QPA_PLATFORM", "LIBGL_ALWAYS_SOFTWARE")
 
 
+def say(sentence: str) -> None:
+    """Print at once: child processes write to the same place."""
+    sys.stdout.write(f"{sentence}\n")
+    sys.stdout.flush()
+
+
 def main() -> int:
     """Make, try and pack; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -44,9 +50,9 @@ def main() -> int:
     slimmed(folder)
     try_out(folder, python)
     options.out.mkdir(parents=True, exist_ok=True)
-    print(f"{folder}: {_megabytes(folder):.0f} MB")
+    say(f"{folder}: {_megabytes(folder):.0f} MB")
     for path in packed(folder, options.out, _version()):
-        print(f"{path}: {path.stat().st_size / 1e6:.0f} MB")
+        say(f"{path}: {path.stat().st_size / 1e6:.0f} MB")
     return 0
 
 
@@ -106,10 +112,10 @@ def try_out(folder: Path, python: Path) -> None:
 def _try_window(program: Path, project: Path, work: Path, environment: dict[str, str]) -> None:
     """Open the window with a project on a screen of its own, wait until it is there, and end it as a desktop does."""
     if not sys.platform.startswith("linux") or shutil.which("xwininfo") is None:
-        print("the window was not tried: that takes Linux and xwininfo (x11-utils)")
+        say("the window was not tried: that takes Linux and xwininfo (x11-utils)")
         return
     with private_display() as screen:
-        shown = {**environment, **{name: screen[name] for name in _OF_SCREEN if name in screen}}
+        shown: dict[str, str] = {**environment, **{name: word for name, word in screen.items() if name in _OF_SCREEN}}
         began = time.monotonic()
         with subprocess.Popen([program, project], cwd=work, env=shown, stderr=subprocess.PIPE, text=True) as window:
             while project.stem not in _titles(shown):
@@ -117,7 +123,7 @@ def _try_window(program: Path, project: Path, work: Path, environment: dict[str,
                     window.kill()
                     raise SystemExit(f"the bundle shows no window: {window.communicate()[1].strip()}")
                 time.sleep(0.05)
-            print(f"the window is there after {time.monotonic() - began:.1f} s")
+            say(f"the window is there after {time.monotonic() - began:.1f} s")
             window.terminate()
             code = window.wait(_TRIED_S)
     if code != _TERMINATED:

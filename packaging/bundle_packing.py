@@ -19,11 +19,14 @@ LIBRARIES: Final = (
 _HOME: Final = "opt/kagezou"
 _UNPACKING: Final = """\
 #!/bin/sh
-# Kagezou {version}: unpacks itself into the folder that is named (else ~/.local/opt/kagezou), and says how it is started.
+# Kagezou {version}: unpacks itself into the folder that is named (else ~/.local/opt/kagezou), and says what to start.
 set -e
 home="${{1:-$HOME/.local/opt/kagezou}}"
 case "$home" in -h|--help) sed -n 2p "$0"; exit 0;; esac
-if [ -e "$home" ] && [ ! -x "$home/kagezou" ]; then echo "$home: there is something else; name a new folder" >&2; exit 4; fi
+if [ -e "$home" ] && [ ! -x "$home/kagezou" ]; then
+    echo "$home: there is something else; name a new folder" >&2
+    exit 4
+fi
 mkdir -p "$home.part"
 tail -n +{first_line} "$0" | tar -xJ -C "$home.part" --strip-components=1
 rm -rf "$home"
@@ -83,7 +86,7 @@ def _self_unpacking(archive: Path, target: Path, version: str) -> Path:
 
 
 def _deb(folder: Path, out: Path, version: str) -> Path:
-    """Make a package for Debian and Ubuntu: the folder in /opt, the program on the path, and its place on the desktop."""
+    """Make a package for Debian and Ubuntu: the folder in /opt, the program on the path, a place on the desktop."""
     root = out / "deb-root"
     shutil.rmtree(root, ignore_errors=True)
     shutil.copytree(folder, root / _HOME, symlinks=True)
@@ -114,7 +117,7 @@ def _deb(folder: Path, out: Path, version: str) -> Path:
         encoding="utf-8",
     )
     sums = (
-        f"{hashlib.md5(path.read_bytes()).hexdigest()}  {path.relative_to(root).as_posix()}\n"  # noqa: S324 - as dpkg has it
+        f"{hashlib.md5(path.read_bytes()).hexdigest()}  {path.relative_to(root).as_posix()}\n"
         for path in sorted(root.rglob("*"))
         if path.is_file() and not path.is_symlink() and control not in path.parents
     )
