@@ -67,7 +67,7 @@ def open_window(project: Path | None) -> int:
 def make_demo(folder: Path, progress: Callable[[int, int], None]) -> Path:
     """Make the demo's files for the window and return its project."""
     from kagezou.cli.demo.stage import make_demo as make
-    from kagezou.cli.processors import processors
+    from kagezou.io.files.processors import processors
 
     return make(folder, processors(), progress).project
 

@@ -2,7 +2,7 @@
 
 `rez-build --install` in this folder puts the program, all that it needs and the folder `studio` into the package; a
 studio copies this file, and pins and splits as it does with others. `rez-env kagezou -- kagezou doctor` tries it.
-A test keeps version and Python equal to pyproject.toml.
+A test keeps version and Python equal to those of the program.
 """
 
 name = "kagezou"

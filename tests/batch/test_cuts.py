@@ -1,11 +1,13 @@
 """Which cuts there are in what a person names."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from kagezou.batch.cuts import FoundCuts, found_cuts
 from kagezou.errors import InputProblem, UsageProblem
+from kagezou.importing.cut_files import cut_files
 from tests.batch.cut_folders import drawings, picture, timesheet
 from tests.psd_files import Leaf, block, write_psd
 
@@ -149,3 +151,21 @@ def test_nothing_there_is_said(tmp_path: Path, out: Path) -> None:
         found_cuts([tmp_path / "ep"], out)
     with pytest.raises(InputProblem, match="does not exist"):
         found_cuts([tmp_path / "gone"], out)
+
+
+def test_a_folder_that_cannot_be_looked_into_is_a_cut_that_fails_by_itself(
+    tmp_path: Path, out: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("c001", "c002"):
+        drawings(tmp_path / "ep" / name)
+    listing = Path.iterdir
+
+    def iterdir(path: Path) -> Iterator[Path]:
+        if path.name == "c001":
+            raise PermissionError(13, "Permission denied")
+        return listing(path)
+
+    monkeypatch.setattr(Path, "iterdir", iterdir)
+    assert [cut.name for cut in found_cuts([tmp_path / "ep"], out).cuts] == ["c001", "c002"]
+    with pytest.raises(InputProblem, match="c001"):
+        cut_files(tmp_path / "ep" / "c001")

@@ -11,10 +11,12 @@ from kagezou.animation.track import Interpolation
 from kagezou.document.address import resolve
 from kagezou.document.edits import set_key
 from kagezou.document.model import Document
+from kagezou.document.set_pieces import add_piece
 from kagezou.errors import OutputProblem
 from kagezou.export.frames import export_frames
 from kagezou.export.request import ExportRequest, Summary
 from kagezou.export.watching import FileWatch, Watch, WatchedExport, WatchRound
+from kagezou.geometry.sets.measures import PieceKind
 from kagezou.io.project.file import load, save
 from kagezou.message import Message
 from kagezou.render.gpu.context import open_headless_context
@@ -183,7 +185,7 @@ def test_a_place_that_refuses_is_said_once_and_what_was_to_be_made_is_not_forgot
     assert again.summary.written == 2 * frames_of(load(rounds.project), 1)
 
 
-def test_a_touched_file_of_a_set_makes_what_it_shadows(tmp_path: Path) -> None:
+def test_a_change_is_told_once_at_the_second_look(tmp_path: Path) -> None:
     watch, path = FileWatch(lambda: 0), tmp_path / "a"
     path.write_bytes(b"one")
     watch.know([path])
@@ -205,3 +207,25 @@ def test_two_changes_within_one_tick_of_the_clock_are_told_apart_by_content(
     watch.know([path])
     path.write_bytes(b"two")
     assert [watch.look([path]) for _ in range(3)] == [(), (path,), ()]
+
+
+def test_a_buffer_of_a_set_makes_anew_what_the_set_is_in(tmp_path: Path) -> None:
+    buffer, path = tmp_path / "a.bin", tmp_path / "a.gltf"
+    buffer.write_bytes(bytes(4))
+    path.write_text('{"asset": {"version": "2.0"}, "buffers": [{"uri": "a.bin", "byteLength": 4}]}', encoding="utf-8")
+    document = add_piece(cut(tmp_path, count=1), "set", PieceKind.BOX)
+    document = replace(document, pieces=tuple(replace(piece, source=path) for piece in document.pieces))
+    asked: list[frozenset[Path]] = []
+
+    def export(_document: Document, anew: frozenset[Path]) -> Summary:
+        asked.append(anew)
+        return Summary(1, 0, 0, 1, (), False, (), {}, 0.0)  # noqa: FBT003
+
+    watch = Watch(WatchedExport(lambda: document, (), export), FileWatch())
+    watch.first()
+    buffer.write_bytes(bytes(8))
+    assert watch.look() is None
+    made = watch.look()
+    assert made is not None
+    assert made.changed == (buffer,)
+    assert asked == [frozenset(), {buffer, path}]

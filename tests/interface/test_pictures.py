@@ -9,6 +9,7 @@ from PIL import Image
 
 import kagezou
 from kagezou.interface.cut import Cut
+from tests.cli.projects import make_drawings
 
 
 def test_they_are_the_pictures_of_the_files(cut: Cut, tmp_path: Path) -> None:
@@ -55,6 +56,21 @@ def test_two_are_drawn_in_turns_and_one_is_left_early(cut: Cut) -> None:
     next(left)
     del left
     assert len(list(cut.pictures("composite"))) == 3
+
+
+def test_with_many_frames_two_draw_and_nothing_is_otherwise(tmp_path: Path) -> None:
+    cut = kagezou.new({"Hero": make_drawings(tmp_path / "many", 9)})
+    cut.export(kagezou.Frames(tmp_path / "out"))
+    turns = zip(cut.pictures("Hero_shadow"), cut.pictures("composite"), cut.pictures("Hero_shadow"), strict=True)
+    for (frame, shadow), (_, whole), (_, again) in turns:
+        with Image.open(tmp_path / "out" / "Hero_shadow" / f"Hero_shadow_{frame:04d}.png") as written:
+            assert np.array_equal(np.asarray(written), shadow)
+        assert np.array_equal(shadow, again)
+        assert whole[..., 3].any()
+    left = cut.pictures("composite")
+    assert [next(left).frame, next(left).frame] == [1, 2]
+    left.close()
+    assert len(list(cut.pictures("composite", "3-9"))) == 7
 
 
 def test_they_can_be_stopped(cut: Cut) -> None:

@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+from kagezou.version import __version__
+
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "packaging" / "rez" / "package.py"
 
@@ -33,7 +35,7 @@ def evaluated() -> dict[str, Any]:
 def test_it_is_of_this_version_and_python() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     package = evaluated()
-    assert (package["name"], package["version"]) == (project["name"], project["version"])
+    assert (package["name"], package["version"]) == (project["name"], __version__)
     low, high = project["requires-python"].removeprefix(">=").split(",<")
     assert package["requires"] == [f"python-{low}+<{high}"]
     assert set(package["tools"]) == {*project["scripts"], *project["gui-scripts"]}
@@ -69,5 +71,5 @@ def has_rez() -> bool:
 @pytest.mark.skipif(not has_rez(), reason="Rez is not installed")
 def test_rez_reads_it() -> None:
     package = import_module("rez.packages").get_developer_package(str(PACKAGE.parent))
-    assert (package.name, str(package.version)) == ("kagezou", "0.1.0")
+    assert (package.name, str(package.version)) == ("kagezou", __version__)
     assert package.tools == ["kagezou", "kagezou-window"]

@@ -12,7 +12,7 @@ from kagezou.document.alike_names import folded
 from kagezou.errors import InputProblem, UsageProblem
 from kagezou.export.ledger import LEDGER_NAME
 from kagezou.export.names import safe_names
-from kagezou.importing.cut_listing import Listing, holds_pictures, is_column_name, listed, plain
+from kagezou.importing.cut_listing import Listing, folders_in, holds_pictures, is_column_name, listed, plain
 from kagezou.importing.new_cels import printable
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES
 from kagezou.io.files.faults import input_problem, shown
@@ -96,7 +96,7 @@ def _cuts_at(path: Path, output: Path) -> tuple[list[Path], list[Message]]:
         return [path], []
     found = list(_below(listing, output))
     folders = [each for each in found if each.is_dir()]
-    nested = [each for each in folders if any(map(_is_called_a_cut, listed(each).folders)) and not is_cut(listed(each))]
+    nested = [each for each in folders if any(map(_is_called_a_cut, folders_in(each))) and not is_cut(listed(each))]
     notes = [
         Message("{path}: a folder of cuts in a folder of cuts is not looked into; name it itself", path=shown(each))
         for each in nested

@@ -28,6 +28,7 @@ from kagezou.importing.progress import LoadPhase
 from kagezou.io.files.faults import output_problem
 from kagezou.io.project.file import load, save
 from kagezou.io.project.file_state import NEVER_SEEN, state_of
+from kagezou.io.project.open_elsewhere import open_elsewhere
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
@@ -139,6 +140,7 @@ class _Making:
         self._folder = orders.output / cut.name
         self._project = self._folder / f"{cut.name}.kage"
         self._record = CutRecord(name=cut.name, state=State.STOPPED)
+        self._files_at_first = made_of(cut.path, (), orders)
 
     def made(self) -> MadeCut:
         """Make it, and return how that went."""
@@ -147,6 +149,7 @@ class _Making:
             self._learn(document)
             came = self._exported(document)
             self._take_in(came)
+            self._see_that_files_stayed()
             tell = self._doing.part(_EXPORTED, STEPS)
             pictures = thumbnails(document, self._record.doubtful, self._doing.open_context, tell)
             self._record = replace(self._record, thumbnails=pictures)
@@ -186,6 +189,8 @@ class _Making:
             self._record = replace(self._record, notes=(note,), project=self._project.name, saved=was, seen=there)
             return load(self._project)
         imported = self._brought()
+        if (said := open_elsewhere(self._project)) is not None:
+            imported = replace(imported, notes=(*imported.notes, said))
         state = save(imported.document, self._project)
         self._record = replace(self._record, notes=imported.notes, project=self._project.name, saved=state, seen=state)
         return imported.document
@@ -239,6 +244,12 @@ class _Making:
         tell = doing.part(_ON_FEET, _EXPORTED)
         made = exporter.export(document, request, doing.open_context, tell, doing.cancelled)
         return replace(exporter.outcome(made, place), made=exporter.made_files(made))
+
+    def _see_that_files_stayed(self) -> None:
+        """Say where files of the cut changed meanwhile, and let it be made anew the next time."""
+        if made_of(self._cut.path, (), self._orders) != self._files_at_first:
+            note = Message("its files changed while it was made, so it is made again the next time")
+            self._record = replace(self._record, made_of="", notes=(*self._record.notes, note))
 
     def _take_in(self, came: ExportOutcome) -> None:
         """Take down what the output is."""

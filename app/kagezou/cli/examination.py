@@ -13,9 +13,9 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import Json
 from kagezou.errors import Problem
+from kagezou.io.files.processors import processors
 from kagezou.io.files.small_files import folder_problems
 from kagezou.locations import PRESET_FOLDERS, SHORTCUT_FOLDERS, STYLE_FOLDERS, studio_folders
 from kagezou.version import __version__

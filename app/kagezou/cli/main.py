@@ -75,8 +75,12 @@ examples:
   kagezou set walk.kage light.position=1400,-300,900
   kagezou render walk.kage -o shadows --composite
 
+environment:
+  KAGEZOU_AFTER_EXPORT    the command that runs after an export
+  KAGEZOU_STYLES, KAGEZOU_PRESETS, KAGEZOU_SHORTCUTS    folders of a studio's own, parted as in PATH
+
 exit codes: 0 everything done, 1 defect, 2 usage, 3 input file, 4 cannot write, 5 disk full, 6 no OpenGL,
-            7 project file, 8 some frames failed, 9 what runs after an export failed, 130 Ctrl-C, 143 terminated
+            7 project file, 8 some frames or cuts failed, 9 what runs after an export failed, 130 Ctrl-C, 143 terminated
 """
 
 

@@ -14,12 +14,12 @@ from kagezou.batch.record import CutRecord
 from kagezou.cli.cut_reports import concluded, report_of
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import ProgressLine, give, note, one_line, tell
 from kagezou.document.taking import Part
 from kagezou.errors import Problem
 from kagezou.export.farm_program import USUAL, program_here
 from kagezou.io.files.faults import output_problem, shown
+from kagezou.io.files.processors import processors
 from kagezou.io.project.paths import absolute
 from kagezou.message import Message
 from kagezou.own_process import program_words

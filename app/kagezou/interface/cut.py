@@ -1,6 +1,6 @@
 """A cut as a value: what changes it returns another one, and nothing else changes."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Generator, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, TypeAlias
@@ -198,7 +198,7 @@ class Cut:
         numbers: PixelType = "uint8",
         progress: ProgressCallback = no_progress,
         stop: StopCallback = never,
-    ) -> Iterator[RenderedFrame]:
+    ) -> Generator[RenderedFrame, None, None]:
         """Draw pictures of one of `sequences`, one after the other as they are taken, and yield each with its frame.
 
         An OpenGL context lives from the first picture to the last, or until the iterator is closed, on the thread that

@@ -1,6 +1,6 @@
 """Pictures of a cut as arrays, drawn one after the other on the thread that takes them."""
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
 from kagezou.export.checks import check_sources
-from kagezou.export.exporters.numbered_frames import workers
 from kagezou.export.frames import CEL_BUDGET_BYTES, decode, stops_of
-from kagezou.export.painters import Painters
+from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pictures import Picture
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, in_order, jobs_of
@@ -24,6 +23,7 @@ from kagezou.export.request import ExportRequest
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import OutputSequence, sequences_of
 from kagezou.interface.values import ProgressCallback, StopCallback
+from kagezou.io.files.processors import processors
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.message import Message
 from kagezou.render.gpu.context import GraphicsContext, OpenContext
@@ -70,7 +70,7 @@ def sequence_names(document: Document) -> tuple[str, ...]:
 
 def rendered(
     document: Document, wish: PictureWish, open_context: OpenContext, progress: ProgressCallback, stop: StopCallback
-) -> Iterator[RenderedFrame]:
+) -> Generator[RenderedFrame, None, None]:
     """Yield the pictures in the order of their frames; drawings are read ahead by other threads.
 
     Raises
@@ -124,20 +124,25 @@ def _taken(
     wish: PictureWish,
     thread: _Thread,
     told: tuple[ProgressCallback, StopCallback],
-) -> Iterator[RenderedFrame]:
+) -> Generator[RenderedFrame, None, None]:
     progress, stop = told
     canvas, numbers = document.canvas, wish.numbers
     cels = CelCache(CEL_BUDGET_BYTES)
     depth = 8 if numbers == "uint8" else 16
+    painters = Painters(
+        cels, depth, thread.open, stops_of(document, stop), are_two=are_worth_two(document, jobs, processors())
+    )
     steps: PipelineSteps[NDArray[Any]] = PipelineSteps(
         decode=partial(decode, cels, in_color=any(job.content.sources.cels for job in jobs)),
-        # One alone draws, on the thread that takes the pictures.
-        drawing=Painters(cels, depth, thread.open, stops_of(document, stop)).drawing,
+        drawing=painters.drawing,
         write=lambda _job, picture: _pixels(picture, numbers),
+        drawing_beside=painters.drawing_beside,
     )
     done, length = 0, sum(len(job.targets) for job in jobs)
     thread.resume()
-    with closing(flow(jobs, steps, workers(), window_for(canvas.width_px, canvas.height_px, workers()), stop)) as came:
+    with closing(
+        flow(jobs, steps, processors(), window_for(canvas.width_px, canvas.height_px, processors()), stop)
+    ) as came:
         try:
             while (outcome := next(came, None)) is not None:
                 if outcome.problem is not None:

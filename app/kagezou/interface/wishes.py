@@ -10,7 +10,6 @@ from kagezou.export.after_effects.export import HandOffRequest
 from kagezou.export.choices import ExportChoices, Place
 from kagezou.export.exporters.hand_off import HAND_OFF
 from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
-from kagezou.export.exporters.numbered_frames import workers
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.table import SCENES, AnyExporter
 from kagezou.export.exporters.video_file import VIDEO_FILE
@@ -18,6 +17,7 @@ from kagezou.export.file_names import USUAL, FileNames
 from kagezou.export.request import DEPTHS, ExportRequest
 from kagezou.export.video import VideoRequest
 from kagezou.interface.values import AnyPath, FrameChoice, frames_of, path_of
+from kagezou.io.files.processors import processors
 from kagezou.message import Message
 
 
@@ -135,7 +135,7 @@ def _frames(wish: Frames) -> ExportRequest:
         depth=wish.depth or DEPTHS.get(form, (8,))[0],
         composite=wish.composite,
         skip_existing=wish.skip_existing,
-        workers=workers(),
+        workers=processors(),
         keep_going=wish.keep_going,
         layered=wish.layered,
         receivers=wish.receivers,
@@ -146,7 +146,7 @@ def _frames(wish: Frames) -> ExportRequest:
 
 
 def _video(wish: Video, path: Path) -> VideoRequest:
-    return VideoRequest(path, frames_of(wish.frames), wish.layer, workers())
+    return VideoRequest(path, frames_of(wish.frames), wish.layer, processors())
 
 
 def _hand_off(wish: AfterEffects, name: str) -> HandOffRequest:
@@ -160,7 +160,7 @@ def _hand_off(wish: AfterEffects, name: str) -> HandOffRequest:
         format=wish.format,
         depth=wish.depth,
         skip_existing=wish.skip_existing,
-        workers=workers(),
+        workers=processors(),
     )
 
 

@@ -63,6 +63,11 @@ def test_one_that_fails_is_told_and_the_others_run(tmp_path: Path) -> None:
     assert (tmp_path / "ran").exists()
 
 
+def test_one_that_fails_without_a_word(tmp_path: Path) -> None:
+    with pytest.raises(AfterExportFailed, match=r"^the export is whole, but publish\.py failed with code 4$"):
+        hand_on(over(tmp_path), [script(tmp_path, "sys.exit(4)\n")], never)
+
+
 def test_one_that_is_not_there(tmp_path: Path) -> None:
     with pytest.raises(AfterExportFailed, match="nowhere cannot be run: "):
         hand_on(over(tmp_path), [Hook("nowhere", (str(tmp_path / "nowhere"),))], never)
@@ -73,7 +78,9 @@ def test_one_that_hangs_is_stopped_with_all_it_began(tmp_path: Path) -> None:
     hook = script(
         tmp_path,
         "import subprocess, time\n"
-        "child = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(600)'])\n"
+        "deaf = 'from signal import *; import time; signal(SIGTERM, SIG_IGN); print(1, flush=True); time.sleep(600)'\n"
+        "child = subprocess.Popen([sys.executable, '-c', deaf], stdout=subprocess.PIPE)\n"
+        "child.stdout.read(1)\n"
         "open(os.path.dirname(sys.argv[0]) + '/pid', 'w').write(str(child.pid))\n"
         "time.sleep(600)\n",
     )

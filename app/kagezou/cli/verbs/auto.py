@@ -9,9 +9,9 @@ from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.openjd_lines import JobLines
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import give_json, note, tell
 from kagezou.errors import OutputProblem, UsageProblem
+from kagezou.io.files.processors import processors
 from kagezou.message import Message
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from kagezou.cli.arguments import Parser, size, whole_number
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import Json, ProgressLine, give, give_json
+from kagezou.io.files.processors import processors
 
 if TYPE_CHECKING:
     from kagezou.cli.bench.operations import Measured

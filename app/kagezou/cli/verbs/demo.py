@@ -7,9 +7,9 @@ from pathlib import Path
 from kagezou.cli.arguments import Parser
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
-from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
 from kagezou.cli.terminal import give, tell
+from kagezou.io.files.processors import processors
 
 DESCRIPTION = """\
 Draw a small animated character, make a project of it, render its shadow layers and the finished pictures, and say

@@ -8,10 +8,10 @@ from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
-from kagezou.cli.processors import processors
 from kagezou.cli.reporting import verdict
 from kagezou.cli.terminal import give, give_json, note
 from kagezou.errors import UsageProblem
+from kagezou.io.files.processors import processors
 from kagezou.message import Message
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.openjd_lines import JobLines
-from kagezou.cli.processors import processors
 from kagezou.cli.reporting import report, verdict
 from kagezou.cli.terminal import ProgressLine, note
 from kagezou.errors import UsageProblem
+from kagezou.io.files.processors import processors
 from kagezou.message import Message
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
-from kagezou.cli.processors import processors
 from kagezou.cli.terminal import give, give_json, note, tell
+from kagezou.io.files.processors import processors
 
 DESCRIPTION = """\
 Write the finished picture as a video: .mp4 is H.264 to look at, .mov is ProRes 4444 with alpha, both in BT.709. With

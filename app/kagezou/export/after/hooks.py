@@ -165,7 +165,9 @@ def _run(hook: Hook, manifest: Path, stopped: Callable[[], bool]) -> Message:
     if code is None:
         raise AfterExportFailed(Message("{hook} was stopped; the export is whole", hook=hook.name))
     if code:
-        words = Message("{hook} failed with code {code}: {said}", hook=hook.name, code=code, said=last or "…")
+        words = Message("{hook} failed with code {code}", hook=hook.name, code=code)
+        if last:
+            words = Message("{hook} failed with code {code}: {said}", hook=hook.name, code=code, said=last)
         raise AfterExportFailed(Message("the export is whole, but {what}", what=words))
     return Message("handed on to {hook}: {said}", hook=hook.name, said=last) if last else _handed_on(hook)
 
@@ -210,11 +212,11 @@ def _end(process: "subprocess.Popen[bytes]") -> None:
     import signal
 
     for sign, patience_s in ((signal.SIGTERM, _GRACE_S), (signal.SIGKILL, None)):
+        # The second also reaches what the process began, and what does not listen.
         with suppress(ProcessLookupError):
             os.killpg(process.pid, sign)
         with suppress(subprocess.TimeoutExpired):
             process.wait(patience_s)
-            return
 
 
 def _surroundings(hook: Hook, manifest: Path) -> dict[str, str]:
