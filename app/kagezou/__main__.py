@@ -4,6 +4,7 @@ The only place that knows both.
 """
 
 import gc
+import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -28,10 +29,10 @@ _UNCOLLECTED = 50_000
 def main(arguments: Sequence[str] | None = None) -> int:
     """Choose the door and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    gc.set_threshold(_UNCOLLECTED)
     open_closed_streams()
     if ran_as_child(words):
         return 0
+    _start_lean()
     speak_plainly()
     try:
         words = given_words(words)
@@ -43,6 +44,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if len(words) == 1 and words[0].lower().endswith(PROJECT_SUFFIXES):
         return open_window(Path(words[0]))
     return command_line.run(words, EntryPoints(open_context, open_window, has_display()))
+
+
+def _start_lean() -> None:
+    """Spare what takes long where a frame is made within a second."""
+    gc.set_threshold(_UNCOLLECTED)
+    # Threads for matrices, which numpy starts when it is imported; here they are of three rows.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def window(arguments: Sequence[str] | None = None) -> int:

@@ -5338,6 +5338,10 @@ Drop a folder of cels here.</source>
         <translation>要素 {names} は使いません</translation>
     </message>
     <message>
+        <source>its files changed while it was made, so it is made again the next time</source>
+        <translation>作っている間にファイルが変わったため、次回もう一度作ります</translation>
+    </message>
+    <message>
         <source>its fourth channel, of which it does not say what it is, was taken as alpha</source>
         <translation>用途の指定がない 4 番目のチャンネルをアルファとみなしました</translation>
     </message>
@@ -6205,6 +6209,10 @@ Drop a folder of cels here.</source>
         <translation>{hook} を実行できません：{cause}</translation>
     </message>
     <message>
+        <source>{hook} failed with code {code}</source>
+        <translation>{hook} が終了コード {code} で失敗しました</translation>
+    </message>
+    <message>
         <source>{hook} failed with code {code}: {said}</source>
         <translation>{hook} がコード {code} で失敗しました：{said}</translation>
     </message>
@@ -6827,7 +6835,7 @@ Drop a folder of cels here.</source>
     </message>
 </context>
 <context>
-    <name>NamingRow</name>
+    <name>NamingRows</name>
     <message>
         <source>File names</source>
         <translation>ファイル名</translation>
@@ -6849,7 +6857,7 @@ Drop a folder of cels here.</source>
         <translation>カットの先頭フレームのファイルに付く番号です。例：1001</translation>
     </message>
     <message>
-        <source>from</source>
+        <source>First number</source>
         <translation>開始番号</translation>
     </message>
 </context>

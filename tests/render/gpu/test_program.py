@@ -11,7 +11,7 @@ from kagezou.locations import shader_folder
 from kagezou.render.gpu import program
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.context import open_headless_context
-from kagezou.render.gpu.program import Program, compile_all, shader_source
+from kagezou.render.gpu.program import Program, compile_all, names_in, shader_source
 from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.prepare.uniforms import Uniform
 
@@ -34,9 +34,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     (tmp_path / "whole.vert").write_text(VERTEX, encoding="utf-8")
     monkeypatch.setattr(program, "shader_folder", lambda: tmp_path)
     shader_source.cache_clear()
+    names_in.cache_clear()
     with open_headless_context():
         yield tmp_path
     shader_source.cache_clear()
+    names_in.cache_clear()
 
 
 def refusal(fragment: str, switches: tuple[str, ...] = ()) -> str:
@@ -112,3 +114,13 @@ def test_a_program_is_compiled_when_it_is_first_used_or_when_all_are(folder: Pat
     compile_all()
     for program_of_both in (good, bad):
         program_of_both.close()
+
+
+def test_a_uniform_that_is_not_there_is_told(folder: Path) -> None:
+    (folder / "common" / "tint.glsl").write_text("uniform float u_tint;\n", encoding="utf-8")
+    (folder / "good.frag").write_text(FRAGMENT % "1.0", encoding="utf-8")
+    made = Program("whole.vert", "good.frag", ("TINTED",))
+    made.use({"u_tint": 1.0})
+    with pytest.raises(KeyError, match="u_hue"):
+        made.use({"u_hue": 1.0})
+    made.close()

@@ -8,7 +8,9 @@ import ctypes
 import importlib
 import os
 import sys
-from ctypes import byref, c_char, c_char_p, c_int, c_uint
+from collections.abc import Iterable
+from ctypes import byref, c_char, c_char_p, c_int, c_uint, c_void_p
+from functools import partial
 from types import SimpleNamespace
 from typing import Any, Final
 
@@ -24,7 +26,19 @@ if sys.platform.startswith("linux"):
 OpenGL.ERROR_CHECKING = False
 OpenGL.ERROR_LOGGING = False
 
+_Simple: Final[type] = c_int.__mro__[1]
+"""What every number of ctypes is."""
+
 _VERSIONS: Final = ("1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0", "3_1", "3_2", "3_3")
+
+
+_QUICK: Final = (
+    "glActiveTexture", "glBindBuffer", "glBindFramebuffer", "glBindTexture", "glBindVertexArray", "glBlendEquation",
+    "glBlendFunc", "glBufferData", "glClearColor", "glDisable", "glEnable", "glPixelStorei", "glScissor",
+    "glTexParameteri", "glUniform1f", "glUniform1i", "glUniform2f", "glUniform3f", "glUniform4f", "glUniform4fv",
+    "glUniformMatrix3fv", "glUseProgram", "glViewport",
+)  # fmt: skip
+"""What only notes something down and returns at once."""
 
 
 def _everything() -> SimpleNamespace:
@@ -34,7 +48,28 @@ def _everything() -> SimpleNamespace:
     return SimpleNamespace(**{n: int(v) if isinstance(v, int) else v for n, v in named.items()})
 
 
+def _hold_on_to_python(names: Iterable[str]) -> None:
+    """Have functions called without letting other threads of Python go on meanwhile, from their first call on.
+
+    To let them and to wait for one's turn again takes many times as long as these do. Nor are their arguments looked at
+    by PyOpenGL, which makes arrays of what is a plain pointer here.
+    """
+    for name in names:
+        setattr(GL, name, partial(_first_call, name, getattr(GL, name)))
+
+
+def _first_call(name: str, original: Any, *arguments: Any) -> Any:
+    # It is found out where the function is only when there is a context.
+    found = original.load() if hasattr(original, "load") else original
+    plain = [each if issubclass(each, _Simple) else c_void_p for each in found.argtypes]
+    quick = ctypes.PYFUNCTYPE(found.restype, *plain)(ctypes.cast(found, c_void_p).value or 0)
+    setattr(GL, name, quick)
+    return quick(*arguments)
+
+
 GL: Any = _everything()
+if sys.platform.startswith("linux"):
+    _hold_on_to_python(_QUICK)
 
 _NAMES = {
     0x0500: "invalid enum",

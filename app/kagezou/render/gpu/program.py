@@ -17,6 +17,7 @@ from kagezou.render.gpu.gl import GL, log_of, set_source, status
 from kagezou.render.prepare.uniforms import Uniform
 
 _INCLUDE = re.compile(r'^#include "([\w./]+)"$')
+_DECLARED = re.compile(r"\b(\w+)[;\[]")
 _ENDS = ("#else", "#elif", "#endif")
 _PLACE_IN_LOG = re.compile(r"\b(\d+)([:(])(\d+)")
 """File number and line as drivers write them: ``0:12(5)``, ``0(12)``, ``ERROR: 0:12``."""
@@ -55,6 +56,12 @@ def shader_source(name: str) -> ShaderSource:
     files: list[str] = []
     text = "\n".join(_lines_of(name, files))
     return ShaderSource(f"{text}\n", tuple(files))
+
+
+@cache
+def names_in(name: str) -> frozenset[str]:
+    """Return what a shader in a file declares, and more: every word before the end of a statement or an index."""
+    return frozenset(_DECLARED.findall(shader_source(name).text))
 
 
 def _lines_of(name: str, files: list[str]) -> Iterator[str]:
@@ -151,7 +158,7 @@ class Program:
     def _place(self, name: str) -> int:
         place = self._places.get(name)
         if place is None:
-            if not any(re.search(rf"\b{name}[;\[]", shader_source(each).text) for each in self._files):
+            if not any(name in names_in(each) for each in self._files):
                 raise KeyError(f"{self._name} has no uniform {name}")
             # A driver may drop a uniform that does not matter; it is then at -1.
             place = self._places[name] = int(GL.glGetUniformLocation(self.id, name.encode()))

@@ -8,6 +8,7 @@ from kagezou.io.images.reading import Steps
 BLOCK_TEXELS = 4
 
 Flags = NDArray[np.bool_]
+Counts = NDArray[np.int32] | NDArray[np.int64]
 
 _GAP_BITS = 32
 """Where in a table's number the blocks with gaps are counted, above those with any alpha."""
@@ -62,14 +63,18 @@ def _in_whole_blocks(alpha: Steps) -> Steps:
     return blocks
 
 
-def summed(numbers: Flags | NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return the summed-area table (H + 1, W + 1) of numbers (H, W): the sum in any box is then four look-ups."""
-    table = np.zeros((numbers.shape[0] + 1, numbers.shape[1] + 1), dtype=np.int64)
-    np.cumsum(np.cumsum(numbers, axis=0), axis=1, out=table[1:, 1:])
+def summed(numbers: Flags | NDArray[np.int64]) -> Counts:
+    """Return the summed-area table (H + 1, W + 1) of numbers (H, W): the sum in any box is then four look-ups.
+
+    Flags are counted in half the memory, and so in half the time.
+    """
+    shape = (numbers.shape[0] + 1, numbers.shape[1] + 1)
+    table: Counts = np.zeros(shape, np.int32) if numbers.dtype == np.bool_ else np.zeros(shape, np.int64)
+    np.cumsum(np.cumsum(numbers, axis=0, dtype=table.dtype), axis=1, out=table[1:, 1:])
     return table
 
 
-def count_in(table: NDArray[np.int64], start: NDArray[np.intp], stop: NDArray[np.intp]) -> NDArray[np.int64]:
+def count_in(table: Counts, start: NDArray[np.intp], stop: NDArray[np.intp]) -> Counts:
     """Return the sum in each of the boxes ``start`` to ``stop``, (2, N) as x, y, half-open."""
     numbers, width = table.ravel(), table.shape[1]
     (x0, y0), (x1, y1) = start, stop

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from kagezou.export.choices import AS_CUT, ExportChoices
@@ -19,8 +19,8 @@ PATTERNS: Final = (
 _GAP_PX: Final = 8
 
 
-class NamingRow(QWidget):
-    """A box of patterns that takes typing, and the number of the first file.
+class NamingRows(QObject):
+    """A box of patterns that takes typing, and the number of the first file, each in a row of its own.
 
     Parameters
     ----------
@@ -49,16 +49,7 @@ class NamingRow(QWidget):
         self.start.setSpecialValueText(self.tr("as in the cut (%1)").replace("%1", str(first)))
         self.start.setAccessibleName(self.tr("Number of the first frame"))
         self.start.setToolTip(self.tr("The number in the file of the cut's first frame, such as 1001."))
-        label, from_label = QLabel(self.tr("File names")), QLabel(self.tr("from"))
-        label.setBuddy(self.pattern)
-        from_label.setBuddy(self.start)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(_GAP_PX)
-        row.addWidget(label)
-        row.addWidget(self.pattern, 1)
-        row.addWidget(from_label)
-        row.addWidget(self.start)
+        self.rows = (_row(self.tr("File names"), self.pattern), _row(self.tr("First number"), self.start))
         self.pattern.editTextChanged.connect(lambda text: self.changed.emit({"names": text.strip() or USUAL}))
         self.start.valueChanged.connect(lambda value: self.changed.emit({"start": value}))
 
@@ -69,3 +60,16 @@ class NamingRow(QWidget):
             self.pattern.setEditText(choices.names)
         self.start.setValue(choices.start)
         self.blockSignals(False)
+
+
+def _row(words: str, field: QComboBox | QSpinBox) -> QWidget:
+    """Return a field with words before it."""
+    made = QWidget()
+    label = QLabel(words)
+    label.setBuddy(field)
+    row = QHBoxLayout(made)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(_GAP_PX)
+    row.addWidget(label)
+    row.addWidget(field, 1)
+    return made

@@ -9,7 +9,7 @@ from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices
 from kagezou.export.exporters.exporter import Option
 from kagezou.export.exporters.table import MAX_CHUNK, depths_of, exporter_of
-from kagezou.ui.export.naming_row import NamingRow
+from kagezou.ui.export.naming_row import NamingRows
 
 GAP_PX = 8
 """Between a label and its field."""
@@ -55,7 +55,7 @@ class ExportOptions(QWidget):
         self.format_box.setAccessibleName(self.tr("Format"))
         self.depth_box.setAccessibleName(self.tr("Depth"))
         self.video_box.setAccessibleName(self.tr("Picture"))
-        self.chunk, self.naming = QSpinBox(), NamingRow(document.canvas.first_frame)
+        self.chunk, self.naming = QSpinBox(), NamingRows(document.canvas.first_frame)
         self._ticks: dict[Option, QCheckBox] = {}
         self._mattes: dict[str, QCheckBox] = {}
         self._shown_for: list[tuple[QWidget, Option]] = []
@@ -126,7 +126,8 @@ class ExportOptions(QWidget):
         self.chunk.valueChanged.connect(lambda value: self.changed.emit({"chunk": value}))
         self._put(self.chunk, Option.CHUNK)
         self.naming.changed.connect(self.changed)
-        self._put(self.naming, Option.NAMES)
+        for below, naming in enumerate(self.naming.rows):
+            self._put(naming, Option.NAMES, below)
         trusting = self.tr("Leave frames alone that would come out the same")
         self._add(trusting, Option.SKIP_EXISTING)
         self._keep_room()
