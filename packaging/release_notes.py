@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[1]
 def version() -> str:
     """Return the program's version."""
     text = (ROOT / "app" / "kagezou" / "version.py").read_text(encoding="utf-8")
-    return re.findall(r'__version__ = "(.+)"', text)[0]
+    return str(re.findall(r'__version__ = "(.+)"', text)[0])
 
 
 def notes_of(changelog: str, wanted: str) -> str | None:
