@@ -9,6 +9,7 @@ from psd_tools import PSDImage
 
 from kagezou.document.model import Drawing, Exposure
 from kagezou.errors import InputProblem, ProjectProblem
+from kagezou.extras import PSD
 from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.importing.staging import CharacterSource, new_document, with_characters
 from kagezou.io.project import file as project_file
