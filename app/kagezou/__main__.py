@@ -17,6 +17,7 @@ from kagezou.cli.streams import open_closed_streams
 from kagezou.cli.terminal import speak_plainly, tell
 from kagezou.contexts import has_display, open_context
 from kagezou.errors import GraphicsProblem, Problem
+from kagezou.own_process import ran_as_child
 
 if TYPE_CHECKING:  # neither is needed to open the window
     from kagezou.cli.bench.window import Answered
@@ -34,6 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Choose the door and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     open_closed_streams()
+    if ran_as_child(words):
+        return 0
     _start_lean()
     speak_plainly()
     try:
