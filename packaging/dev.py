@@ -29,7 +29,7 @@ from dev_system import HEADLESS, TESTS, WINDOW, SetupProblem, supply, virtual_en
 from dev_venv import Environment
 
 ROOT = Path(__file__).resolve().parents[1]
-OLDEST, NEWEST = (3, 11), (3, 13)
+OLDEST, NEWEST = (3, 11), (3, 14)
 PROCESSES = min(os.cpu_count() or 1, 4)
 IN_PARALLEL = ("--numprocesses", str(PROCESSES), "--dist", "loadscope")
 """Tests side by side, each process with a screen of its own."""

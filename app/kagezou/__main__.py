@@ -8,6 +8,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kagezou.cli import main as command_line
 from kagezou.cli.arguments_file import given_words
@@ -16,6 +17,11 @@ from kagezou.cli.streams import open_closed_streams
 from kagezou.cli.terminal import speak_plainly, tell
 from kagezou.contexts import avoid_dead_compositor, has_display, open_context
 from kagezou.errors import GraphicsProblem, Problem
+from kagezou.own_process import ran_as_child
+
+if TYPE_CHECKING:  # neither is needed to open the window
+    from kagezou.cli.bench.window import Answered
+    from kagezou.document.model import Document
 
 PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb", ".oca")
 """What the window opens: projects, and the timesheets and files of layers that drawing programs hand over."""
@@ -29,6 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Choose the door and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     open_closed_streams()
+    if ran_as_child(words):
+        return 0
     _start_lean()
     speak_plainly()
     try:
@@ -40,7 +48,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return open_window(None)
     if len(words) == 1 and words[0].lower().endswith(PROJECT_SUFFIXES):
         return open_window(Path(words[0]))
-    return command_line.run(words, EntryPoints(open_context, open_window, has_display()))
+    is_seen = has_display()
+    ways = EntryPoints(open_context, open_window, is_seen, measure_window=measure_window if is_seen else None)
+    return command_line.run(words, ways)
 
 
 def _start_lean() -> None:
@@ -68,6 +78,13 @@ def open_window(project: Path | None) -> int:
         tell(f"the window cannot be opened: {error} (kagezou doctor says what is missing)")
         return GraphicsProblem.exit_code
     return run(project, make_demo=make_demo)
+
+
+def measure_window(walk: "Document", crowd: "Document") -> tuple[str, "Sequence[Answered]"]:
+    """Open the window and measure how it answers a hand."""
+    from kagezou.ui.measuring.window_bench import measured
+
+    return measured(walk, crowd)
 
 
 def make_demo(folder: Path, progress: Callable[[int, int], None]) -> Path:

@@ -9,6 +9,7 @@ from psd_tools import PSDImage
 
 from kagezou.document.model import Drawing, Exposure
 from kagezou.errors import InputProblem, ProjectProblem
+from kagezou.extras import PSD
 from kagezou.importing.sheet_project import document_of_sheet, timed_from_beside
 from kagezou.importing.staging import CharacterSource, new_document, with_characters
 from kagezou.io.project import file as project_file
@@ -124,10 +125,11 @@ def test_effects_that_are_not_drawn_are_told(tmp_path: Path, monkeypatch: pytest
     path = write_psd(
         tmp_path / "a.psd", [Folder(name, cels(*names)) for name, names in (("A", "12"), ("B", "34"), ("C", "56"))]
     )
+    missing = f"these are not drawn without a part that is missing ({PSD.how})"
     assert tuple(map(str, new_document([CharacterSource(None, path)]).notes)) == (
         "A: these are not drawn: DropShadow",
-        "A: these are not drawn without a part that is missing (pip install 'kagezou[psd]'): Stroke",
-        "C: these are not drawn without a part that is missing (pip install 'kagezou[psd]'): Curves",
+        f"A: {missing}: Stroke",
+        f"C: {missing}: Curves",
     )
 
 

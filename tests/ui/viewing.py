@@ -56,12 +56,9 @@ def picture(viewport: Viewport) -> NDArray[np.uint8]:
     """The picture the renderer drew last, after everything that waits to be painted."""
     QApplication.processEvents()
     viewport.grab()
-    frame_painter = viewport.frame_painter
-    assert frame_painter is not None
-    viewport.makeCurrent()
-    pixels = np.asarray(frame_painter.read_picture(), np.uint8)
-    viewport.doneCurrent()
-    return pixels
+    pixels = viewport.read_picture()
+    assert pixels is not None
+    return np.asarray(pixels, np.uint8)
 
 
 def drag(qtbot: QtBot, viewport: Viewport, handle_id: str, way: QPoint, *, let_go: bool = True) -> None:

@@ -88,11 +88,6 @@ def fitting(cuts: int, processors: int) -> int:
     return max(min(cuts, processors, by_memory, _MOST_AT_ONCE), 1)
 
 
-def program() -> list[str]:
-    """Return the words that call this program in a process of its own."""
-    return [sys.executable] if getattr(sys, "frozen", False) else [sys.executable, "-m", "kagezou"]
-
-
 def work_through(
     cuts: Iterable[Cut],
     words_of: Callable[[Cut], Sequence[str]],

@@ -44,6 +44,8 @@ VERBS: Final = {
     "bench": "measure how fast this machine draws and exports",
     "doctor": "say what this machine has and what it lacks",
     "demo": "make and render a small project to look at",
+    "thumbnail": "draw a small picture of a project, for file managers",
+    "integrate": "tell a Linux desktop of the program and its files",
 }
 EXIT_BROKEN_PIPE: Final = 141
 _HELP: Final = """\

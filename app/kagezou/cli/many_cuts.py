@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from kagezou.batch.batch import Batch, Telling, records_in
-from kagezou.batch.crew import Pace, fitting, program, work_through
+from kagezou.batch.crew import Pace, fitting, work_through
 from kagezou.batch.cut import Cut
 from kagezou.batch.farm import BatchJob, write_batch_job
 from kagezou.batch.making import unchanged
@@ -22,6 +22,7 @@ from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.files.processors import processors
 from kagezou.io.project.paths import absolute
 from kagezou.message import Message
+from kagezou.own_process import program_words
 
 
 def all_cuts(options: Namespace, orders: Orders, cuts: Sequence[Cut], entry_points: EntryPoints) -> int:
@@ -68,7 +69,7 @@ def words_of_one(options: Namespace, orders: Orders, workers: int) -> Callable[[
 
     def words(cut: Cut) -> list[str]:
         place = ["auto", str(cut.path), f"--as={cut.name}", f"--output={orders.output}", f"--workers={workers}"]
-        return [*program(), *place, *asked]
+        return [*program_words(), *place, *asked]
 
     return words
 

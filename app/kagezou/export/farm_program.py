@@ -5,6 +5,8 @@ import sys
 from pathlib import Path
 from typing import Final
 
+from kagezou.own_process import is_bundle
+
 USUAL: Final = "kagezou"
 """The name under which an installed program is found."""
 
@@ -14,6 +16,6 @@ def program_here() -> str:
     if shutil.which(USUAL) is not None:
         return USUAL
     own = Path(sys.executable)
-    if not getattr(sys, "frozen", False):
+    if not is_bundle():
         own = own.with_name(USUAL + own.suffix)
     return str(own) if own.is_file() else USUAL

@@ -208,10 +208,9 @@ class Renderer:
         target = self._composites.drawn.target
         return target.read(target.box)
 
-    def present(self, view: WindowView) -> None:
-        """Place the picture drawn last in a window."""
-        self._presenter.draw(self._composites.drawn.target.texture, view)
-        check("showing the picture")
+    def present(self, view: WindowView) -> Steps | None:
+        """Place the picture drawn last in a window, or where that has no framebuffer return what would fill it."""
+        return self._presenter.draw(self._composites.drawn.target.texture, view)
 
     def copy_picture(self) -> None:
         """Draw the whole picture once into another target, one texel a pixel: the unit of cost of a benchmark."""

@@ -740,6 +740,10 @@
         <translation>キーボードショートカット(&amp;K)</translation>
     </message>
     <message>
+        <source>Copy &amp;Support Report</source>
+        <translation>サポート用レポートをコピー(&amp;S)</translation>
+    </message>
+    <message>
         <source>Missing Parts…</source>
         <translation>足りない部品…</translation>
     </message>
@@ -2044,6 +2048,14 @@
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>The report is on the clipboard. It holds names of files from the log: read it before you send it</source>
+        <translation>レポートをクリップボードにコピーしました。ログのファイル名を含みます。送る前に内容をご確認ください</translation>
+    </message>
+    <message>
+        <source>Drawings in memory: %1 of %2. Free memory: %3</source>
+        <translation>メモリ内のセル：%1／%2&#x3000;空きメモリ：%3</translation>
     </message>
 </context>
 <context>
@@ -4823,6 +4835,10 @@ Drop a folder of cels here.</source>
         <translation>書いた人</translation>
     </message>
     <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
         <source>background: {names}</source>
         <translation>背景：{names}</translation>
     </message>
@@ -4985,6 +5001,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>pictures of layers</source>
         <translation>レイヤーの画像</translation>
+    </message>
+    <message>
+        <source>pip install {packages}</source>
+        <translation>pip install {packages}</translation>
     </message>
     <message>
         <source>scene</source>
@@ -5674,10 +5694,6 @@ Drop a folder of cels here.</source>
         <translation>透視投影</translation>
     </message>
     <message>
-        <source>pip install &apos;kagezou[{extra}]&apos;</source>
-        <translation>pip install &apos;kagezou[{extra}]&apos;</translation>
-    </message>
-    <message>
         <source>printable text without spaces around it</source>
         <translation>前後に空白のない表示可能な文字列</translation>
     </message>
@@ -5900,6 +5916,10 @@ Drop a folder of cels here.</source>
         <translation>タイムシート：{note}</translation>
     </message>
     <message>
+        <source>the window can only be measured on an X server with its test extension (libX11, libXtst)</source>
+        <translation>ウィンドウの測定には、テスト拡張付きの X サーバーが必要です（libX11、libXtst）</translation>
+    </message>
+    <message>
         <source>there are no drawings that could take the place of those of the layer</source>
         <translation>レイヤーのセルと差し替えられるセルがありません</translation>
     </message>
@@ -5974,6 +5994,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>these lines cannot be square to each other on one floor</source>
         <translation>この線の組は同じ床の上で直交しません</translation>
+    </message>
+    <message>
+        <source>this bundle has it not; an installation in a Python can have it</source>
+        <translation>このバンドルには含まれていません。Python にインストールしたものでは使えます</translation>
     </message>
     <message>
         <source>this is not a set that can be read; readable are {mesh_suffixes}</source>
@@ -6095,6 +6119,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{count} drawings</source>
         <translation>セル {count} 枚</translation>
+    </message>
+    <message>
+        <source>{count} files lie outside the project&apos;s folder and are only read, never written: {folders}</source>
+        <translation>プロジェクトのフォルダ外のファイルが{count}個あります（読み込むだけで、書き込みません）：{folders}</translation>
     </message>
     <message>
         <source>{count} frames at {rate} fps</source>
@@ -6341,6 +6369,14 @@ Drop a folder of cels here.</source>
         <translation>{name}：{gaps} がありません。前のセルを止めて使います</translation>
     </message>
     <message>
+        <source>{name}: missing, so left empty on frames {frames}: {names}</source>
+        <translation>{name}：ファイルがないため、フレーム{frames}は空にしました：{names}</translation>
+    </message>
+    <message>
+        <source>{name}: missing, so the nearest drawing is held on frames {frames}: {names}</source>
+        <translation>{name}：ファイルがないため、フレーム{frames}は前後の近いセルで止めました：{names}</translation>
+    </message>
+    <message>
         <source>{name}: newer retakes count instead of {names}</source>
         <translation>{name}：新しいリテイクを使い、{names} は使いません</translation>
     </message>
@@ -6515,6 +6551,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: it is open in a window on {host}, which will ask before it saves over this</source>
         <translation>{path}：{host} のウィンドウで開かれています。そこで保存するときに、上書きするか確認が出ます</translation>
+    </message>
+    <message>
+        <source>{path}: it lies outside the project&apos;s folder and is only read, never written</source>
+        <translation>{path}：プロジェクトのフォルダ外にあります（読み込むだけで、書き込みません）</translation>
     </message>
     <message>
         <source>{path}: it means nothing for the kind {kind}</source>

@@ -3,10 +3,10 @@ import sys
 import threading
 import time
 import zlib
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_st
-from isal import isal_zlib
 from numpy.typing import NDArray
 
 from kagezou.errors import DiskFullProblem, OutputProblem, UsageProblem
@@ -31,6 +30,7 @@ from kagezou.io.images.writing import (
     write_shadow,
 )
 from kagezou.io.pixels import png
+from kagezou.io.pixels.deflating import Packable, packed_fast, packed_small
 from tests.io.images import picture_files as files
 
 Pixels = NDArray[Any]
@@ -317,25 +317,40 @@ def test_the_same_layer_gives_the_same_bytes() -> None:
     assert [encode_png(image), *again] == [first, first]
 
 
-def test_a_layer_is_deflated_once_at_the_fastest_level_in_rows_that_are_prepared_once(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """Level 1 takes 0.5 ms, level 3 sixteen times as long."""
+def test_a_layer_is_deflated_once_in_rows_that_are_prepared_once(monkeypatch: pytest.MonkeyPatch) -> None:
     down, across = np.mgrid[:500, :700]
     inside = 1 - np.hypot((across - 350) / 340, (down - 250) / 240)
     alpha = (np.clip(inside * 40, 0, 1) * 153).astype(np.uint8)
     image = ShadowImage(1001, 1000, COLOR, alpha, Box(200, 400, 900, 900))
-    deflated: list[tuple[int, int]] = []
+    places: list[int] = []
 
-    def compress(rows: Pixels, level: int) -> bytes:
-        deflated.append((rows.ctypes.data, level))
-        return isal_zlib.compress(rows, level)
+    def packed(rows: Pixels) -> bytes:
+        places.append(rows.ctypes.data)
+        return packed_small(rows)
 
-    monkeypatch.setattr(png, "isal_zlib", SimpleNamespace(compress=compress, crc32=isal_zlib.crc32))
+    monkeypatch.setattr(png, "packed_small", packed)
     sizes = [len(encode_png(image)) for _ in range(3)]
-    assert [level for _, level in deflated] == [1, 1, 1]
-    assert len({place for place, _ in deflated}) == 1
-    assert max(sizes) < 40_000
+    assert len(places) == 3
+    assert len(set(places)) == 1
+    assert max(sizes) < 25_000
+
+
+@pytest.mark.parametrize("pack", [packed_small, packed_fast])
+def test_what_is_packed_beside_other_things_has_the_same_bytes(pack: Callable[[Packable], bytes]) -> None:
+    """Steps and runs of zeros on several threads: where a packer has a choice between matches that are as long."""
+    rng = np.random.default_rng(4)
+    pictures = []
+    for _ in range(6):
+        rows = np.zeros((400, 1601), np.uint8)
+        for row in rng.integers(0, 400, 200):
+            at = int(rng.integers(0, 1500))
+            rows[row, at : at + 40 : 4] = rng.integers(0, 255, 10)
+        pictures.append(rows)
+    first = [pack(each) for each in pictures]
+    with ThreadPoolExecutor(3) as pool:
+        again = list(pool.map(lambda number: pack(pictures[number % 6]), range(600)))
+    assert all(made == first[number % 6] for number, made in enumerate(again))
+    assert [zlib.decompress(each) for each in first] == [each.tobytes() for each in pictures]
 
 
 _EVERY_LIMIT = """

@@ -203,7 +203,7 @@ def test_a_missing_part_is_offered_where_it_is_wanted_and_taken_at_once(
     assert not dialog.go.isEnabled()
     dialog.how.click()
     (how,) = dialog.findChildren(MissingParts)
-    assert how.command.text().endswith("-m pip install 'kagezou[video]'")
+    assert how.command.text().endswith("-m pip install 'av>=18,<21'")
     how.copy.click()
     assert QGuiApplication.clipboard().text() == how.command.text()
     monkeypatch.setattr(video_file, "is_there", lambda: True)

@@ -57,7 +57,7 @@ def rest_on(qtbot: QtBot, window: MainWindow, row: int) -> None:
 def picture(window: MainWindow) -> Steps:
     """Return the picture after it was painted anew."""
     window.parts.viewport.repaint()
-    window.parts.viewport.grabFramebuffer()
+    window.parts.viewport.grab()
     found = window.parts.viewport.read_picture()
     assert found is not None
     return found

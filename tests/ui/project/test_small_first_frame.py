@@ -9,13 +9,13 @@ import pytest
 
 from kagezou.document.model import Canvas, Document
 from kagezou.document.set_pieces import add_piece
+from kagezou.export import small_first_frame as module
+from kagezou.export.small_first_frame import LONGEST_PX, fineness, first_frame
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.io.images.smaller_cels import SmallerCels
 from kagezou.render.gpu import targets
 from kagezou.render.gpu.context import open_headless_context
-from kagezou.ui.project import small_first_frame as module
 from kagezou.ui.project.open_project import OpenProject
-from kagezou.ui.project.small_first_frame import LONGEST_PX, fineness, first_frame
 
 
 @pytest.fixture

@@ -20,6 +20,7 @@ from kagezou.document.values import value_at
 from kagezou.io.clips.shortcut_files import bundled_key_sets
 from kagezou.tools.grounding import add_grounding
 from kagezou.ui.panels.groups import Group
+from kagezou.ui.viewport import faces
 from kagezou.ui.viewport.overlay import pill_corner
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, move, picture, place_of, shadow_is_on_canvas
@@ -278,6 +279,13 @@ def test_the_pen_drags_as_the_mouse_does(walking: MainWindow) -> None:
     assert walking.parts.open_project.bridge.document is not before
 
 
+@pytest.fixture
+def by_card(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The face is a widget of OpenGL, as where a graphics card draws."""
+    monkeypatch.setattr(faces, "software_beside", lambda: None)
+
+
+@pytest.mark.usefixtures("by_card")
 def test_another_context_draws_the_same_picture(qtbot: QtBot, walking: MainWindow) -> None:
     before, first = picture(walking.parts.viewport), walking.parts.viewport.frame_painter
     walking.parts.viewport.setParent(None)

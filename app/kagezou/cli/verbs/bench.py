@@ -8,12 +8,16 @@ from typing import TYPE_CHECKING
 from kagezou.cli.arguments import Parser, size, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, ProgressLine, give, give_json
+from kagezou.errors import UsageProblem
 from kagezou.io.files.processors import processors
+from kagezou.message import Message
 
 if TYPE_CHECKING:
     from kagezou.cli.bench.operations import Measured
+    from kagezou.cli.bench.peers import Compared
     from kagezou.cli.bench.throughput import Throughput
     from kagezou.document.model import Document
+    from kagezou.io.images.cel_cache import CelCache
 
 DESCRIPTION = """\
 Measure each operation from the changed document to the finished picture, beside one plain copy of a whole picture,
@@ -22,6 +26,8 @@ EXAMPLES = """\
   kagezou bench
   kagezou bench --json --size 1920x1080
   kagezou bench --input drawings/hero
+  kagezou bench --peers        beside other programs that do the same
+  kagezou bench --window
 """
 DEFAULT_SIZE = (1000, 1000)
 
@@ -33,6 +39,14 @@ def add_arguments(parser: Parser) -> None:
         "--size", type=size, metavar="WxH", help="the canvas in px (1000x1000, or that of the drawings)"
     )
     parser.add_argument("--workers", type=whole_number, metavar="N", help="threads of the export")
+    parser.add_argument(
+        "--peers",
+        action="store_true",
+        help="also beside ffmpeg and OpenCV, where they are installed: PNG drawings only",
+    )
+    parser.add_argument(
+        "--window", action="store_true", help="measure the window instead, by events of the X server: drags and playing"
+    )
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
@@ -43,12 +57,13 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.io.images.cel_cache import CelCache
     from kagezou.render.renderer import Renderer
 
+    if options.window:
+        return _measure_window(options, entry_points)
     workers = options.workers or processors()
     with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
         document = _document(options, Path(folder), workers)
         cels = CelCache()
-        for drawing in document.layers[0].cels.drawings:
-            cels.cel(drawing.source)
+        _read_all(document, cels)
         with entry_points.open_context() as context:
             renderer = Renderer(cels)
             name = context.info.renderer
@@ -60,22 +75,83 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         pair = _pair(options, Path(folder), workers)
         both = tuple(layer.name for layer in pair.layers)
         export_two = throughput.measured(pair, both, Path(folder, "two"), workers, entry_points.open_context)
+        peers = _compared(document, Path(folder)) if options.peers else None
     size_px = (document.canvas.width_px, document.canvas.height_px)
     if options.json:
         rates: dict[str, Json] = {
             "export": _rates(export),
             "export_two_layers": {"size": [pair.canvas.width_px, pair.canvas.height_px], **_rates(export_two)},
         }
+        if peers is not None:
+            rates |= _peers_report(*peers)
         give_json({"gl_renderer": name, "size": [*size_px], **_report(drawn), **rates, "workers": workers})
         return 0
-    give(f"{name}, {size_px[0]} x {size_px[1]} px")
+    _give_drawn(f"{name}, {size_px[0]} x {size_px[1]} px", drawn)
+    wide_px = f"{pair.canvas.width_px} x {pair.canvas.height_px} px"
+    _give_rates({"export": export, f"export of two layers of {wide_px}": export_two})
+    _give_peers(*(peers or ((), ())))
+    return 0
+
+
+def _read_all(document: "Document", cels: "CelCache") -> None:
+    for drawing in document.layers[0].cels.drawings:
+        cels.cel(drawing.source)
+
+
+def _give_rates(exports: "dict[str, Throughput]") -> None:
+    for words, rate in exports.items():
+        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
+
+
+def _measure_window(options: Namespace, entry_points: EntryPoints) -> int:
+    """Measure the window and report."""
+    from kagezou.cli.bench.window import documents, lines, report
+
+    if entry_points.measure_window is None:
+        raise UsageProblem(Message("there is no display, so the window cannot be measured"))
+    with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
+        device, answers = entry_points.measure_window(
+            *documents(Path(folder, "drawings"), options.workers or processors())
+        )
+    if options.json:
+        give_json({"gl_renderer": device, "window": report(answers)})
+        return 0
+    for line in (device, *lines(answers)):
+        give(line)
+    return 0
+
+
+def _compared(document: "Document", folder: Path) -> "tuple[tuple[Compared, ...], tuple[str, ...]]":
+    """Compare with other programs, on the drawings of the first layer."""
+    from kagezou.cli.bench.peers import compared
+    from kagezou.picture_source import file_of
+
+    drawings = file_of(document.layers[0].cels.drawings[0].source).parent
+    (folder / "peers").mkdir()
+    return compared(drawings, folder / "peers")
+
+
+def _peers_report(peers: "tuple[Compared, ...]", missing: tuple[str, ...]) -> dict[str, Json]:
+    ratios: list[Json] = [
+        {"name": each.name, "wall": round(each.wall, 3), "cpu": None if each.cpu is None else round(each.cpu, 3)}
+        for each in peers
+    ]
+    return {"peers": ratios, "peers_missing": [*missing]}
+
+
+def _give_peers(peers: "tuple[Compared, ...]", missing: tuple[str, ...]) -> None:
+    for each in peers:
+        cpu = "" if each.cpu is None else f", {each.cpu:.2f} of its processor time"
+        give(f"beside {each.name}: {each.wall:.2f} of its time{cpu} (whole processes, medians of pairs)")
+    for name in missing:
+        give(f"beside {name}: it is not installed")
+
+
+def _give_drawn(where: str, drawn: "Measured") -> None:
+    give(where)
     give(f"one copy of a whole picture: {drawn.copy_ms:.2f} ms")
     for each in drawn.operations:
         give(f"  {each.name:<16} {each.median_ms:7.2f} ms {each.fps:8.0f} fps {each.ratio:6.1f} copies")
-    wide = f"two layers of {pair.canvas.width_px} x {pair.canvas.height_px} px"
-    for words, rate in (("export", export), (f"export of {wide}", export_two)):
-        give(f"{words}: {rate.fps:.1f} frames/s; only reading and writing {rate.floor_fps:.1f}: {rate.of_floor:.0%}")
-    return 0
 
 
 def _report(drawn: "Measured") -> dict[str, Json]:

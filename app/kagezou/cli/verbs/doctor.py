@@ -3,7 +3,6 @@
 import json
 import os
 import subprocess
-import sys
 from argparse import SUPPRESS, Namespace
 from typing import Final
 
@@ -11,6 +10,7 @@ from kagezou.cli.arguments import Parser
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.terminal import Json, give, give_json, one_line
 from kagezou.errors import GraphicsProblem
+from kagezou.own_process import program_words
 
 DESCRIPTION = """\
 Say what this machine has and what it lacks: versions, OpenGL, picture formats, folders, what is a studio's own,
@@ -111,10 +111,9 @@ def _probe(entry_points: EntryPoints) -> int:
 
 def _graphics() -> dict[str, Json]:
     """Return what the probe in a child process says, or why it says nothing: a driver may crash or hang."""
-    program = [sys.executable] if getattr(sys, "frozen", False) else [sys.executable, "-m", "kagezou"]
     try:
         done = subprocess.run(
-            [*program, "doctor", PROBE],
+            [*program_words(), "doctor", PROBE],
             capture_output=True,
             encoding="utf-8",
             errors="replace",

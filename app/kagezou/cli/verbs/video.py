@@ -13,7 +13,7 @@ from kagezou.io.files.processors import processors
 DESCRIPTION = """\
 Write the finished picture as a video: .mp4 is H.264 to look at, .mov is ProRes 4444 with alpha, both in BT.709. With
 --layer it shows one layer's shadow alone. The file is there as a whole or not at all. Needs PyAV:
-pip install 'kagezou[video]'. Prints the file."""
+pip install av. Prints the file."""
 EXAMPLES = """\
   kagezou video walk.kage -o preview.mp4
   kagezou video walk.kage -o preview.mp4 --frames 1-48

@@ -21,6 +21,7 @@ from kagezou.errors import AfterExportFailed, UsageProblem
 from kagezou.export.after.manifest import Handover, manifest_of
 from kagezou.io.files.faults import cause_of
 from kagezou.message import Message
+from kagezou.own_process import module_words, script_words
 
 COMMAND_VARIABLE: Final = "KAGEZOU_AFTER_EXPORT"
 MANIFEST_VARIABLE: Final = "KAGEZOU_MANIFEST"
@@ -146,14 +147,14 @@ def _words(text: str) -> tuple[str, ...]:
 
 def _hook(words: tuple[str, ...]) -> Hook:
     """Return what runs a command; a script of Python is run by this Python, as Windows starts none by itself."""
-    return Hook(Path(words[0]).name, (sys.executable, *words) if words[0].endswith(".py") else words)
+    return Hook(Path(words[0]).name, (*script_words(words[0]), *words[1:]) if words[0].endswith(".py") else words)
 
 
 def _of_packages() -> Iterator[Hook]:
     """Yield the entry points, each called in a process of its own."""
     module = "kagezou.export.after.entry_point"
     for each in sorted(entry_points(group=ENTRY_POINTS), key=lambda found: found.name):
-        yield Hook(each.name, (sys.executable, "-m", module, each.value), is_ours=True)
+        yield Hook(each.name, (*module_words(module), each.value), is_ours=True)
 
 
 def _run(hook: Hook, manifest: Path, stopped: Callable[[], bool]) -> Message:

@@ -1,5 +1,5 @@
 """Pixels as bytes: packing, signatures of formats, colour, and the values that a layered picture is made of.
 
-It may use numpy, isal and the geometry's boxes.
+It may use numpy, isal, zlib-ng and the geometry's boxes.
 It must never know where a file lies or which document asked.
 """

@@ -10,18 +10,16 @@ import threading
 from typing import Any, Final
 
 import numpy as np
-from isal import isal_zlib
 from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
+from kagezou.io.pixels.deflating import crc32, packed_fast, packed_small
 
 Pixels = NDArray[Any]
 Color = tuple[int, int, int]
 _SIGNATURE: Final = b"\x89PNG\r\n\x1a\n"
 _RGBA: Final = 6
 _PERCEPTUAL: Final = b"\0"
-# Level 1 takes as long as level 0 and halves the file; level 3 takes sixteen times as long and gains nothing.
-_LEVEL: Final = 1
 _SAMPLE_STEP: Final = 16
 _NO_FILTER: Final = 0
 _LEFT_FILTER: Final = 1
@@ -66,7 +64,7 @@ def pack_layer(size_px: tuple[int, int], color: Color, alpha: Pixels, box: Box) 
     buffers.pixels[0, :, :3] = np.asarray(color, np.uint8)[:, None]
     buffers.written = slice(box.top, box.bottom + 1), slice(box.left, box.right)
     _difference(alpha, buffers.pixels[*buffers.written, 3])
-    return _packed(size_px, alpha.dtype.itemsize * 8, buffers.rows)
+    return _packed(size_px, alpha.dtype.itemsize * 8, packed_small(buffers.rows))
 
 
 def pack_rgba(rgba: Pixels) -> bytes:
@@ -80,8 +78,9 @@ def pack_rgba(rgba: Pixels) -> bytes:
     plain = np.ascontiguousarray(rgba, rgba.dtype.newbyteorder(">")).view(np.uint8).reshape(height, width * step)
     sample = plain[::_SAMPLE_STEP]
     kept, differences = _rows(sample, _NO_FILTER, step), _rows(sample, _LEFT_FILTER, step)
-    smaller = len(isal_zlib.compress(differences, _LEVEL)) < len(isal_zlib.compress(kept, _LEVEL))
-    return _packed((width, height), bits, _rows(plain, _LEFT_FILTER if smaller else _NO_FILTER, step))
+    smaller = len(packed_fast(differences)) < len(packed_fast(kept))
+    rows = _rows(plain, _LEFT_FILTER if smaller else _NO_FILTER, step)
+    return _packed((width, height), bits, packed_fast(rows))
 
 
 def _blank_rows(width: int, height: int, dtype: np.dtype[Any]) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
@@ -119,18 +118,18 @@ def _rows(plain: NDArray[np.uint8], kind: int, step: int) -> NDArray[np.uint8]:
     return rows
 
 
-def _packed(size_px: tuple[int, int], bits: int, rows: NDArray[np.uint8]) -> bytes:
+def _packed(size_px: tuple[int, int], bits: int, rows: bytes) -> bytes:
     return b"".join(
         (
             _SIGNATURE,
             *_chunk(b"IHDR", struct.pack(">IIBBBBB", *size_px, bits, _RGBA, 0, 0, 0)),
             *_chunk(b"sRGB", _PERCEPTUAL),
-            *_chunk(b"IDAT", isal_zlib.compress(rows, _LEVEL)),
+            *_chunk(b"IDAT", rows),
             *_chunk(b"IEND", b""),
         )
     )
 
 
 def _chunk(kind: bytes, body: bytes) -> tuple[bytes, ...]:
-    check = isal_zlib.crc32(body, isal_zlib.crc32(kind))
+    check = crc32(body, crc32(kind))
     return struct.pack(">I", len(body)), kind, body, struct.pack(">I", check)

@@ -9,9 +9,8 @@ import struct
 from pathlib import Path
 from typing import BinaryIO, Final
 
-from isal import isal_zlib
-
 from kagezou.io.files.faults import input_problem
+from kagezou.io.pixels.deflating import crc32
 from kagezou.message import Message
 
 FORMATS: Final = {
@@ -137,7 +136,7 @@ def _check_png(path: Path, stream: BinaryIO, *, whole: bool) -> None:
         body = stream.read(length)
         told = int.from_bytes(stream.read(_CHUNK_CRC))
         needed = following[:1].isupper() or following == b"tRNS"
-        if needed and isal_zlib.crc32(body, isal_zlib.crc32(following)) != told:
+        if needed and crc32(body, crc32(following)) != told:
             raise input_problem(path, Message("the file is damaged (a checksum is wrong)"))
         if not kind:
             _check_png_header(path, following, body)

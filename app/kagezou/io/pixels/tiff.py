@@ -4,12 +4,12 @@ import struct
 from typing import Any, Final
 
 import numpy as np
-from isal import isal_zlib
 from numpy.typing import NDArray
+
+from kagezou.io.pixels.deflating import packed_small
 
 Pixels = NDArray[Any]
 _STRIP_ROWS: Final = 64
-_LEVEL: Final = 1
 _SHORT: Final = 3
 _LONG: Final = 4
 _FORMATS: Final = {_SHORT: "H", _LONG: "I"}
@@ -23,7 +23,7 @@ def pack_rgba(rgba: Pixels) -> bytes:
     """Return a TIFF of straight sRGB (H, W, 4) ``uint8`` or ``uint16``, little-endian."""
     height, width = rgba.shape[:2]
     pixels = np.ascontiguousarray(rgba, rgba.dtype.newbyteorder("<"))
-    strips = [isal_zlib.compress(pixels[top : top + _STRIP_ROWS], _LEVEL) for top in range(0, height, _STRIP_ROWS)]
+    strips = [packed_small(pixels[top : top + _STRIP_ROWS]) for top in range(0, height, _STRIP_ROWS)]
     sizes = [len(strip) for strip in strips]
     offsets = [_HEADER.size + sum(sizes[:index]) for index in range(len(sizes))]
     data = b"".join(strips)

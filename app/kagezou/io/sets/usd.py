@@ -23,6 +23,7 @@ from kagezou.io.sets.bounded_bytes import state_of
 from kagezou.io.sets.triangles import Triangles
 from kagezou.io.sets.usd_contents import UsdContents, load_contents
 from kagezou.message import Message
+from kagezou.own_process import module_words
 
 MISSING: Final = Message("USD files need the package usd-core: {how}", how=USD.how)
 
@@ -121,7 +122,7 @@ def _run(path: Path, rate: Fraction, out: Path) -> None:
     """Let a process read a file and write what it holds; what becomes of it shows in what it wrote."""
     # One thread is enough, and the room of many for numbers would count as memory.
     env = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path)), "PXR_WORK_THREAD_LIMIT": "1"}
-    words = [sys.executable, "-m", CHILD, str(path.absolute()), str(rate), str(out)]
+    words = [*module_words(CHILD), str(path.absolute()), str(rate), str(out)]
     try:
         subprocess.run(
             words,

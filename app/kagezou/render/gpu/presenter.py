@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 
 from kagezou.geometry.box import Box
+from kagezou.io.images.reading import Steps
 from kagezou.render.gpu.boxes import Boxes
-from kagezou.render.gpu.gl import GL
+from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.program import Program
-from kagezou.render.gpu.targets import Texture
+from kagezou.render.gpu.targets import Format, Target, Texture
 
 BLOCKY_FROM_ZOOM = 2.0
 """From this magnification on single pixels are shown as squares."""
@@ -19,7 +20,7 @@ class WindowView:
     Parameters
     ----------
     framebuffer
-        The window's own.
+        The window's own; None for a window that is painted otherwise.
     width_px, height_px
         Its size in device pixels.
     zoom
@@ -32,7 +33,7 @@ class WindowView:
         How many canvas px a pixel of the picture is wide: over 1 for a preview.
     """
 
-    framebuffer: int
+    framebuffer: int | None
     width_px: int
     height_px: int
     zoom: float
@@ -47,10 +48,29 @@ class Presenter:
     def __init__(self, boxes: Boxes) -> None:
         self._boxes = boxes
         self._program = Program("common/box.vert", "picture/present.frag")
+        self._copy: Target | None = None
 
-    def draw(self, picture: Texture, view: WindowView) -> None:
-        """Fill the window with the picture and its surround."""
-        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, view.framebuffer)
+    def draw(self, picture: Texture, view: WindowView) -> Steps | None:
+        """Fill the window with the picture and its surround.
+
+        Without a framebuffer return what would fill it, (H, W, 4) 8 bit: blue, green, red, opaque; the top row first.
+        """
+        if view.framebuffer is not None:
+            self._draw(picture, view, view.framebuffer, (float(view.height_px), -1.0))
+            check("showing the picture")
+            return None
+        size = (view.width_px, view.height_px)
+        if self._copy is None or self._copy.size_px != size:
+            if self._copy is not None:
+                self._copy.close()
+            self._copy = Target(*size, Format.RGBA8)
+        self._draw(picture, view, self._copy.id, (0.0, 1.0))
+        pixels = self._copy.read_for_screen()
+        check("showing the picture")
+        return pixels
+
+    def _draw(self, picture: Texture, view: WindowView, framebuffer: int, rows: tuple[float, float]) -> None:
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, framebuffer)
         GL.glViewport(0, 0, view.width_px, view.height_px)
         for state in (GL.GL_BLEND, GL.GL_DEPTH_TEST, GL.GL_CULL_FACE, GL.GL_STENCIL_TEST, GL.GL_SCISSOR_TEST):
             GL.glDisable(state)
@@ -62,7 +82,7 @@ class Presenter:
             {
                 "u_target_size_px": (float(view.width_px), float(view.height_px)),
                 "u_picture": 0,
-                "u_window_height_px": float(view.height_px),
+                "u_rows": rows,
                 "u_canvas_from_window": (scale, -view.origin_px[0] * scale, -view.origin_px[1] * scale),
                 "u_canvas_size_px": (float(picture.width_px), float(picture.height_px)),
                 "u_surround": view.surround,
@@ -73,3 +93,5 @@ class Presenter:
     def close(self) -> None:
         """Give the memory back."""
         self._program.close()
+        if self._copy is not None:
+            self._copy.close()

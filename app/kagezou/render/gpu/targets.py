@@ -190,6 +190,15 @@ class Target:
         GL.glReadPixels(box.left, box.top, box.width, box.height, order, component, c_void_p(pixels.ctypes.data))
         return pixels
 
+    def read_for_screen(self) -> Steps:
+        """Return all pixels, (H, W, 4) 8 bit, in the order in which screens keep them: blue, green, red, alpha."""
+        pixels = np.empty((self.texture.height_px, self.texture.width_px, 4), np.uint8)
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, self.id)
+        GL.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1)
+        start = c_void_p(pixels.ctypes.data)
+        GL.glReadPixels(0, 0, *pixels.shape[1::-1], GL.GL_BGRA, GL.GL_UNSIGNED_BYTE, start)
+        return pixels
+
     def read_floats(self, box: Box) -> NDArray[np.float32]:
         """Return a box as floats, (h, w) or with two or four components (h, w, 2) or (h, w, 4), top row first."""
         count = self.texture.form.components

@@ -65,7 +65,7 @@ class Inspector(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._inner.installEventFilter(self)
         bridge.document_changed.connect(self._refresh)
-        bridge.frame_changed.connect(self._refresh)
+        bridge.frame_settled.connect(self._refresh)
         bridge.selection_changed.connect(self._refresh)
         self._fill(Scope.DOCUMENT, (None,))
         self._refresh()

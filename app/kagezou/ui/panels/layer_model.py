@@ -50,7 +50,7 @@ class LayerModel(QAbstractListModel):
         self._layers: tuple[Layer, ...] = bridge.document.layers
         self._missing = NOTHING_MISSING
         bridge.document_changed.connect(self._follow)
-        bridge.frame_changed.connect(self._repaint)
+        bridge.frame_settled.connect(self._repaint)
         thumbnails.ready.connect(self._repaint)
 
     def layer(self, row: int) -> Layer:

@@ -63,7 +63,7 @@ class StyleList(QWidget):
         self.list.looked_at.connect(self._look_at)
         self.list.looked_away.connect(lambda: bridge.look_at(None))
         self._lay_out()
-        for signal in (bridge.document_changed, bridge.frame_changed, bridge.selection_changed):
+        for signal in (bridge.document_changed, bridge.frame_settled, bridge.selection_changed):
             signal.connect(self._wait_for_rest)
         self.reload()
 

@@ -10,10 +10,10 @@ from PySide6.QtCore import QBuffer, QIODevice, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QImage, QImageWriter, QPainter
 
 from kagezou.errors import Problem
+from kagezou.export.small_first_frame import first_frame
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.images.reading import Steps
 from kagezou.io.project import file as project_file
-from kagezou.ui.project.small_first_frame import first_frame
 from kagezou.ui.system.background import Queue, Turn
 from kagezou.ui.system.offscreen_context import OffscreenSurface
 from kagezou.ui.system.theme import WELL

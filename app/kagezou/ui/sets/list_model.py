@@ -38,7 +38,7 @@ class SetModel(QAbstractListModel):
         self._bridge = bridge
         self._pieces: tuple[Piece, ...] = bridge.document.pieces
         bridge.document_changed.connect(self._follow)
-        bridge.frame_changed.connect(self._repaint)
+        bridge.frame_settled.connect(self._repaint)
 
     def row_of(self, piece_id: str | None) -> int | None:
         """Return the row of a piece."""

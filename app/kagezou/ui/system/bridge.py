@@ -17,6 +17,8 @@ class Bridge(QObject):
 
     document_changed = Signal()
     frame_changed = Signal(int)
+    frame_settled = Signal()
+    """The frame is another one than when this was sent last, and frames do not pass: what takes time may follow."""
     selection_changed = Signal()
     keys_changed = Signal()
     saved_changed = Signal(bool)
@@ -40,6 +42,7 @@ class Bridge(QObject):
         self._looked_at: Document | None = None
         self._soloed = (session.document, soloed(session.document))
         self._settled = session.document
+        self._is_passing = self._has_passed = False
         self._listen(session)
 
     @property
@@ -80,6 +83,18 @@ class Bridge(QObject):
         return self._session.state.frame
 
     @property
+    def is_passing(self) -> bool:
+        """Whether frames pass: the cut plays, or time is scrubbed."""
+        return self._is_passing
+
+    def let_pass(self, *, on: bool) -> None:
+        """Let frames pass, so that only what shows the frame itself follows; or let all else follow now."""
+        self._is_passing = on
+        if not on and self._has_passed:
+            self._has_passed = False
+            self.frame_settled.emit()
+
+    @property
     def is_locked(self) -> bool:
         """Whether nothing can be changed in this session, nor in those opened after it."""
         return self._session.is_locked
@@ -118,8 +133,15 @@ class Bridge(QObject):
         self.document_changed.emit()
         self.selection_changed.emit()
         self.keys_changed.emit()
-        self.frame_changed.emit(self.frame)
+        self._tell_frame()
         self._tell_saved()
+
+    def _tell_frame(self) -> None:
+        self.frame_changed.emit(self.frame)
+        if self._is_passing:
+            self._has_passed = True
+        else:
+            self.frame_settled.emit()
 
     def _listen(self, session: Session) -> None:
         def changed(before: State, after: State) -> None:
@@ -153,7 +175,7 @@ class Bridge(QObject):
         if after.keys != before.keys:
             self.keys_changed.emit()
         if after.frame != before.frame:
-            self.frame_changed.emit(after.frame)
+            self._tell_frame()
         self._tell_saved()
         if after.document is not self._settled and not self._session.is_in_gesture:
             self._settled = after.document

@@ -58,6 +58,11 @@ class OffscreenContext:
         if self._context is not None and not self._context.makeCurrent(self._surface):
             raise GraphicsProblem(Message("the graphics driver gives no OpenGL context beside the window"))
 
+    def release(self) -> None:
+        """Let no context be current on this thread."""
+        if self._context is not None:
+            self._context.doneCurrent()
+
     def __enter__(self) -> Self:
         context = QOpenGLContext()
         context.setFormat(surface_format())

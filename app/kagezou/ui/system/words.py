@@ -31,6 +31,6 @@ def in_own_language(text: str, about: str) -> str:
 
     In the place of a command for a terminal stands where the window shows it.
     """
-    if text == HOW:
+    if text in HOW:
         return QCoreApplication.translate("MissingParts", "“Missing Parts” in the Help menu shows how")
     return QCoreApplication.translate(MESSAGES, text, about or None)

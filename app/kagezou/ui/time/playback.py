@@ -68,6 +68,7 @@ class Player(QObject):
         if not first <= self._bridge.frame < last:
             self._bridge.session.go_to(first)
         self._is_playing = True
+        self._bridge.let_pass(on=True)
         self._waiting_for_picture = False
         self._shown_at.clear()
         self._due_s = self._clock() + self._frame_s
@@ -79,6 +80,7 @@ class Player(QObject):
         if self._is_playing:
             self._is_playing = False
             self._timer.stop()
+            self._bridge.let_pass(on=False)
             self.playing_changed.emit(False)
 
     def picture_shown(self) -> None:

@@ -48,7 +48,7 @@ class RowNames(QWidget):
         self._rows = rows
         self._missing = NOTHING_MISSING
         self.setAccessibleName(self.tr("Layers and properties"))
-        for signal in (rows.changed, rows.values_changed, bridge.frame_changed, bridge.keys_changed):
+        for signal in (rows.changed, rows.values_changed, bridge.frame_settled, bridge.keys_changed):
             signal.connect(self.update)
         bridge.selection_changed.connect(self.update)
 

@@ -33,10 +33,14 @@ from kagezou.ui.timeline.time_scale import TimeScale
 
 _READY_PX: Final = 2.5
 _END_REACH_PX: Final = 7.0
-_READY = QColor("#3f9b6b")
+_READY, _FINISHED = QColor("#2f6b4c"), QColor("#5fd39a")
+_FINISHED_PX: Final = 4.0
 
 Kept = Callable[[], Set[PictureSource]]
 """The pictures that are decoded."""
+
+Finished = Callable[[], Set[int]]
+"""The frames that are kept as they are seen."""
 
 
 class Ruler(QWidget):
@@ -50,14 +54,18 @@ class Ruler(QWidget):
         Where frames lie.
     kept
         The pictures that are decoded: frames that need no others can be seen at once.
+    finished
+        The frames that are kept as they are seen: they play at the cut's own rate.
     """
 
     marker_asked = Signal(int)
     """The marker on this frame shall be renamed."""
 
-    def __init__(self, bridge: Bridge, scale: TimeScale, kept: Kept = frozenset) -> None:
+    def __init__(
+        self, bridge: Bridge, scale: TimeScale, kept: Kept = frozenset, finished: Finished = frozenset
+    ) -> None:
         super().__init__()
-        self._bridge, self._scale, self._kept = bridge, scale, kept
+        self._bridge, self._scale, self._kept, self._finished = bridge, scale, kept, finished
         self.count = Count.FRAMES
         self._gesture: Gesture | None = None
         self._held: int | str | None = None
@@ -215,15 +223,21 @@ class Ruler(QWidget):
             paint_note(painter, note_mark(frame, self._scale, self.height()), is_done=is_done)
 
     def _paint_ready(self, painter: QPainter) -> None:
-        top = self.height() - STRIP_PX - _READY_PX - 1
-        kept, layers = self._kept(), self._bridge.document.layers
+        bottom = self.height() - STRIP_PX - 1
+        kept, finished, layers = self._kept(), self._finished(), self._bridge.document.layers
         if not layers:
             return
         for frame in range(self._scale.frame_at(0), self._scale.frame_at(self.width()) + 1):
             needed = (layer.cels.drawing_at(frame) for layer in layers)
-            if all(drawing is None or drawing.source in kept for drawing in needed):
-                left, right = self._scale.x_of(frame), self._scale.x_of(frame + 1)
-                painter.fillRect(QRectF(left, top, right - left, _READY_PX), QBrush(_READY))
+            # The higher bar reads without its colour.
+            if frame in finished:
+                high, color = _FINISHED_PX, _FINISHED
+            elif all(drawing is None or drawing.source in kept for drawing in needed):
+                high, color = _READY_PX, _READY
+            else:
+                continue
+            left, right = self._scale.x_of(frame), self._scale.x_of(frame + 1)
+            painter.fillRect(QRectF(left, bottom - high, right - left, high), QBrush(color))
 
 
 def _seen_of(document: Document) -> tuple[object, ...]:

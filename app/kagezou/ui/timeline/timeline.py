@@ -14,7 +14,7 @@ from kagezou.ui.timeline.drawing_commands import DrawingCommands
 from kagezou.ui.timeline.lanes import Lanes
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.row_names import RowNames
-from kagezou.ui.timeline.ruler import Kept, Ruler
+from kagezou.ui.timeline.ruler import Finished, Kept, Ruler
 from kagezou.ui.timeline.time_scale import TimeScale
 
 _NAMES_LETTERS = 36
@@ -32,12 +32,16 @@ class Timeline(QWidget):
         Where copies go.
     kept
         The pictures that are decoded, for the ruler's strip of frames that can be seen at once.
+    finished
+        The frames that are kept as they are seen, for the same strip.
     """
 
     count_chosen = Signal(Count)
     drawing_menu_asked = Signal(object)
 
-    def __init__(self, bridge: Bridge, clipboard: Clipboard, kept: Kept = frozenset) -> None:
+    def __init__(
+        self, bridge: Bridge, clipboard: Clipboard, kept: Kept = frozenset, finished: Finished = frozenset
+    ) -> None:
         super().__init__()
         self._bridge = bridge
         self.scale = TimeScale()
@@ -46,7 +50,7 @@ class Timeline(QWidget):
         self.names = RowNames(bridge, self.rows)
         self.lanes = Lanes(bridge, self.scale, self.rows)
         self.drawings = DrawingCommands(bridge, self.lanes.drawings.choice, clipboard)
-        self.ruler = Ruler(bridge, self.scale, kept)
+        self.ruler = Ruler(bridge, self.scale, kept, finished)
         self.key_menu = QMenu(self)
         self._across = QScrollBar(Qt.Orientation.Horizontal)
         self._down = QScrollBar(Qt.Orientation.Vertical)

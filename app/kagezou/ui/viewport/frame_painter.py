@@ -126,10 +126,10 @@ class FramePainter:
         self._drawn = wanted
         return True
 
-    def present(self, view: WindowView) -> None:
-        """Place the picture in the window."""
+    def present(self, view: WindowView) -> Steps | None:
+        """Place the picture in the window, or return what would fill it, as the renderer does."""
         self._bring_back()
-        self._front.present(replace(view, divisor=self.divisor))
+        return self._front.present(replace(view, divisor=self.divisor))
 
     def read_picture(self) -> Steps:
         """Return the picture drawn last, (H, W, 4) straight sRGB; at full resolution as the command line writes it."""

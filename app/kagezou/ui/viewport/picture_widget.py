@@ -1,11 +1,14 @@
-"""The widget with the OpenGL context: it shows the session's frame, and is made anew with every context."""
+"""The widget that shows the session's frame."""
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from PySide6.QtCore import Qt, QTimer, Signal, SignalInstance
+from PySide6.QtGui import QImage, QResizeEvent
+from PySide6.QtWidgets import QWidget
 
 from kagezou.document.model import Document
 from kagezou.errors import GraphicsProblem, Problem
@@ -13,14 +16,15 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.io.images.reading import Steps
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
-from kagezou.render.gpu.presenter import WindowView
 from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
+from kagezou.ui.viewport.faces import made_face
 from kagezou.ui.viewport.frame_painter import Broken, FramePainter
-from kagezou.ui.viewport.picture_view import PictureView, behind, line_px
+from kagezou.ui.viewport.picture_view import PictureView
 from kagezou.ui.viewport.reading import Reading
-from kagezou.ui.viewport.resolution import Pace, Resolution
+from kagezou.ui.viewport.resolution import Resolution
+from kagezou.ui.viewport.showing import Showing, window_view
 from kagezou.ui.viewport.viewpoint import Viewpoint
 
 NEEDED_VERSION = (3, 3)
@@ -28,7 +32,7 @@ REST_MS = 150
 """A hand that has not moved for so long rests, though it may still hold something."""
 
 
-class PictureWidget(QOpenGLWidget):
+class PictureWidget(QWidget):
     """Shows the frame; knows nothing of hands.
 
     Parameters
@@ -49,49 +53,51 @@ class PictureWidget(QOpenGLWidget):
     divisor_changed = Signal(int)
     """How many px of the canvas are one of the picture, from now on; connect queued."""
 
+    shown = Signal()
+    """A picture is on screen; not always another one."""
+
     started = Signal(str, bool)
     """What draws, by name, and whether it is the processor; connect queued."""
 
     def __init__(self, bridge: Bridge, cels: CelCache, meshes: MeshCache, viewpoint: Viewpoint) -> None:
         super().__init__()
+        self._face = made_face(self, self)
         self.viewpoint = viewpoint
         self._bridge = bridge
         self._cels = cels
         self._meshes = meshes
         self._frame_painter: FramePainter | None = None
         self._broken: tuple[Broken, ...] = ()
-        self.pace = Pace()
         self._reading = Reading(cels)
-        self._reading.arrived.connect(self.update, Qt.ConnectionType.QueuedConnection)
-        self._is_current = False
+        self._showing = Showing(bridge, viewpoint, self._reading)
+        self.pace, self.finished = self._showing.pace, self._showing.finished
+        self._reading.arrived.connect(self._face.update, Qt.ConnectionType.QueuedConnection)
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
         self._rest.timeout.connect(self._refine)
-        self._backdrop = Backdrop.BACKGROUND
-        self._view = PictureView.COMPOSITE
         bridge.document_changed.connect(self._document_changed)
-        bridge.shown_changed.connect(self.update)
-        bridge.frame_changed.connect(self.update)
+        bridge.shown_changed.connect(self._face.update)
+        bridge.frame_changed.connect(self._face.update)
         bridge.session_replaced.connect(viewpoint.fit)
         bridge.session_replaced.connect(self.pace.forget)
-        viewpoint.changed.connect(self.update)
+        viewpoint.changed.connect(self._face.update)
         self._document_changed()
 
     @property
     def backdrop(self) -> Backdrop:
         """What is shown where nothing is drawn."""
-        return self._backdrop
+        return self._showing.backdrop
 
     @property
     def view(self) -> PictureView:
         """What of the frame is looked at."""
-        return self._view
+        return self._showing.view
 
     def show_view(self, view: PictureView) -> None:
         """Choose what of the frame is looked at."""
-        self._view = view
-        self.update()
+        self._showing.view = view
+        self._face.update()
 
     @property
     def resolution(self) -> Resolution:
@@ -101,12 +107,12 @@ class PictureWidget(QOpenGLWidget):
     def show_resolution(self, resolution: Resolution) -> None:
         """Choose at which part of its resolution the picture is drawn."""
         self.pace.resolution = resolution
-        self.update()
+        self._face.update()
 
     @property
     def is_current(self) -> bool:
         """Whether the picture shown is that of the session's frame; its drawings may still be on their way."""
-        return self._is_current
+        return self._showing.is_current
 
     @property
     def frame_painter(self) -> FramePainter | None:
@@ -120,21 +126,28 @@ class PictureWidget(QOpenGLWidget):
 
     def show_backdrop(self, backdrop: Backdrop) -> None:
         """Choose what is shown where nothing is drawn."""
-        self._backdrop = backdrop
-        self.update()
+        self._showing.backdrop = backdrop
+        self._face.update()
 
     def reread(self) -> None:
         """Draw anew, because files may have changed."""
+        self.finished.forget()
         if self._frame_painter is not None:
             self._frame_painter.forget_picture()
-        self.update()
+        self._face.update()
 
     def read_picture(self) -> Steps | None:
         """Return the picture on screen, (H, W, 4), or None before there is one."""
         frame_painter = self._frame_painter
         if frame_painter is None or not frame_painter.pictures_drawn:
             return None
-        return self._with_context(frame_painter.read_picture)
+
+        def read() -> Steps:
+            # What is seen may have been kept; it is drawn to be read.
+            self._showing.draw(frame_painter, moving=self._is_moving)
+            return frame_painter.read_picture()
+
+        return self._with_context(read)
 
     def layer_picture(self, document: Document, frame: int, layer_id: str, *, with_shadow: bool) -> Steps | None:
         """Return a layer alone on nothing, (H, W, 4), or None if it cannot be drawn."""
@@ -149,102 +162,88 @@ class PictureWidget(QOpenGLWidget):
         """Read nothing any more, before the window goes."""
         self._reading.finish()
 
-    def initializeGL(self) -> None:
-        try:
-            self._begin()
-        except Problem as problem:
-            self.failed.emit(translated(problem))
-        except Exception:
-            # Qt would lose what leaves this method; a defect of ours must be heard of.
-            sys.excepthook(*sys.exc_info())
+    def begin(self, version: tuple[int, int]) -> None:
+        """Begin to draw with the context that is current, of a version of OpenGL."""
+        with _told(self.failed):
+            if version < NEEDED_VERSION:
+                raise _too_old("{}.{}".format(*version))
+            self._frame_painter = FramePainter(self._cels, self._meshes)
+            self.started.emit(self._frame_painter.device, self._frame_painter.is_software)
 
-    def paintGL(self) -> None:
+    def draw_into(self, framebuffer: int) -> None:
+        """Fill a framebuffer with the picture."""
         if self._frame_painter is None:
             return
-        try:
-            self._paint(self._frame_painter)
-        except Problem as problem:
-            self.failed.emit(translated(problem))
-        except Exception:
-            sys.excepthook(*sys.exc_info())
+        with _told(self.failed):
+            divisor = self._frame_painter.divisor
+            view = replace(window_view(self, self.viewpoint), framebuffer=framebuffer)
+            self._showing.draw_into(self._frame_painter, view, moving=self._is_moving)
+            self._tell(self._frame_painter, divisor)
 
-    def resizeGL(self, width: int, height: int) -> None:
+    def image(self) -> QImage | None:
+        """Return the picture as it fills the widget: as it was kept, or drawn now; None where nothing draws."""
+        if self._frame_painter is None:
+            return None
+        with _told(self.failed):
+            divisor = self._frame_painter.divisor
+            self._showing.find(self._frame_painter, window_view(self, self.viewpoint), moving=self._is_moving)
+            self._tell(self._frame_painter, divisor)
+        return self._showing.image
+
+    def end(self) -> None:
+        """Give the renderer up before its context goes."""
+        if self._frame_painter is not None:
+            self._frame_painter.close()
+            self._frame_painter = None
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
         self.viewpoint.resize((float(self.width()), float(self.height())), self.devicePixelRatioF())
+        self._face.resize(self.size())
 
     def _with_context(self, draw: Callable[[], Steps]) -> Steps | None:
-        self.makeCurrent()
+        found: list[Steps] = []
         try:
-            return draw()
+            self._face.within(lambda: found.append(draw()))
         except Problem as problem:
             self.failed.emit(translated(problem))
-            return None
-        finally:
-            self.doneCurrent()
+        return found[0] if found else None
 
-    def _begin(self) -> None:
-        context = self.context()
-        context.aboutToBeDestroyed.connect(self._release, Qt.ConnectionType.DirectConnection)
-        major, minor = context.format().majorVersion(), context.format().minorVersion()
-        if (major, minor) < NEEDED_VERSION:
-            raise _too_old(f"{major}.{minor}")
-        self._frame_painter = FramePainter(self._cels, self._meshes)
-        self.started.emit(self._frame_painter.device, self._frame_painter.is_software)
-
-    def _paint(self, frame_painter: FramePainter) -> None:
-        document, view = self._bridge.shown, self._view
-        self._is_current = self._reading.has_drawings_of(document, self._bridge.frame)
-        if not self._is_current and frame_painter.pictures_drawn:
-            frame_painter.present(_window_view(self, self.viewpoint))
-            return
-        backdrop = behind(view, self._backdrop, has_background=document.background is not None)
-        line = line_px(view, self.viewpoint.view.zoom)
-        is_moving = self._rest.isActive() and self._bridge.session.is_in_gesture
-        at, before = self.pace.next(moving=is_moving), frame_painter.divisor
-        if frame_painter.draw(document, self._bridge.frame, backdrop, view, line, at):
-            self.pace.took(frame_painter.divisor, frame_painter.took_s)
-        frame_painter.present(_window_view(self, self.viewpoint))
-        if frame_painter.divisor != before:
+    def _tell(self, frame_painter: FramePainter, divisor: int) -> None:
+        """Tell what has become of the picture, which was drawn with a divisor before."""
+        if frame_painter.divisor != divisor:
             self.divisor_changed.emit(frame_painter.divisor)
         if frame_painter.broken != self._broken:
             self._broken = frame_painter.broken
             self.broken_changed.emit(frame_painter.broken)
 
+    @property
+    def _is_moving(self) -> bool:
+        return self._rest.isActive() and (self._bridge.session.is_in_gesture or self._bridge.is_passing)
+
     def _document_changed(self) -> None:
+        self.finished.forget()
         if self._bridge.session.is_in_gesture:
             self._rest.start()
         canvas = self._bridge.document.canvas
         self.viewpoint.set_canvas((float(canvas.width_px), float(canvas.height_px)))
-        self.update()
+        self._face.update()
 
     def _refine(self) -> None:
         """Draw what was drawn in haste again, now that the hand rests."""
         if self._frame_painter is not None and self._frame_painter.divisor != self.pace.next(moving=False).divisor:
-            self.update()
-
-    def _release(self) -> None:
-        """Give the renderer up before its context goes; Qt makes another and calls initializeGL again."""
-        if self._frame_painter is not None:
-            self.makeCurrent()
-            self._frame_painter.close()
-            self._frame_painter = None
-            self.doneCurrent()
+            self._face.update()
 
 
-def _window_view(widget: QOpenGLWidget, viewpoint: Viewpoint) -> WindowView:
-    """Return how the picture lies in the framebuffer of a widget."""
-    ratio = widget.devicePixelRatioF()
-    view, surround = viewpoint.view, viewpoint.surround
-    x, y = view.origin_view_px
-    return WindowView(
-        framebuffer=widget.defaultFramebufferObject(),
-        # Halves go up, as Qt makes its framebuffer.
-        width_px=int(widget.width() * ratio + 0.5),
-        height_px=int(widget.height() * ratio + 0.5),
-        zoom=view.zoom * ratio,
-        # On whole device pixels, so that at 100 % nothing is blurred by half a pixel.
-        origin_px=(float(round(x * ratio)), float(round(y * ratio))),
-        surround=(surround.redF(), surround.greenF(), surround.blueF()),
-    )
+@contextmanager
+def _told(failed: SignalInstance) -> Iterator[None]:
+    """Tell what goes wrong in here, as Qt would lose what leaves a painting."""
+    try:
+        yield
+    except Problem as problem:
+        failed.emit(translated(problem))
+    except Exception:
+        # A defect of ours must be heard of.
+        sys.excepthook(*sys.exc_info())
 
 
 def _too_old(version: str) -> GraphicsProblem:

@@ -1,7 +1,7 @@
 """The viewport: the picture, the handles over it, and the events that reach them."""
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QTabletEvent, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QResizeEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QMenu
 
 from kagezou.io.images.cel_cache import CelCache
@@ -69,8 +69,8 @@ class Viewport(PictureWidget):
         bridge.selection_changed.connect(self.overlay.update)
         space.changed.connect(self._show_cursor)
 
-    def resizeGL(self, width: int, height: int) -> None:
-        super().resizeGL(width, height)
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
         self.overlay.resize(self.size())
 
     def show_handles(self, *, shown: bool) -> None:

@@ -8,7 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
-from kagezou.extras import Extra
+from kagezou.extras import IN_BUNDLE, Extra, install_words
+from kagezou.own_process import is_bundle
 from kagezou.ui.system.words import translated
 
 MOST_WIDE_PX: Final = 900
@@ -55,6 +56,9 @@ class MissingParts(QDialog):
     def _fill(self, column: QVBoxLayout) -> None:
         column.addWidget(_label(self.tr("This installation lacks parts for:")))
         column.addWidget(_label("\n".join(f"•  {each}" for each in self.words)))
+        if is_bundle():
+            column.addWidget(_label(translated(IN_BUNDLE)))
+            return
         steps = (
             self.tr("They cost nothing and are added once:"),
             self.tr("1.  Copy this line."),
@@ -76,7 +80,8 @@ class MissingParts(QDialog):
 def command_for(extras: Sequence[Extra]) -> str:
     """Return the line that adds extras to the Python that runs this; one that the usual shells understand."""
     python = f'& "{sys.executable}"' if sys.platform == "win32" else f"'{sys.executable}'"
-    return f"{python} -m pip install 'kagezou[{','.join(each.name for each in extras)}]'"
+    packages = tuple(dict.fromkeys(package for extra in extras for package in extra.packages))
+    return f"{python} -m pip install {install_words(packages)}"
 
 
 def _label(words: str) -> QLabel:

@@ -37,6 +37,7 @@ from kagezou.ui.time.key_commands import KeyCommands
 from kagezou.ui.time.playback import Player
 from kagezou.ui.time.prefetch import Prefetch
 from kagezou.ui.time.transport import Transport
+from kagezou.ui.timeline.ruler import Finished
 from kagezou.ui.timeline.timeline import Timeline
 from kagezou.ui.viewport.corner_sheet import CornerSheet
 from kagezou.ui.viewport.onion_skin import OnionSkin
@@ -179,7 +180,7 @@ def make_parts(
         welcome=Welcome(settings.picture_folder),
         viewport=viewport,
         panels=panels,
-        time=_time_parts(open_project, clipboard, player, actions),
+        time=_time_parts(open_project, clipboard, player, actions, lambda: viewport.finished.frames),
         status=status,
         sets=_set_parts(open_project, viewport, space, menus),
         feet=FeetFinder(bridge),
@@ -206,13 +207,15 @@ def _panels(bridge: Bridge, clipboard: Clipboard, settings: Settings) -> Panels:
     )
 
 
-def _time_parts(open_project: OpenProject, clipboard: Clipboard, player: Player, actions: Actions) -> TimeParts:
+def _time_parts(
+    open_project: OpenProject, clipboard: Clipboard, player: Player, actions: Actions, finished: Finished
+) -> TimeParts:
     bridge, cels = open_project.bridge, open_project.cels
     return TimeParts(
         player,
         Prefetch(bridge, player, cels),
         Transport(bridge, player, [actions[name] if name else None for name in _BUTTONS]),
-        Timeline(bridge, clipboard, cels.kept_sources),
+        Timeline(bridge, clipboard, cels.kept_sources, finished),
         KeyCommands(bridge, clipboard),
     )
 

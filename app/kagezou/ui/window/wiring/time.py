@@ -46,7 +46,7 @@ def connect_playback(parts: Parts, verbs: WindowVerbs) -> None:
         if parts.viewport.is_current:
             player.picture_shown()
 
-    parts.viewport.frameSwapped.connect(shown)
+    parts.viewport.shown.connect(shown)
     player.playing_changed.connect(lambda _: _show_playing(parts, verbs))
     for name in ("loop", "every_frame", "ping_pong"):
         _remember_switch(parts, name)

@@ -1,0 +1,74 @@
+"""What a release is made with: notes from the changelog, terms of what is shipped, how a bundle calls itself."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import dev_third_party
+import release_notes
+from kagezou import own_process
+from kagezou.version import __version__
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_the_notes_of_a_release_are_its_part_of_the_changelog() -> None:
+    text = (
+        "# Changelog\n\n## Unreleased\n\n- new\n\n## 0.2.0 - 2026-12-01\n\n### Features\n\n- a\n\n## [0.2.0.1]\n\n- b\n"
+    )
+    assert release_notes.notes_of(text, "0.2.0") == "### Features\n\n- a\n"
+    assert release_notes.notes_of(text, "0.2.0.1") == "- b\n"
+    assert release_notes.notes_of(text, "0.3.0") is None
+
+
+def test_a_tag_must_be_the_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert release_notes.version() == __version__
+    assert release_notes.main([f"v{__version__}9"]) == 1
+    assert "is not the version" in capsys.readouterr().err
+
+
+def test_the_terms_of_everything_that_is_needed_are_named() -> None:
+    shipped = {each.name: each for each in dev_third_party.parts()}
+    for name in ("numpy", "pyside6-essentials", "openimageio", "pyopengl", "pyqtgraph", "kornia-rs", "zlib-ng", "isal"):
+        assert shipped[name].terms not in ("", "see its licence file"), name
+    assert "LGPL" in shipped["pyside6-essentials"].terms
+    assert "pip" not in shipped
+    made = json.loads(json.dumps(dev_third_party.sbom(tuple(shipped.values()), "1.2.3")))
+    assert made["metadata"]["component"]["version"] == "1.2.3"
+    assert len({each["bom-ref"] for each in made["components"]}) == len(shipped)
+
+
+def test_the_page_of_terms_is_there_with_what_is_always_shipped() -> None:
+    text = (ROOT / "THIRD_PARTY.md").read_text(encoding="utf-8")
+    for name in ("numpy", "pyside6-essentials", "openimageio", "pyopengl", "pyqtgraph", "platformdirs", "psd-tools"):
+        assert f"| {name} |" in text
+
+
+def test_a_bundle_runs_modules_and_scripts_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a checkout calls by its Python, a bundle calls by itself."""
+    assert own_process.module_words("kagezou.cli") == (sys.executable, "-m", "kagezou.cli")
+    assert not own_process.ran_as_child(["--as-script", "x.py"])
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    assert own_process.program_words() == (sys.executable,)
+    script = tmp_path / "hook.py"
+    script.write_text(
+        f"import sys\nfrom pathlib import Path\nPath({str(tmp_path / 'said')!r}).write_text(' '.join(sys.argv[1:]))\n"
+    )
+    monkeypatch.setattr(sys, "argv", ["kagezou"])
+    _, *words = own_process.script_words(str(script))
+    assert own_process.ran_as_child([*words, "one", "two"])
+    assert (tmp_path / "said").read_text() == "one two"
+    assert not own_process.ran_as_child(["--as-module", "http.server"])
+    assert not own_process.ran_as_child(["--version"])
+
+
+def test_the_spec_and_the_bundle_script_can_be_read() -> None:
+    for name in ("kagezou.spec", "bundle.py", "bundle_packing.py"):
+        compile((ROOT / "packaging" / name).read_text(encoding="utf-8"), name, "exec")
+    said = subprocess.run(
+        [sys.executable, ROOT / "packaging" / "bundle.py", "--help"], capture_output=True, text=True, check=True
+    )
+    assert "--with" in said.stdout
