@@ -102,11 +102,34 @@ Fittings = Mapping[tuple[Address, int], Fitting]
 NO_FITTINGS: Final[Fittings] = MappingProxyType({})
 
 
-def pictures_of(document: Document, shown: ShownCurves, chosen: Refs, held: Fittings = NO_FITTINGS) -> Pictures:
-    """Return what is to be drawn now; a drag holds the fittings it began with, so that the curve follows the hand."""
-    return tuple(
-        _picture(document, curve, shown, chosen, held.get((curve.address, curve.component))) for curve in shown.curves
-    )
+def pictures_of(
+    document: Document, shown: ShownCurves, chosen: Refs, held: Fittings = NO_FITTINGS, before: Pictures = ()
+) -> Pictures:
+    """Return what is to be drawn now; a drag holds the fittings it began with, so that the curve follows the hand.
+
+    Parameters
+    ----------
+    before
+        What was drawn in the same way before: curves in which nothing changed are the very same again.
+    """
+    known = {each.curve: each for each in before}
+    chosen_of: dict[Address, set[float]] = {}
+    for ref in chosen:
+        chosen_of.setdefault(ref.address, set()).add(ref.frame)
+    made = []
+    for curve in shown.curves:
+        fitting, old = held.get((curve.address, curve.component)), known.get(curve)
+        frames = chosen_of.get(curve.address, set())
+        if old is None or not _holds(old, track_of(document, curve.address), frames, fitting):
+            old = _picture(document, curve, shown, chosen, fitting)
+        made.append(old)
+    return tuple(made)
+
+
+def _holds(picture: CurvePicture, track: Track, chosen: set[float], fitting: Fitting | None) -> bool:
+    """Whether a curve would be drawn the same again."""
+    marked = {mark.frame for mark in picture.keys if mark.is_chosen}
+    return picture.track is track and marked == chosen and fitting in (None, picture.fitting)
 
 
 def differing_frames(document: Document, other: Document, curve: Curve) -> tuple[int, ...]:
