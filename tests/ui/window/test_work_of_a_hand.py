@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QTableWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from kagezou.document.address import Address
@@ -27,8 +27,14 @@ def moved(x: float, *, by_hand: bool = True) -> QMouseEvent:
     return kind(QEvent.Type.MouseMove, place, place, button, button, Qt.KeyboardModifier.NoModifier)
 
 
+def _first_value(table: QTableWidget) -> str:
+    item = table.item(0, 2)
+    assert item is not None
+    return item.text()
+
+
 def test_of_moves_that_come_together_the_last_is_done_and_then_painted(qtbot: QtBot) -> None:
-    widget, done = QWidget(), []
+    widget, done = QWidget(), list[int]()
     qtbot.addWidget(widget)
     pace = OnceAPaint(widget)
     for x in (1, 2, 3):
@@ -44,7 +50,7 @@ def test_of_moves_that_come_together_the_last_is_done_and_then_painted(qtbot: Qt
 
 
 def test_what_a_program_sends_is_done_at_once_and_in_order(qtbot: QtBot) -> None:
-    widget, done = QWidget(), []
+    widget, done = QWidget(), list[int]()
     qtbot.addWidget(widget)
     pace = OnceAPaint(widget)
     pace.take(moved(1), partial(done.append, 1))
@@ -92,24 +98,24 @@ def test_a_drag_in_the_graph_draws_the_curve_that_changed_and_reads_no_list(walk
     walking.parts.actions["curves"].trigger()
     editor = walking.parts.curves.made()
     QApplication.processEvents()
-    drawn, rows = editor.graph.items.curves_drawn, editor.table.rowCount()
-    first = editor.table.item(0, 2).text()
+    drawn, rows = editor.graph.drawn.curves_drawn, editor.table.rowCount()
+    first = _first_value(editor.table)
     listed = editor.table.address
     assert listed is not None
     gesture = bridge.session.begin("Drag")
     for value in (0.3, 0.4, 0.5):
         gesture.show(set_key(bridge.document, listed, 1, value))
-    assert editor.graph.items.curves_drawn == drawn + 3, "one curve a move, not all of them"
-    assert editor.table.item(0, 2).text() == first
+    assert editor.graph.drawn.curves_drawn == drawn + 3, "one curve a move, not all of them"
+    assert _first_value(editor.table) == first
     gesture.commit()
     assert editor.table.rowCount() == rows
-    assert editor.table.item(0, 2).text() != first
+    assert _first_value(editor.table) != first
 
 
 def test_while_a_hand_scrubs_the_picture_comes_after_the_playhead(walking: MainWindow, qtbot: QtBot) -> None:
     viewport, bridge = walking.parts.viewport, walking.parts.bridge
     viewport.grab()
-    due = []
+    due: list[int] = []
     viewport.following.due.connect(lambda: due.append(bridge.frame))
     bridge.let_pass(on=True, by_hand=True)
     for frame in (2, 3, 4, 5):

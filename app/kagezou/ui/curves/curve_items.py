@@ -68,6 +68,8 @@ class CurveItems:
 
     def _put(self, item: pg.GraphicsObject, height: int = 0) -> None:
         item.setZValue(height)
+        # With all curves over each other, drawing the lines of those that stay would take most of a painting.
+        item.setCacheMode(pg.QtWidgets.QGraphicsItem.CacheMode.DeviceCoordinateCache)
         self._plot.addItem(item, ignoreBounds=True)
         self._items.append(item)
 

@@ -44,7 +44,7 @@ class Graph(pg.PlotWidget):
         self.controller = GraphController(bridge, choice, lambda: self.model)
         self.controller.shown.connect(self._show_hand)
         self.controller.drag_ended.connect(self.refresh)
-        self.items = CurveItems(self.getPlotItem())
+        self.drawn = CurveItems(self.getPlotItem())
         self._playhead = pg.InfiniteLine(angle=90, movable=False, pen=pg.mkPen(BRIGHT, width=1))
         self._box = pg.QtWidgets.QGraphicsRectItem()
         self._key_box = BoxItems(self.getPlotItem())
@@ -93,7 +93,7 @@ class Graph(pg.PlotWidget):
         before = self.pictures if made_of == self._made_of else ()
         self._made_of = made_of
         self.pictures = pictures_of(state.document, shown, state.keys, held if self.controller.is_busy else {}, before)
-        self.items.draw(state.document, shown.ghost, self.pictures)
+        self.drawn.draw(state.document, shown.ghost, self.pictures)
         self._draw_key_box()
         self.getAxis("left").setScale(common_factor(each.curve.address.property for each in self.pictures))
         self.move_playhead()
